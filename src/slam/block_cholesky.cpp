@@ -264,10 +264,12 @@ std::size_t BlockCholesky<N>::fill() const {
                          [](std::size_t sum, const Column& column) { return sum + column.rows.size(); });
 }
 
+template class BlockMatrix<1>;
 template class BlockMatrix<2>;
 template class BlockMatrix<3>;
 template class BlockMatrix<4>;
 template class BlockMatrix<6>;
+template class BlockCholesky<1>;
 template class BlockCholesky<2>;
 template class BlockCholesky<3>;
 template class BlockCholesky<4>;

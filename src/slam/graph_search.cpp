@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "outrider/slam/pose_graph_bound.hpp"
+#include "staircase.hpp"
 
 namespace outrider {
 namespace {
@@ -19,6 +20,13 @@ DescentLimits first_limits(const PoseGraphOptions& options) {
   constexpr std::int64_t part = 8;
   if (options.start != "best") return {options.iterations, options.tolerance};
   return {(options.iterations + part - 1) / part, std::max(roughly, options.tolerance)};
+}
+
+/// Returns true if the staircase knows all kinds of edges.
+template <class Pose>
+bool can_climb(const PoseGraphOf<Pose>& graph) {
+  return std::none_of(graph.edges.begin(), graph.edges.end(),
+                      [](const auto& edge) { return edge.kind == EdgeKind::range; });
 }
 
 /// Goes down from several starts, roughly, and keeps the lowest end.
@@ -47,6 +55,17 @@ class Search {
     follow_best();
     const auto bound = least_cost_bound(graph_, best_->poses);
     proven_ = bound && best_->cost - *bound <= equal * best_->cost;
+  }
+
+  /// Climbs the Riemannian staircase from these poses, and descends from its top.
+  void climb_from(const std::vector<Pose>& poses) {
+    auto top =
+        climb_staircase(graph_, poses, std::max<std::int64_t>(1, options_.iterations - iterations_), meter_);
+    iterations_ += top.iterations;
+    descend_from({std::move(top.poses), "staircase"});
+  }
+  void climb_from_best() {
+    if (best_ && options_.kernel == "none" && can_climb(graph_)) climb_from(std::vector<Pose>(best_->poses));
   }
 
   /// Goes down under a kernel first, by which edges that contradict the others do not bend the graph.
@@ -129,6 +148,7 @@ std::vector<GraphStart<Pose>> different_starts(const PoseGraphOf<Pose>& graph,
 
 /// Descends from the starts in turn until the lowest cost is proven or has been found twice: first as they
 /// are, then under ever narrower kernels. Those made from the edges come first, because they close the loops.
+/// Where they disagree, the staircase begins at the best.
 template <class Pose>
 void descend_from_all(const PoseGraphOf<Pose>& graph, Search<Pose>& search) {
   constexpr std::array<std::array<const char*, 2>, 2> all = {
@@ -144,6 +164,7 @@ void descend_from_all(const PoseGraphOf<Pose>& graph, Search<Pose>& search) {
         if (search.goes_on()) search.descend_softly(start, kernel_width);
       }
     }
+    if (&names == &all.front() && search.goes_on()) search.climb_from_best();
   }
 }
 
@@ -155,6 +176,10 @@ Outcome<PoseGraphSolutionOf<Pose>> search_minimum(const PoseGraphOf<Pose>& graph
   Search<Pose> search(graph, options, meter);
   if (options.start == "best") {
     descend_from_all(graph, search);
+  } else if (options.start == "staircase") {
+    if (!can_climb(graph)) return bad_input("the staircase knows no ranges; take another start", "start");
+    const auto start = graph_start(graph, "chordal");
+    search.climb_from(start ? start->poses : poses_of(graph));
   } else {
     auto start = graph_start(graph, options.start);
     if (!start) return pass_on(start);

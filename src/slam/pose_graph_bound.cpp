@@ -3,36 +3,24 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "block_cholesky.hpp"
 #include "graph_edges.hpp"
-#include "graph_starts.hpp"
+#include "quadratic_form.hpp"
 
 namespace outrider {
 namespace {
 
-/// The minorant of an edge: constant + 2 <cross, R(a)^T R(b)> + spread |t(b) - t(a) - R(a) arm|^2
-/// + 2 (R(a) pull)^T (t(b) - t(a)).
-template <class Pose>
-struct Minorant {
-  static constexpr int D = dimension<Pose>;
-  double constant = 0.0;
-  Eigen::Matrix<double, D, D> cross = Eigen::Matrix<double, D, D>::Zero();
-  double spread = 0.0;
-  Eigen::Matrix<double, D, 1> arm = Eigen::Matrix<double, D, 1>::Zero();
-  Eigen::Matrix<double, D, 1> pull = Eigen::Matrix<double, D, 1>::Zero();
-};
-
 /// Adds the tangent of x^T u x at x = r, for u positive semidefinite and x = R(a)^T (t(b) - t(a)) - arm.
 template <class Pose, class Vector>
-void add_tangent(const Vector& half_gradient, double value, Minorant<Pose>& minorant) {
+void add_tangent(const Vector& half_gradient, double value, EdgeForm<Pose>& minorant) {
   minorant.pull += half_gradient;
   minorant.constant += value - 2.0 * half_gradient.dot(minorant.arm);
 }
 
 /// Adds the minorant of w a^2 + g a for the angle a of the remaining rotation, which is `angle` at the poses:
 /// the tangent of a^2 in cos a, and for g a, with d = a - angle, g (angle + sin d) - steep |g| (1 - cos d).
-void add_angle(double w, double g, double angle, const Eigen::Matrix2d& measured, Minorant<Pose2>& minorant) {
+void add_angle(double w, double g, double angle, const Eigen::Matrix2d& measured, EdgeForm<Pose2>& minorant) {
   constexpr double steep = 2.7;  // (d - sin d) / (1 - cos d) is less for |d| up to 3.9
   constexpr double largest = 0.75;
   const double at = std::clamp(angle, -3.0, 3.0);
@@ -68,14 +56,14 @@ PoseMatrix<Pose> uncoupled_part(const PoseMatrix<Pose>& information) {
 
 /// Sets arm, spread and the tangent of the position's error for the information `w`.
 template <class Pose, class Matrix, class Vector>
-void add_position(const Matrix& w, const Vector& r, Minorant<Pose>& minorant) {
+void add_position(const Matrix& w, const Vector& r, EdgeForm<Pose>& minorant) {
   minorant.spread = Eigen::SelfAdjointEigenSolver<Matrix>(w).eigenvalues().minCoeff();
   const Vector rest = w * r - minorant.spread * r;
   add_tangent(rest, -rest.dot(r), minorant);
 }
 
-Minorant<Pose2> minorant_of(const GraphEdge& edge, const Pose2& from, const Pose2& to) {
-  Minorant<Pose2> minorant;
+EdgeForm<Pose2> minorant_of(const GraphEdge& edge, const Pose2& from, const Pose2& to) {
+  EdgeForm<Pose2> minorant;
   const Eigen::Vector3d r = residual(edge, from, to);
   minorant.arm = position_of(edge.measured);
   if (edge.kind == EdgeKind::point) {
@@ -102,8 +90,8 @@ Eigen::Matrix3d without_reflections(const Eigen::Matrix3d& w) {
 
 /// 4 v^T W v = tr W + <2 W - tr(W) I, E> with E the remaining rotation and v the vector part of its
 /// quaternion.
-Minorant<Pose3> minorant_of(const GraphEdge3& edge, const Pose3& from, const Pose3& to) {
-  Minorant<Pose3> minorant;
+EdgeForm<Pose3> minorant_of(const GraphEdge3& edge, const Pose3& from, const Pose3& to) {
+  EdgeForm<Pose3> minorant;
   const Eigen::Vector3d r = residual(edge, from, to).head<3>();
   minorant.arm = position_of(edge.measured);
   if (edge.kind == EdgeKind::point) {
@@ -119,95 +107,30 @@ Minorant<Pose3> minorant_of(const GraphEdge3& edge, const Pose3& from, const Pos
   return minorant;
 }
 
-/// The sum of the minorants as constant + tr(X Q X^T), with X the columns of rotation and position of each
-/// node, and its dual.
+/// The dual of the sum of the minorants.
 template <class Pose>
 class DualProblem {
  public:
-  static constexpr int D = dimension<Pose>, B = D + 1;
-  using Block = Eigen::Matrix<double, B, B>;
+  static constexpr int D = dimension<Pose>;
 
-  DualProblem(const PoseGraphOf<Pose>& graph, const std::vector<Pose>& poses) : graph_(graph) {
-    for (std::size_t i = 0; i < poses.size(); ++i) matrix_.add_node();
-    for (const auto& edge : graph.edges) add(edge, minorant_of(edge, poses[edge.from], poses[edge.to]));
-    subtract_multipliers(poses);
-    factor_.begin(least_fill_order(matrix_));
-    factor_.analyse_all(matrix_);
+  DualProblem(const PoseGraphOf<Pose>& graph, const std::vector<Pose>& poses) {
+    QuadraticForm<Pose> form(graph);
+    for (const auto& edge : graph.edges) form.add(edge, minorant_of(edge, poses[edge.from], poses[edge.to]));
+    const Eigen::MatrixXd x = columns_of(graph, poses);
+    const auto multipliers = form.multipliers(x, form.times(x));
+    value_ = form.constant();
+    for (const auto& multiplier : multipliers) value_ += multiplier.trace();
+    for (const auto& node : graph.nodes) rotations_ += node.is_point ? 0.0 : 1.0;
+    form.fix_first_position();
+    matrix_.emplace(graph, form.minus(multipliers));
   }
   /// Returns the bound if the dual matrix with its rotations shifted by so much were positive semidefinite.
   [[nodiscard]] double bound(double shift) const { return value_ - shift * D * rotations_; }
   [[nodiscard]] double shift_for(double loss) const { return loss / (D * rotations_); }
-  bool is_positive(double shift) {
-    BlockMatrix<B> shifted = matrix_;
-    for (std::uint32_t node = 0; node < shifted.size(); ++node) {
-      if (!graph_.nodes[node].is_point) shifted.diagonal(node).diagonal().template head<D>().array() += shift;
-    }
-    return factor_.factor_all(shifted);
-  }
+  bool is_positive(double shift) { return matrix_->factor(shift); }
 
  private:
-  void add(const GraphEdgeOf<Pose>& edge, const Minorant<Pose>& minorant) {
-    value_ += minorant.constant;
-    Block from = Block::Zero(), to = Block::Zero(), mixed = Block::Zero();  // rows of `from`
-    const double spread = minorant.spread;
-    from.template topLeftCorner<D, D>() = spread * minorant.arm * minorant.arm.transpose();
-    from.template topRightCorner<D, 1>() = spread * minorant.arm - minorant.pull;
-    from.template bottomLeftCorner<1, D>() = from.template topRightCorner<D, 1>().transpose();
-    from(D, D) = to(D, D) = spread;
-    mixed.template topLeftCorner<D, D>() = minorant.cross;
-    mixed.template topRightCorner<D, 1>() = minorant.pull - spread * minorant.arm;
-    mixed(D, D) = -spread;
-    matrix_.diagonal(edge.from) += from;
-    matrix_.diagonal(edge.to) += to;
-    const std::uint32_t pair = matrix_.pair(edge.from, edge.to);
-    if (edge.from < edge.to) {
-      matrix_.upper_block(pair) += mixed;
-    } else {
-      matrix_.upper_block(pair) += mixed.transpose();
-    }
-  }
-  /// Takes the multipliers of R^T R = I from the rotations; the position of the first pose is 0.
-  void subtract_multipliers(const std::vector<Pose>& poses) {
-    std::vector<Eigen::Matrix<double, D, B>> columns(poses.size());
-    for (std::size_t i = 0; i < poses.size(); ++i) columns[i] << rotation_of(poses[i]), position_of(poses[i]);
-    std::vector<Eigen::Matrix<double, D, D>> multipliers(poses.size());
-    for (std::uint32_t i = 0; i < poses.size(); ++i) {
-      if (graph_.nodes[i].is_point) continue;
-      Eigen::Matrix<double, D, B> product = columns[i] * matrix_.diagonal(i);
-      for (const auto& neighbour : matrix_.neighbours(i)) {
-        product += columns[neighbour.node] * matrix_.block(i, neighbour).transpose();
-      }
-      const Eigen::Matrix<double, D, D> m =
-          rotation_of(poses[i]).transpose() * product.template leftCols<D>();
-      multipliers[i] = 0.5 * (m + m.transpose());
-      value_ += m.trace();
-      rotations_ += 1.0;
-    }
-    for (std::uint32_t i = 0; i < poses.size(); ++i) {
-      if (graph_.nodes[i].is_point) {
-        matrix_.diagonal(i).diagonal().template head<D>().setOnes();
-      } else {
-        matrix_.diagonal(i).template topLeftCorner<D, D>() -= multipliers[i];
-      }
-    }
-    fix_position(first_pose(graph_));
-  }
-  void fix_position(std::uint32_t node) {
-    matrix_.diagonal(node).row(D).setZero();
-    matrix_.diagonal(node).col(D).setZero();
-    matrix_.diagonal(node)(D, D) = 1.0;
-    for (const auto& neighbour : matrix_.neighbours(node)) {
-      if (node < neighbour.node) {
-        matrix_.upper_block(neighbour.pair).row(D).setZero();
-      } else {
-        matrix_.upper_block(neighbour.pair).col(D).setZero();
-      }
-    }
-  }
-
-  const PoseGraphOf<Pose>& graph_;
-  BlockMatrix<B> matrix_;
-  BlockCholesky<B> factor_;
+  std::optional<ShiftedMatrix<Pose>> matrix_;
   double value_ = 0.0;
   double rotations_ = 0.0;
 };

@@ -12,7 +12,8 @@
 // begins at the poses given, along the odometry, along a spanning tree, or at a chordal relaxation that needs
 // no poses (Carlone et al., ICRA 2015, 4597-4604). "best" descends from one start after the other until the
 // first end is proven to be the least or two descents end at the same lowest cost, then under robust kernels
-// first, and keeps the lowest end. Robust kernels weigh edges down by iteratively reweighted least squares.
+// first, then from the top of the Riemannian staircase (Rosen et al., IJRR 38 (2019) 95-125; graphs without
+// ranges), and keeps the lowest end. Robust kernels weigh edges down by iteratively reweighted least squares.
 //
 // In space, the error of a rotation by the angle a about an axis is 2 sin(a/2) along that axis: twice the
 // vector part of its quaternion.
@@ -117,7 +118,7 @@ struct PoseGraphSolutionOf {
   double start_cost = 0.0;
   double robust_cost = 0.0;     ///< with the kernel: what was made least
   std::int64_t iterations = 0;  ///< of all descents
-  std::string start;            ///< of the best descent: given, odometry, spanning_tree or chordal
+  std::string start;            ///< of the best descent: one of those above but best
   bool converged = false;       ///< the best descent is at a minimum, to the tolerance
   int descents = 0;
   int descents_agreeing = 0;           ///< that ended at the lowest cost; one is enough if it is proven
