@@ -46,7 +46,7 @@ serve: tool-and-page  ## build the tool with its page, and open the scenarios at
 	@build/outrider serve scenarios
 
 test:  ## build everything and run every test
-	$(INSTALL) build test physics cbc ompl page browser
+	$(INSTALL) build test physics cbc ompl page browser python
 	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
 	@ninja -C build -j $(JOBS)
 	@ctest --preset release -j $(JOBS) && echo "Every test passed." || \

@@ -1,12 +1,10 @@
 #include "output.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "outrider/io/files.hpp"
@@ -14,17 +12,6 @@
 #include "terminal.hpp"
 
 namespace outrider::cli {
-namespace {
-
-namespace fs = std::filesystem;
-
-tl::unexpected<Fault> no_folder(const std::string& folder, const std::string& reason) {
-  return bad_input(
-      fmt::format("cannot make the folder '{}' ({}); name one that can be written to", folder, reason),
-      "--out");
-}
-
-}  // namespace
 
 bool is_answer(const Fault& fault) {
   return fault.code == FaultCode::no_path || fault.code == FaultCode::no_shot ||
@@ -61,31 +48,13 @@ std::string json_text(const nlohmann::ordered_json& object, int indent) {
 
 void print(const nlohmann::ordered_json& object) { show_text(json_text(object) + "\n"); }
 
-Status check_folder(const std::string& folder) {
-  if (folder.empty()) return no_folder(folder, "its name is empty");
-  std::error_code error;
-  fs::path nearest = fs::absolute(folder, error);  // the nearest parent that exists
-  while (!error && !fs::exists(fs::symlink_status(nearest)) && nearest.has_relative_path()) {
-    nearest = nearest.parent_path();
-  }
-  if (error) return no_folder(folder, error.message());
-  if (!fs::is_directory(nearest, error)) return no_folder(folder, nearest.string() + " is no folder");
-  if (::access(nearest.c_str(), W_OK | X_OK) != 0) {
-    return no_folder(folder, "nothing may be written to " + nearest.string());
-  }
-  return {};
-}
-
-Status make_folder(const std::string& folder) {
-  if (auto ok = check_folder(folder); !ok) return ok;
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!fs::is_directory(folder)) return no_folder(folder, error.message());
-  return {};
+Status of_flag_out(Status status) {
+  if (!status && status.error().where.empty()) status.error().where = "--out";
+  return status;
 }
 
 Status write_files(const std::string& folder, const std::vector<NamedText>& files) {
-  if (auto ok = make_folder(folder); !ok) return ok;
+  if (auto ok = make_folder(folder); !ok) return of_flag_out(ok);
   std::vector<NamedContent> placed;
   for (const auto& [name, content] : files) placed.push_back({folder + "/" + name, content});
   std::rotate(placed.begin(), std::min(placed.begin() + 1, placed.end()), placed.end());

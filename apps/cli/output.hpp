@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
+#include "outrider/io/folders.hpp"
 
 namespace outrider::cli {
 
@@ -35,11 +36,8 @@ std::string json_text(const nlohmann::ordered_json& object, int indent = -1);
 /// Prints one JSON object on standard output.
 void print(const nlohmann::ordered_json& object);
 
-/// Refuses a folder that make_folder() would refuse. Changes nothing.
-Status check_folder(const std::string& folder);
-
-/// Creates the folder and its parents.
-Status make_folder(const std::string& folder);
+/// Names the flag --out in a fault that names nothing.
+Status of_flag_out(Status status);
 
 /// Pairs a file name with its content.
 using NamedText = std::pair<std::string, std::string>;

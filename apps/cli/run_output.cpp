@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "output.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/io/files.hpp"
-#include "outrider/picture/plan_view.hpp"
 #include "page.hpp"
 #include "terminal.hpp"
 
@@ -21,14 +19,6 @@ using Json = nlohmann::ordered_json;
 bool has_parts(const Report& report) { return !report.metrics.empty(); }
 
 }  // namespace
-
-std::string result_text(const Run& run) {
-  Json object = run_json<Json>(without_machine_times(run.report));
-  object.erase("files");
-  object["settings"] = Json::object();
-  for (const auto& [key, value] : run.report.settings) object["settings"][key] = value;
-  return json_text(object, 1) + "\n";
-}
 
 Outcome<std::string> page_text(const Report& report, const std::string& log_path) {
   auto log = read_file(log_path);
@@ -48,40 +38,17 @@ Status check(const RunOutput& output, bool folder_given) {
   if (output.html) {
     if (auto ok = check_page("--html"); !ok) return ok;
   }
-  return folder_given ? check_folder(output.folder) : Status{};
+  return folder_given ? of_flag_out(check_folder(output.folder)) : Status{};
 }
 
 Outcome<WrittenFiles> write_run(const Job& job, Run& run, RunLog& log, const RunOutput& output) {
-  const bool begun = run.report.status != "cancelled" || has_parts(run.report);
-  if (output.folder.empty() || !begun) return WrittenFiles{};
-  const std::string name(job.name);
-  std::vector<NamedContent> files;
-  std::vector<FileToRename> complete;
-  WrittenFiles written;
-  const auto add = [&](const std::string& what, const std::string& file, std::string text) {
-    written.emplace_back(what, output.folder + "/" + file);
-    files.push_back({output.folder + "/" + file, std::move(text)});
-  };
-  const std::string result = result_text(run);
-  add("result", "run.json", result);
-  const auto log_path = log.finish(result);
-  if (!log_path) return tl::unexpected<Fault>(log_path.error());
-  if (!log_path->empty()) {
-    complete.push_back({output.folder + "/run.mcap", *log_path});
-    written.emplace_back("log", complete.back().path);
-    add("picture", "run.svg", plan_view(run.log));
-  }
-  if (output.html && !log_path->empty()) {
-    auto page = page_text(run.report, *log_path);
-    if (!page) return pass_on(page);
-    add("page", name + ".html", std::move(*page));
-  }
-  for (NamedContent& file : run.files) add(file.path, file.path, std::move(file.content));
-  if (auto ok = make_folder(output.folder); !ok) return pass_on(ok);
-  std::rotate(files.begin(), files.begin() + 1, files.end());  // run.json comes last: where it is, all are
-  if (auto ok = outrider::write_files(files, complete); !ok) return pass_on(ok);
-  log.release();
-  return written;
+  if (!output.html) return outrider::write_run(run, log, output.folder);
+  return outrider::write_run(run, log, output.folder,
+                             [&](const std::string& log_path) -> Outcome<NamedContent> {
+                               auto page = page_text(run.report, log_path);
+                               if (!page) return pass_on(page);
+                               return NamedContent{std::string(job.name) + ".html", std::move(*page)};
+                             });
 }
 
 void print_run(const Job& job, const Run& run, const WrittenFiles& files, bool json) {

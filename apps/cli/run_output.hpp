@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "outrider/job/job.hpp"
-#include "outrider/report/run_json.hpp"
-#include "run_log.hpp"
+#include "outrider/job/write_run.hpp"
 
 namespace outrider::cli {
 
@@ -20,14 +19,7 @@ struct RunOutput {
 /// one.
 Status check(const RunOutput& output, bool folder_given);
 
-/// Returns the text of run.json: the printed JSON with the settings, and without the machine times, which
-/// differ from run to run.
-std::string result_text(const Run& run);
-
-/// Completes the log, and writes run.json, its plan view run.svg, the page, and the
-/// files of the job: all of them or none. A run without messages has no log. Writes nothing for a run that
-/// was cancelled before its mission began, so the files of an earlier run stay whole. Takes the contents of
-/// the files from the run.
+/// Writes the run and, if asked for, its page, as job/write_run.hpp says.
 Outcome<WrittenFiles> write_run(const Job& job, Run& run, RunLog& log, const RunOutput& output);
 
 /// Returns a page that plays the run whose log is in that file. Fault: bad_input if the log is larger than

@@ -20,9 +20,9 @@ void Log::note_message(std::size_t channel, std::int64_t time_ns, const void* me
 
 void Log::add_sink(LogSink& sink) {
   sink.begin(*this);
-  for (const Channel& info : infos_) sink.add_channel(info);
   std::vector<std::size_t> sent(channels_.size(), 0);
-  for (const std::uint32_t channel : order_) {
+  for (std::uint32_t added = 0; const std::uint32_t channel : order_) {
+    if (channel == added) sink.add_channel(infos_[added++]);
     const auto [time_ns, message] = channels_[channel]->at(sent[channel]++);
     sink.append(channel, time_ns, encode(MessageEncoding::cdr, *channels_[channel]->type, message));
   }

@@ -1,8 +1,8 @@
 // RunLog: the log of a run, written to its folder while the run goes on.
 //
 // Until the run has ended the file is called running.mcap. It opens up to its last complete chunk at any
-// moment, also after the tool was killed. write_run() gives it its name, together with the other files of the
-// run.
+// moment, also after the program was killed. write_run() gives it its name, together with the other files of
+// the run.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 #include "outrider/io/file_lock.hpp"
 #include "outrider/log/mcap_sink.hpp"
 
-namespace outrider::cli {
+namespace outrider {
 
 class RunLog final : public LogSink {
  public:
@@ -47,4 +47,4 @@ class RunLog final : public LogSink {
   std::optional<McapSink> sink_;
 };
 
-}  // namespace outrider::cli
+}  // namespace outrider

@@ -1,4 +1,4 @@
-#include "run_log.hpp"
+#include "outrider/job/run_log.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -6,9 +6,9 @@
 #include <system_error>
 #include <utility>
 
-#include "output.hpp"
+#include "outrider/io/folders.hpp"
 
-namespace outrider::cli {
+namespace outrider {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,4 +85,4 @@ Outcome<std::string> RunLog::finish(const std::string& result) {
   return path_;
 }
 
-}  // namespace outrider::cli
+}  // namespace outrider

@@ -1,0 +1,32 @@
+// Writes what a run leaves: run.json, its log run.mcap, its plan view run.svg, and the files of the job.
+//
+//   RunLog log(folder, scenario_text(task.options()));
+//   auto run = run_task(job, task, {.sinks = {&log}});
+//   const auto written = write_run(*run, log, folder);
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "outrider/io/files.hpp"
+#include "outrider/job/job.hpp"
+#include "outrider/job/run_log.hpp"
+#include "outrider/report/run_json.hpp"
+
+namespace outrider {
+
+/// Returns the text of run.json: that of run_json() with the settings, and without the machine times, which
+/// differ from run to run.
+std::string result_text(const Run& run);
+
+/// Makes a further file of a run from its complete log, whose path is given; its name is that in the folder.
+using MakeFile = std::function<Outcome<NamedContent>(const std::string& log_path)>;
+
+/// Completes the log and writes the files into the folder: all of them or none. A run without messages has no
+/// log, no picture and no further file. Writes nothing for a run that was cancelled before its mission began,
+/// so the files of an earlier run stay whole. Takes the contents of the files from the run. Faults: bad_input
+/// for the folder; cannot_write; those of `more`.
+Outcome<WrittenFiles> write_run(Run& run, RunLog& log, const std::string& folder, const MakeFile& more = {});
+
+}  // namespace outrider

@@ -1,0 +1,23 @@
+"""Outrider: a ground robot finds its way, and does a job, in a yard or a building.
+
+    import outrider
+
+    run = outrider.run("scenarios/yard/yard.yaml", seed=2)
+    print(run.status, run.metrics["mission_s"])
+
+    ground = outrider.GridMap(blocked, resolution=0.05)      # bool, row 0 has the lowest y
+    plan = outrider.PathPlanner("theta_star").plan(ground, (0.5, 0.5), (9.5, 4.5))
+
+Lengths are in metres, angles of options in degrees, times in seconds. What Outrider refuses is an exception of
+a class in this module, with its sentence and where it is.
+"""
+
+from ._faults import (BadInput, BudgetExhausted, Cancelled, CannotWrite, Fault, GoalBlocked, NoPath, NoShot,
+                      OutsideMap, StartBlocked)
+from ._outrider import (GridMap, PathPlanner, Plan, Run, __version__, check, jobs, path_planners, read_log, run)
+
+__all__ = [
+    "BadInput", "BudgetExhausted", "Cancelled", "CannotWrite", "Fault", "GoalBlocked", "GridMap", "NoPath", "NoShot",
+    "OutsideMap", "PathPlanner", "Plan", "Run", "StartBlocked", "__version__", "check", "jobs", "path_planners",
+    "read_log", "run",
+]

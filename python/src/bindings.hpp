@@ -1,0 +1,12 @@
+// The parts of the module.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace outrider::python {
+
+void bind_log(pybind11::module_& module);
+void bind_path(pybind11::module_& module);
+void bind_run(pybind11::module_& module);
+
+}  // namespace outrider::python

@@ -1,0 +1,11 @@
+// The module outrider._outrider, of which the package outrider is made.
+#include "bindings.hpp"
+#include "faults.hpp"
+
+PYBIND11_MODULE(_outrider, module) {
+  module.attr("__version__") = OUTRIDER_VERSION;
+  outrider::python::bind_faults();
+  outrider::python::bind_log(module);
+  outrider::python::bind_path(module);
+  outrider::python::bind_run(module);
+}

@@ -1,0 +1,45 @@
+#include "options.hpp"
+
+#include "faults.hpp"
+
+namespace outrider::python {
+
+namespace py = pybind11;
+
+std::string option_text(const py::handle& value) {
+  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
+  return py::str(value);
+}
+
+std::string path_text(const py::handle& value) {
+  return py::str(py::module_::import("os").attr("fspath")(value));
+}
+
+void set_option(const std::vector<Option>& options, const std::string& name, const py::handle& value) {
+  std::vector<std::string> known;
+  for (const Option& option : options) {
+    if (option.name == name) return require(assign(option, option_text(value)));
+    known.push_back(option.name);
+  }
+  throw FaultError{no_such_row("option", name, known, name).value()};
+}
+
+py::dict options_dict(const std::vector<Option>& options) {
+  py::dict result;
+  for (const Option& option : options) {
+    const std::string text = value_text(option);
+    const py::str name(option.name);
+    if (type_name(option) == "string") {
+      result[name] = text;
+    } else if (type_name(option) == "boolean") {
+      result[name] = text == "true";
+    } else if (type_name(option) == "integer") {
+      result[name] = py::int_(py::str(text));
+    } else {
+      result[name] = py::float_(py::str(text));
+    }
+  }
+  return result;
+}
+
+}  // namespace outrider::python

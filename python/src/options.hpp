@@ -1,0 +1,22 @@
+// Self-describing options as values of Python.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <vector>
+
+#include "outrider/core/options.hpp"
+
+namespace outrider::python {
+
+/// Returns the text of a bool, a number or a string, as options take it.
+std::string option_text(const pybind11::handle& value);
+/// Returns the text of a path: a string, or what os.fspath() takes.
+std::string path_text(const pybind11::handle& value);
+/// Sets an option by its name; raises BadInput for an unknown name or a value that it does not take.
+void set_option(const std::vector<Option>& options, const std::string& name, const pybind11::handle& value);
+/// Returns the present values by name; angles in degrees.
+pybind11::dict options_dict(const std::vector<Option>& options);
+
+}  // namespace outrider::python
