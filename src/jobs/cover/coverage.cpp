@@ -143,13 +143,8 @@ CoverageSums GrowingCoverage::add(const std::vector<Vec2>& way) {
 }
 
 CoverageSums GrowingCoverage::add(const std::vector<Pose2>& poses) {
-  if (!bar_) {
-    std::vector<Vec2> way;
-    for (const Pose2& pose : poses) way.push_back(pose.position);
-    return add(way);
-  }
   const std::vector<Pose2> all = cover::with_small_turns(poses);
-  const BarSweep sweep(all, *bar_);
+  const BarSweep sweep(all, bar_);
   std::vector<Region> overlap;
   Region covered = covered_by(sweep, overlap, {});
   return add(std::move(covered), std::move(overlap), sweep.around(0));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bar_plan.hpp"
 #include "coverage_units.hpp"
 #include "field_work.hpp"
 #include "outrider/core/units.hpp"
@@ -85,6 +86,7 @@ Outcome<CoverPlan> named(Outcome<CoverPlan> plan, const char* method) {
 Outcome<CoverPlan> boustrophedon(const CoverProblem& problem, const CoverOptions& options,
                                  const Budget& budget) {
   if (problem.curves()) return turning_plan(problem, options, budget, TurningMethod::lanes);
+  if (problem.bar()) return bar_plan(problem, options, budget);
   auto ground = cover_ground(problem);
   if (!ground) return pass_on(ground);
   std::vector<FieldWork> works;
@@ -125,6 +127,11 @@ Outcome<FieldWork> laps_inwards(const CoverField& field, double arc_m, const Cov
 
 Outcome<CoverPlan> spiral(const CoverProblem& problem, const CoverOptions& options, const Budget& budget) {
   if (problem.curves()) return turning_plan(problem, options, budget, TurningMethod::laps);
+  if (problem.bar()) {
+    return bad_input(
+        "a spiral is planned for robots that cover with their disk; take 'boustrophedon' for a bar",
+        "method");
+  }
   auto ground = cover_ground(problem);
   if (!ground) return pass_on(ground);
   std::vector<FieldWork> works;
@@ -138,6 +145,7 @@ Outcome<CoverPlan> spiral(const CoverProblem& problem, const CoverOptions& optio
 
 Outcome<CoverPlan> quickest(const CoverProblem& problem, const CoverOptions& options, const Budget& budget) {
   if (problem.curves()) return turning_plan(problem, options, budget, TurningMethod::both);
+  if (problem.bar()) return bar_plan(problem, options, budget);
   auto best = boustrophedon(problem, options, budget);
   if (!best) return best;
   auto other = spiral(problem, options, budget);

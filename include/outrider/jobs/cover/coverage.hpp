@@ -17,7 +17,6 @@
 // sweep: so for a bar, too, nothing counts as covered that is not.
 #pragma once
 
-#include <optional>
 #include <stop_token>
 
 #include "outrider/geometry/pose.hpp"
@@ -72,11 +71,11 @@ class GrowingCoverage {
   /// A bar passes over `area`, which must outlive this object.
   GrowingCoverage(const Bar& bar, const Region& area) : bar_(bar), area_(area) {}
 
-  /// Adds a section of at least one pose, which begins where the one before ends. Returns the areas covered
-  /// until then. The headings of a disk mean nothing. O(n log^2 n) if the section is near few others.
-  CoverageSums add(const std::vector<Pose2>& poses);
-  /// Adds a section of the way of a disk.
+  /// Adds a section of at least one point of the way of a disk, which begins where the one before ends.
+  /// Returns the areas covered until then. O(n log^2 n) if the section is near few others.
   CoverageSums add(const std::vector<Vec2>& way);
+  /// Adds a section of at least one pose of a bar.
+  CoverageSums add(const std::vector<Pose2>& poses);
 
  private:
   /// What one section covers by itself, and which part of that was passed over more than once by then.
@@ -89,7 +88,7 @@ class GrowingCoverage {
   CoverageSums add(Region covered, std::vector<Region> overlap, const Region& joint);
 
   double radius_m_ = 0.0;
-  std::optional<Bar> bar_;
+  Bar bar_;
   const Region& area_;
   std::vector<Section> before_;
   CoverageSums sums_;

@@ -7,6 +7,7 @@
 
 #include "outrider/core/units.hpp"
 #include "support/cover_areas.hpp"
+#include "support/dense_bar.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {
@@ -15,55 +16,6 @@ namespace {
 using cover::Approximation;
 
 const Region wide_plane = region_of({{-50, -50}, {50, -50}, {50, 50}, {-50, 50}}, {});
-
-/// A twin that shares nothing with the library: the bar stands at many poses along the same motions, no
-/// farther apart than a small step of its corners, and points are asked one by one.
-class DenseBar {
- public:
-  DenseBar(const std::vector<Pose2>& poses, const Bar& bar, double step_m) : bar_(bar) {
-    const double reach = std::hypot(std::abs(bar.forward_m) + 0.5 * bar.length_m, 0.5 * bar.width_m);
-    all_.push_back(poses.front());
-    for (std::size_t i = 1; i < poses.size(); ++i) {
-      const Pose2 &a = poses[i - 1], &b = poses[i];
-      const double turn = b.heading_rad - a.heading_rad, way = distance(a.position, b.position);
-      const int steps = 1 + static_cast<int>((2.0 * way + std::abs(turn) * reach) / step_m);
-      // The heading of a robot that drives a circle from a to b is off from the chord by half the turn.
-      for (int k = 1; k <= steps; ++k) {
-        const double part = static_cast<double>(k) / steps, angle = part * turn;
-        Vec2 at = a.position + part * (b.position - a.position);
-        if (std::abs(turn) > 1e-12 && way > 0.0) {
-          const double radius = way / (2.0 * std::sin(0.5 * turn)),
-                       chord = 2.0 * radius * std::sin(0.5 * angle);
-          const double to = heading_of(b.position - a.position) - 0.5 * turn + 0.5 * angle;
-          at = a.position + chord * direction(to);
-        }
-        all_.push_back({at, a.heading_rad + angle});
-      }
-    }
-  }
-
-  /// How often the bar, larger by `more_m` on all sides, comes over the point.
-  [[nodiscard]] int passes_over(Vec2 p, double more_m = 0.0) const {
-    int passes = 0;
-    bool over = false;
-    for (const Pose2& pose : all_) {
-      const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
-      const Vec2 d = p - pose.position;
-      const double ahead = c * d.x + s * d.y - bar_.forward_m, aside = c * d.y - s * d.x;
-      const bool now =
-          std::abs(ahead) <= 0.5 * bar_.length_m + more_m && std::abs(aside) <= 0.5 * bar_.width_m + more_m;
-      if (now && !over) ++passes;
-      over = now;
-    }
-    return passes;
-  }
-
- private:
-  Bar bar_;
-  std::vector<Pose2> all_;
-};
-
-Bar random_bar(Rng& rng) { return {rng.uniform(0.2, 1.6), rng.uniform(0.05, 0.5), rng.uniform(-0.6, 0.6)}; }
 
 /// Straight on, backwards, in place, along arcs either way.
 std::vector<Pose2> random_drive(Rng& rng, int motions) {
@@ -114,11 +66,11 @@ TEST(BarSweep, AgreesWithADenseRaster) {
   Rng rng(21);
   constexpr double cell = 0.04, near_m = 0.012;
   for (int k = 0; k < testing::cases(12); ++k) {
-    const Bar bar = random_bar(rng);
+    const Bar bar = testing::random_bar(rng);
     const std::vector<Pose2> poses = random_drive(rng, 4 + static_cast<int>(rng.below(10)));
     const Region area = region_of(testing::random_star(rng, {0, 0}, 1.5, 2.5, 8), {});
     const Coverage coverage = coverage_of(poses, bar, area);
-    const DenseBar twin(poses, bar, 0.01);
+    const testing::DenseBar twin(poses, bar, 0.01);
     double covered = 0.0, overlap = 0.0, all = 0.0;
     for (double x = -2.5 + 0.5 * cell; x < 2.5; x += cell) {
       for (double y = -2.5 + 0.5 * cell; y < 2.5; y += cell) {
@@ -144,9 +96,9 @@ TEST(BarSweep, AgreesWithADenseRaster) {
 TEST(BarSweep, TheTrueSweepLiesBetweenBothApproximations) {
   Rng rng(22);
   for (int k = 0; k < testing::cases(30); ++k) {
-    const Bar bar = random_bar(rng);
+    const Bar bar = testing::random_bar(rng);
     const auto poses = cover::with_small_turns(random_drive(rng, 6));
-    const DenseBar twin(poses, bar, 0.002);
+    const testing::DenseBar twin(poses, bar, 0.002);
     std::vector<Region> inside, around;
     for (std::size_t i = 1; i < poses.size(); ++i) {
       inside.push_back(cover::bar_sweep(poses[i - 1], poses[i], bar, Approximation::inside));
@@ -167,7 +119,7 @@ TEST(BarSweep, TheTrueSweepLiesBetweenBothApproximations) {
 TEST(BarSweep, GrowsAlongTheWay) {
   Rng rng(23);
   for (int k = 0; k < testing::cases(4); ++k) {
-    const Bar bar = random_bar(rng);
+    const Bar bar = testing::random_bar(rng);
     const Region area = region_of(testing::random_star(rng, {0, 0}, 1.5, 2.5, 8), {});
     std::vector<Pose2> poses = random_drive(rng, 12);
     GrowingCoverage growing(bar, area);
