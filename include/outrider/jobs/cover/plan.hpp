@@ -34,12 +34,12 @@ enum class PieceRole { move, lap, lane, transfer };
 struct CoverOptions {
   std::int64_t directions =
       4;  ///< number of sweep directions tried: along the longest edges, and across them
-  TourOptions order{
-      .exact_goals = 9,
-      .expansions = 20'000,
-      .iterations = 4000,
-      .gap = 0.05,
-      .operations = 100'000'000};  ///< of the tour; more than 40 laps and cells are ordered without a proof
+  TourOptions order{.exact_goals = 9,
+                    .expansions = 20'000,
+                    .iterations = 4000,
+                    .gap = 0.05,
+                    .operations = 100'000'000};  ///< of the tour; it proves nothing for more than 40 laps and
+                                                 ///< cells, of which order_bound_s still holds
 };
 /// Describes the options by name.
 std::vector<Option> describe(CoverOptions& options);
