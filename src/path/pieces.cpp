@@ -20,6 +20,11 @@ double heading_at(const PathPiece& piece, Vec2 p) {
 double heading_in(const PathPiece& piece) { return heading_at(piece, piece.from); }
 double heading_out(const PathPiece& piece) { return heading_at(piece, piece.to); }
 
+double turn_in_place(double from_rad, double to_rad) {
+  const double turn = wrap_angle(to_rad - from_rad);
+  return turn < 1e-6 - pi ? turn + 2.0 * pi : turn;
+}
+
 PathPiece reversed(const PathPiece& piece) {
   return {piece.to, piece.from, piece.centre, -piece.turn_rad, piece.backward};
 }

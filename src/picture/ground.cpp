@@ -89,12 +89,30 @@ void draw_firing_regions(Sheet& sheet, const std::vector<Stamped<FiringRegion>>&
               fmt::format("0 to {:g} of {} targets in range", most, regions.size()));
 }
 
-void draw_coverage(Sheet& sheet, const CoverageArea& area, const std::vector<Pose2>& track, double width_m) {
+/// Draws what a bar has covered in the end, and where it is then.
+void draw_swath(Sheet& sheet, const CoverageArea& area, const Pose2& last, const RunInfo& info) {
+  std::vector<std::vector<Vec2>> covered = outlines_of(area.reach);
+  for (std::vector<Vec2> ring : outlines_of(area.missed)) {
+    std::ranges::reverse(ring);
+    covered.push_back(std::move(ring));
+  }
+  sheet.area("swath", covered);
+  const double front = info.coverage_forward + 0.5 * info.coverage_length,
+               rear = front - info.coverage_length;
+  const double half = 0.5 * info.coverage_width;
+  sheet.area("bar", {{last * Vec2{rear, -half}, last * Vec2{front, -half}, last * Vec2{front, half},
+                      last * Vec2{rear, half}}});
+}
+
+void draw_coverage(Sheet& sheet, const CoverageArea& area, const std::vector<Pose2>& track,
+                   const RunInfo& info) {
   std::vector<Vec2> strip;
   for (const Pose2& pose : track) strip.push_back(pose.position);
   sheet.area("beyond", outlines_of(area.area));
   sheet.area("reach", outlines_of(area.reach));
-  if (width_m > 0.0) sheet.line("covered", strip, {.width_m = width_m});
+  const bool bar = info.coverage_length > 0.0;
+  if (info.coverage_width > 0.0 && !bar) sheet.line("covered", strip, {.width_m = info.coverage_width});
+  if (bar && !track.empty()) draw_swath(sheet, area, track.back(), info);
   sheet.area("overlap", outlines_of(area.overlap));
   sheet.area("missed", outlines_of(area.missed));
   sheet.area("border", outlines_of(area.area));
@@ -153,7 +171,7 @@ void draw_ground(Sheet& sheet, const Log& log) {
     sheet.cells("expanded", cells_of(*turns), 0.0, 100.0);
 
   if (const auto* area = log.latest<CoverageArea>(topic::coverage_area))
-    draw_coverage(sheet, *area, poses_of(log), info.coverage_width);
+    draw_coverage(sheet, *area, poses_of(log), info);
   if (const auto* terrain = log.latest<Terrain>(topic::terrain)) show(sheet, *terrain);
   const auto* solids = log.latest<Solids>(topic::solids);
   const auto* walls = log.latest<Outlines>(topic::walls);

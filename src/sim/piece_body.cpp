@@ -209,7 +209,7 @@ void PieceBody::follow(const FollowPiece& command) {
   const double begin = moves ? looks_along(points[0], points[1], backward) - half_rad : heading_rad_;
   const double end =
       moves ? looks_along(points[points.size() - 2], points.back(), backward) + half_rad : heading_rad_;
-  const double turn = wrap_angle(begin - heading_rad_), turning_s = duration(std::abs(turn), now.turning());
+  const double turn = turn_in_place(heading_rad_, begin), turning_s = duration(std::abs(turn), now.turning());
   const double begin_s = drive_.time_s, moving_s = begin_s + turning_s + command.pause_s;
   drive_.time_s = moving_s + duration(length, limits_on(piece, now));
   Recorder recorder(drive_);

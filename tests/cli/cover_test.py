@@ -198,6 +198,28 @@ class Cover(ToolTest):
         self.refused("cover", "meadow.txt", "--reverse", says=["reverse", "turning radius"])
         self.refused("cover", "meadow.txt", "--headland", "2", says=["headland", "turning radius"])
 
+    def test_a_bar(self):
+        deck = ("--width", "0.6", "--tool-shape", "bar", "--tool-width", "1.2", "--tool-length", "0.3", "--tool-forward", "0.4")
+        self.write("yard.txt", "(0,0) (20,0) (20,12) (0,12)\n---\n(8,5) (11,5) (11,7) (8,7)\n---\n")
+        answer = self.cover("yard.txt", *deck, "--out", "out")
+        self.assertEqual((answer["width_m"], answer["strip_m"]), (0.6, 1.2))
+        self.assertEqual(answer["covered_fraction"], answer["planned_fraction"])
+        info = self.log_of("out").latest("/run")
+        self.assertEqual((info.robot_radius, info.coverage_width, info.coverage_length, info.coverage_forward), (0.3, 1.2, 0.3, 0.4))
+        self.assertIn("covered by the bar", (self.folder / "out/run.svg").read_text())
+        boom = ("--width", "0.6", "--tool-shape", "bar", "--tool-width", "6", "--tool-length", "0.3")
+        wide = self.run_tool("cover", "yard.txt", *boom, "--json")
+        self.assertEqual((wide.returncode, self.json_of(wide)["status"]), (1, "not_done"))
+        self.assertIn("the bar 6 m wide found no way to cover more", self.json_of(wide)["reason"])
+        self.refused("cover", "yard.txt", "--tool-shape", "ring", says=["tool", "shape", "ring", "disk or bar"])
+        self.refused("cover", "yard.txt", *deck, "--tracking-error", "0.01", says=["tracking_error", "0.01 m"])
+        self.refused("cover", "yard.txt", *deck, "--method", "spiral", says=["method", "boustrophedon"])
+
+    def test_the_mower_scenario(self):
+        answer = self.cover("--scenario", SOURCE / "scenarios/cover/cover_mower.yaml")
+        self.assertEqual((answer["strip_m"], answer["width_m"]), (2, 1.2))
+        self.assertGreater(answer["planned_fraction"], 0.999)
+
     def test_people_get_a_summary(self):
         result = self.run_tool("cover", "room.txt")
         self.assertEqual((result.returncode, result.stderr), (0, ""))

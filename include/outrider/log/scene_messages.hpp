@@ -70,8 +70,10 @@ struct RunInfo {
   double robot_radius = 0.0;
   double gun_length = 0.0;  ///< from the yaw axis to the tip; 0: no gun
   double ball_radius = 0.0;
-  double margin = 0.0;          ///< clearance that planned flights keep
-  double coverage_width = 0.0;  ///< width of the strip that the robot covers; 0: none
+  double margin = 0.0;            ///< clearance that planned flights keep
+  double coverage_width = 0.0;    ///< width of the strip that the robot covers; 0: none
+  double coverage_length = 0.0;   ///< of a bar that covers, along the heading; 0: a disk covers
+  double coverage_forward = 0.0;  ///< of the middle of the bar, ahead of the robot
 
   static constexpr std::string_view type = "outrider_msgs/msg/RunInfo";
   template <class List>
@@ -90,6 +92,8 @@ struct RunInfo {
     list.field("ball_radius", &RunInfo::ball_radius, "m");
     list.field("margin", &RunInfo::margin, "m");
     list.field("coverage_width", &RunInfo::coverage_width, "m");
+    list.field("coverage_length", &RunInfo::coverage_length, "m");
+    list.field("coverage_forward", &RunInfo::coverage_forward, "m");
   }
 };
 

@@ -12,6 +12,10 @@ namespace outrider {
 double heading_in(const PathPiece& piece);
 double heading_out(const PathPiece& piece);
 
+/// Returns the turn of a robot in place from one heading to another: the shorter one, and to the left where
+/// both are as short to a microradian.
+double turn_in_place(double from_rad, double to_rad);
+
 /// Returns the piece in the opposite direction; a piece that is driven in reverse stays one.
 PathPiece reversed(const PathPiece& piece);
 

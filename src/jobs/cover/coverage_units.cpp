@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
+#include "order_bound.hpp"
 #include "outrider/path/visibility/visibility_graph.hpp"
 
 namespace outrider::cover {
@@ -145,37 +145,6 @@ std::vector<Stop> stops_of(const std::vector<CoverageUnit>& units, const Pace& p
   return stops;
 }
 
-/// The time of all units without a move between them.
-double least_work_s(const std::vector<Stop>& stops, std::size_t units) {
-  std::vector<double> least(units, std::numeric_limits<double>::infinity());
-  for (const Stop& stop : stops) least[stop.unit] = std::min(least[stop.unit], stop.time_s);
-  return std::accumulate(least.begin(), least.end(), 0.0);
-}
-
-/// A lower bound of the time of all orders: each unit takes its own time and that of the quickest drive to it
-/// from another one, except for the first without a start.
-double least_entered_s(const TourProblem& problem, const std::vector<Stop>& stops, bool started) {
-  const std::size_t n = stops.size() + 1;
-  std::vector<double> entered(problem.goals, std::numeric_limits<double>::infinity());
-  std::vector<double> alone(problem.goals, std::numeric_limits<double>::infinity());
-  for (std::size_t j = 1; j < n; ++j) {
-    const Stop& stop = stops[j - 1];
-    double drive_s = std::numeric_limits<double>::infinity();
-    for (std::size_t i = started ? 0 : 1; i < n; ++i) {
-      if (i > 0 && stops[i - 1].unit == stop.unit) continue;
-      drive_s = std::min(drive_s, problem.drives[i * n + j].time_s);
-    }
-    entered[stop.unit] = std::min(entered[stop.unit], stop.time_s + drive_s);
-    alone[stop.unit] = std::min(alone[stop.unit], stop.time_s);
-  }
-  double sum_s = 0.0, most_saved_s = 0.0;
-  for (std::size_t unit = 0; unit < problem.goals; ++unit) {
-    sum_s += entered[unit];
-    most_saved_s = std::max(most_saved_s, entered[unit] - alone[unit]);
-  }
-  return started ? sum_s : sum_s - most_saved_s;
-}
-
 /// The time of a move between two headings, both turns included.
 double move_time_s(double heading_rad, const std::vector<PathPiece>& move, const PathPiece& next,
                    const Pace& pace) {
@@ -241,9 +210,7 @@ Outcome<OrderedUnits> ordered(const std::vector<CoverageUnit>& units, const std:
   if (!tour) return pass_on(tour);
 
   OrderedUnits result;
-  result.bound_s = std::max(tour->lower_bound_s, least_work_s(stops, units.size()));
-  if (units.size() > 1)
-    result.bound_s = std::max(result.bound_s, least_entered_s(problem, stops, start.has_value()));
+  result.bound_s = std::max(tour->lower_bound_s, order_bound_s(problem, start.has_value(), tour->cost_s));
   const PathPiece& first = stops[tour->visits.front().stop - 1].traversal->pieces.front();
   result.track.start = start ? *start : Pose2{first.from, heading_in(first)};
   Vec2 at = result.track.start.position;

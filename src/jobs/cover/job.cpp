@@ -8,6 +8,7 @@
 #include "outrider/jobs/cover/mission.hpp"
 #include "outrider/jobs/cover/report.hpp"
 #include "summary.hpp"
+#include "tool_coverage.hpp"
 
 namespace outrider {
 namespace {
@@ -71,7 +72,7 @@ Status CoverJob::run(Run& run, const RunWatch& watch) {
                              seed, steps.inner(), [&](const PieceDrive& so_far) { log.note(so_far); });
   // What a stopped drive has covered is still measured; the measuring of a whole one can be stopped.
   const std::stop_token stop = driven.finished() ? watch.stop : std::stop_token{};
-  driven.driven = coverage_of(driven.drive.way, problem.radius_m(), planned.ground.reach, stop);
+  driven.driven = cover::coverage_of_drive(driven.drive, problem, planned.ground.reach, stop);
   if (stop.stop_requested()) return cancelled();
   if (driven.finished()) check_promises(driven);
   log.finish(driven.drive, driven.driven);

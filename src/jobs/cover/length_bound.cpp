@@ -33,6 +33,7 @@ double least_length_m(const CoverField& field, double sure_m, double arc_m) {
 
 double least_length_m(const CoverageArea& area, const CoverProblem& problem) {
   double length_m = 0.0;
+  if (problem.bar()) return length_m;
   for (const CoverField& field : area.fields)
     length_m += least_length_m(field, problem.sure_radius_m(), area.arc_m);
   return length_m;

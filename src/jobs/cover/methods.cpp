@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bar_plan.hpp"
 #include "coverage_units.hpp"
 #include "field_work.hpp"
+#include "lap_sections.hpp"
 #include "outrider/core/units.hpp"
 #include "turning_plan.hpp"
 
@@ -12,19 +14,30 @@ namespace {
 using namespace cover;
 
 constexpr std::size_t most_stops = 240;  // of the tour, where there are fewer units than that
+constexpr double far_strides = 1.5;      // between ends of neighbouring lanes, worth cutting laps
 constexpr std::size_t most_proven = 40;  // units whose order is proven; sweeps take no more goals
 
 /// The laps and the cells of a field.
 struct FieldWork {
   std::vector<Lap> laps;
   CellChoices cells;
+  std::vector<Lap> sections = {};  ///< parts of laps that are driven apart
 };
+
+/// The ways to drive a section of a lap, which is open.
+CoverageUnit section_unit(const Lap& section) {
+  CoverageUnit unit;
+  for (const Lap& way : {section, turned_round(section)})
+    unit.push_back({way, std::vector<PieceRole>(way.size(), PieceRole::lap)});
+  return unit;
+}
 
 Outcome<std::vector<CoverageUnit>> units_of(const std::vector<FieldWork>& works, std::size_t each,
                                             TransitPlanner& transit) {
   std::vector<CoverageUnit> units;
   for (const FieldWork& work : works) {
     for (const Lap& lap : work.laps) units.push_back(lap_unit(lap, each / 2));
+    for (const Lap& section : work.sections) units.push_back(section_unit(section));
   }
   for (const FieldWork& work : works) {
     for (const auto& choice : work.cells) {
@@ -41,15 +54,33 @@ Outcome<std::vector<CoverageUnit>> units_of(const std::vector<FieldWork>& works,
   return units;
 }
 
+/// Returns the works with their laps cut into sections, where lanes of tapers end.
+std::vector<FieldWork> sectioned(const std::vector<FieldWork>& works, const CoverProblem& problem) {
+  std::vector<FieldWork> cut;
+  for (const FieldWork& work : works) {
+    std::vector<SweepCell> cells;
+    for (const auto& choice : work.cells) cells.push_back(choice.front());
+    cut.push_back({{}, work.cells, {}});
+    for (const Lap& lap : work.laps) {
+      const auto sections =
+          lap_sections(lap, cells, far_strides * problem.stride_m(), 1.5 * problem.stride_m());
+      auto& into = sections.size() > 1 ? cut.back().sections : cut.back().laps;
+      into.insert(into.end(), sections.begin(), sections.end());
+    }
+  }
+  return cut;
+}
+
 /// Orders laps and cells into one track.
-Outcome<CoverPlan> assembled(CoverageArea ground, std::vector<FieldWork> works, const CoverProblem& problem,
-                             const CoverOptions& options, const Budget& budget) {
+Outcome<CoverPlan> assembled_once(CoverageArea ground, std::vector<FieldWork> works,
+                                  const CoverProblem& problem, const CoverOptions& options,
+                                  const Budget& budget) {
   if (budget.stop.stop_requested())
     return fault(FaultCode::cancelled, "it was cancelled while it planned lanes");
   CoverPlan plan;
   for (std::size_t i = 0; i < works.size(); ++i) {
     plan.uncovered_m2 += leave_uncovered(works[i].cells, problem.uncovered * area_of(ground.fields[i].reach));
-    plan.laps += works[i].laps.size();
+    plan.laps += works[i].laps.size() + works[i].sections.size();
     plan.cells += works[i].cells.size();
   }
   TransitPlanner transit(ground, budget);
@@ -70,11 +101,27 @@ Outcome<CoverPlan> assembled(CoverageArea ground, std::vector<FieldWork> works, 
   return plan;
 }
 
+/// Orders whole laps and cells, or sections of laps and cells, whichever takes less time.
+Outcome<CoverPlan> assembled(CoverageArea ground, std::vector<FieldWork> works, const CoverProblem& problem,
+                             const CoverOptions& options, const Budget& budget) {
+  std::vector<FieldWork> cut = sectioned(works, problem);
+  std::size_t units = 0, sections = 0;
+  for (const FieldWork& work : cut) {
+    sections += work.sections.size();
+    units += work.laps.size() + work.sections.size() + work.cells.size();
+  }
+  auto whole = assembled_once(ground, std::move(works), problem, options, budget);
+  if (!whole || sections == 0 || units > most_proven) return whole;
+  auto other = assembled_once(std::move(ground), std::move(cut), problem, options, budget);
+  return other && other->sums.time_s < whole->sums.time_s ? std::move(other) : std::move(whole);
+}
+
 FieldWork sweep(const CoverField& field, double arc_m, const CoverProblem& problem,
                 const CoverOptions& options, const std::stop_token& stop) {
   const Region core = core_of(problem, field, 0.5 * Strides(problem).slab_m);
   return {laps_within(*field.ground, field.standing, arc_m),
-          cells_of(core, problem, sweep_headings(field, options.directions), stop)};
+          cells_of(core, problem, sweep_headings(field, options.directions), stop),
+          {}};
 }
 
 Outcome<CoverPlan> named(Outcome<CoverPlan> plan, const char* method) {
@@ -85,6 +132,7 @@ Outcome<CoverPlan> named(Outcome<CoverPlan> plan, const char* method) {
 Outcome<CoverPlan> boustrophedon(const CoverProblem& problem, const CoverOptions& options,
                                  const Budget& budget) {
   if (problem.curves()) return turning_plan(problem, options, budget, TurningMethod::lanes);
+  if (problem.bar()) return bar_plan(problem, options, budget);
   auto ground = cover_ground(problem);
   if (!ground) return pass_on(ground);
   std::vector<FieldWork> works;
@@ -119,12 +167,17 @@ Outcome<FieldWork> laps_inwards(const CoverField& field, double arc_m, const Cov
     const auto points = points_along(lap.front().from, lap, radians(2.0));
     core = without(core, coverage_of(points, problem.sure_radius_m(), core, stop).covered);
   }
-  return FieldWork{std::move(*laps),
-                   cells_of(core, problem, sweep_headings(field, options.directions), stop)};
+  return FieldWork{
+      std::move(*laps), cells_of(core, problem, sweep_headings(field, options.directions), stop), {}};
 }
 
 Outcome<CoverPlan> spiral(const CoverProblem& problem, const CoverOptions& options, const Budget& budget) {
   if (problem.curves()) return turning_plan(problem, options, budget, TurningMethod::laps);
+  if (problem.bar()) {
+    return bad_input(
+        "a spiral is planned for robots that cover with their disk; take 'boustrophedon' for a bar",
+        "method");
+  }
   auto ground = cover_ground(problem);
   if (!ground) return pass_on(ground);
   std::vector<FieldWork> works;
@@ -138,6 +191,7 @@ Outcome<CoverPlan> spiral(const CoverProblem& problem, const CoverOptions& optio
 
 Outcome<CoverPlan> quickest(const CoverProblem& problem, const CoverOptions& options, const Budget& budget) {
   if (problem.curves()) return turning_plan(problem, options, budget, TurningMethod::both);
+  if (problem.bar()) return bar_plan(problem, options, budget);
   auto best = boustrophedon(problem, options, budget);
   if (!best) return best;
   auto other = spiral(problem, options, budget);

@@ -5,10 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/core/text.hpp"
+
 namespace outrider {
 namespace {
 
 constexpr double arc_part = 2.5e-4;       // of the stride, between a true arc and its chords
+constexpr double least_bar = 1e-3;        // of the width of a bar: its least length
+constexpr double most_bar = 100.0;        // widths of a bar: its length, and how far ahead it is
+constexpr double turning_room = 1.0002;   // for a bar: the judge's polygons about its turns
 constexpr double transfer_margin = 10.0;  // widths around all areas that transfers may use
 
 Status check_outline(const AreaOutline& outline, const std::string& of) {
@@ -89,6 +94,47 @@ Status check_turning(const CoverProblem& problem) {
   return {};
 }
 
+Status check_tool(const CoverProblem& problem) {
+  const CoverTool& tool = problem.tool;
+  if (tool.shape != "disk" && tool.shape != "bar") {
+    return bad_input(fmt::format("'{}' is no shape of a tool; give disk or bar", printable(tool.shape)),
+                     "tool.shape");
+  }
+  const auto bar = problem.bar();
+  if (!bar) return {};
+  if (!(bar->width_m >= 2.0 * least_polygon_radius_m && bar->width_m <= 2.0 * most_polygon_radius_m)) {
+    return bad_input(
+        fmt::format("a bar {:g} m wide is none; give {:g} to {:g} m, or 0 for the width of the robot",
+                    bar->width_m, 2.0 * least_polygon_radius_m, 2.0 * most_polygon_radius_m),
+        "tool.width");
+  }
+  const double least_m = least_bar * bar->width_m, most_m = most_bar * bar->width_m;
+  if (!(bar->length_m >= least_m && bar->length_m <= most_m)) {
+    return bad_input(fmt::format("a bar {:g} m wide is not {:g} m long; give {:g} to {:g} m", bar->width_m,
+                                 bar->length_m, least_m, most_m),
+                     "tool.length");
+  }
+  if (!(std::abs(bar->forward_m) <= most_m && problem.radius_m() <= most_polygon_radius_m)) {
+    return bad_input(fmt::format("a bar {:g} m wide is not {:g} m ahead of its robot; give at most {:g} m",
+                                 bar->width_m, bar->forward_m, std::min(most_m, 0.5 * most_polygon_radius_m)),
+                     "tool.forward");
+  }
+  if (problem.tracking_error_m != 0.0) {
+    return bad_input(
+        fmt::format(
+            "with a bar nothing is proven for a tracking error, and {:g} m is one; give 0, or a bar that is "
+            "so much narrower on each side",
+            problem.tracking_error_m),
+        "tracking_error");
+  }
+  if (problem.transfers) {
+    return bad_input(
+        "transfers between areas are planned for disks only; cover one area at a time with a bar",
+        "transfers");
+  }
+  return {};
+}
+
 Status check_numbers(const CoverProblem& problem) {
   const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
   if (!within(problem.width_m, 2.0 * least_polygon_radius_m, 2.0 * most_polygon_radius_m)) {
@@ -106,6 +152,7 @@ Status check_numbers(const CoverProblem& problem) {
         fmt::format("{:g} is no part of the area that may stay uncovered; give 0 to 0.5", problem.uncovered),
         "uncovered");
   }
+  if (auto good = check_tool(problem); !good) return good;
   if (auto good = check_tracking_error(problem); !good) return good;
   if (auto good = check_turning(problem); !good) return good;
   return check(problem.pace);
@@ -127,6 +174,13 @@ Outcome<PolygonGround> ground_of(const AreaOutline& outline, double radius_m) {
 }
 
 tl::unexpected<Fault> fits_nowhere(const CoverProblem& problem, const Region& area) {
+  if (problem.bar()) {
+    return bad_input(fmt::format("a robot {:g} m wide with its bar turns in a disk of {:.4g} m, which fits "
+                                 "nowhere in the area; the "
+                                 "widest that does has {:.3g} m",
+                                 problem.width_m, 2.0 * problem.radius_m(), widest_m(area)),
+                     "tool.width");
+  }
   return bad_input(
       fmt::format("a robot {:g} m wide fits nowhere in the area; the widest that does has {:.3g} m",
                   problem.width_m, widest_m(area)),
@@ -178,8 +232,15 @@ Outcome<CoverField> field_of(const CoverProblem& problem, const AreaOutline& out
   return field;
 }
 
+/// With a bar, the reach is that of a disk as wide, from wherever such a disk comes to from the standing
+/// room.
 void set_reach(CoverField& field, const CoverProblem& problem, double arc_m) {
-  field.reach = common(grown(field.standing, problem.radius_m(), arc_m), field.area);
+  const double radius_m = 0.5 * problem.strip_m();
+  Region room = problem.bar() ? shrunk(field.area, radius_m, arc_m) : field.standing;
+  if (problem.bar()) {
+    std::erase_if(room, [&](const RingedPolygon& part) { return common({part}, field.standing).empty(); });
+  }
+  field.reach = common(grown(room, radius_m, arc_m), field.area);
 }
 
 /// Returns the areas with those that touch or overlap united.
@@ -232,6 +293,21 @@ Status connect(CoverageArea& made, const CoverProblem& problem) {
 }
 
 }  // namespace
+
+std::optional<Bar> CoverProblem::bar() const {
+  if (tool.shape != "bar") return std::nullopt;
+  return Bar{tool.width_m != 0.0 ? tool.width_m : width_m, tool.length_m, tool.forward_m};
+}
+
+double CoverProblem::radius_m() const {
+  const auto one = bar();
+  return one ? std::max(body_radius_m(), turning_room * one->reach_m()) : body_radius_m();
+}
+
+double CoverProblem::strip_m() const {
+  const auto one = bar();
+  return one ? one->width_m : width_m;
+}
 
 Outcome<CoverageArea> cover_ground(const CoverProblem& problem) {
   if (auto good = check_numbers(problem); !good) return pass_on(good);

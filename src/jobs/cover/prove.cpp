@@ -8,6 +8,7 @@
 #include "outrider/jobs/cover/length_bound.hpp"
 #include "outrider/jobs/cover/plan.hpp"
 #include "outrider/path/check.hpp"
+#include "tool_coverage.hpp"
 
 namespace outrider {
 namespace {
@@ -15,7 +16,6 @@ namespace {
 constexpr double slack_m = 2.0 * contact_m;
 constexpr double measured_to = 1e-3;  // of the area, by chords and rounding
 constexpr double chords_only = 1e-4;  // of it, where a track may leave something out
-constexpr double proof_arc_step_rad = radians(2.0);
 constexpr double same_heading_rad = 1e-6;
 constexpr double least_missed = 1e-5;  // of the reach, worth a row
 
@@ -57,6 +57,16 @@ Status check_curvature(const CoverTrack& track, const CoverProblem& problem) {
     heading = heading_out(piece);
   }
   return {};
+}
+
+/// Checks that the bar stays within the area.
+Status check_bar(const CoverPlan& plan, const Bar& bar) {
+  const Region out =
+      cover::outside_of(cover::poses_along(plan.track.start, plan.track.pieces), bar, plan.ground.area);
+  if (out.empty()) return {};
+  const Vec2 at = out.front().outer.front();
+  return refused(fmt::format("the bar leaves the area about ({:.6g}, {:.6g}), by {:.3g} m2 in all", at.x,
+                             at.y, area_of(out)));
 }
 
 /// Returns the parts of the region, the largest first, without those that are only chords and rounding; at
@@ -119,29 +129,31 @@ Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, co
     return pass_on(good);
   CoverProof proof;
   proof.clearance_m = clearance_of(plan);
-  if (!(proof.clearance_m >= problem.radius_m() - slack_m)) {
+  if (!(proof.clearance_m >= problem.body_radius_m() - slack_m)) {
     return refused(fmt::format("it comes within {} m of an edge, nearer than the radius of {} m",
-                               proof.clearance_m, problem.radius_m()));
+                               proof.clearance_m, problem.body_radius_m()));
   }
   if (plan.ground.ground->solid(plan.track.start.position)) return refused("it begins outside of the area");
-  const std::vector<Vec2> points =
-      points_along(plan.track.start.position, plan.track.pieces, proof_arc_step_rad);
+  if (auto good = problem.bar() ? check_bar(plan, *problem.bar()) : Status{}; !good) return pass_on(good);
   const double error_m = problem.tracking_error_m;
   proof.length_bound_m = least_length_m(plan.ground, problem);
-  proof.planned = coverage_of(points, problem.radius_m(), plan.ground.reach, budget.stop);
-  const Coverage surely = error_m > 0.0
-                              ? coverage_of(points, problem.sure_radius_m(), plan.ground.reach, budget.stop)
-                              : proof.planned;
+  const auto covered = [&](bool surely) {
+    return cover::coverage_along(plan.track.start, plan.track.pieces, problem, plan.ground.reach, surely,
+                                 budget.stop);
+  };
+  proof.planned = covered(false);
+  const Coverage surely = error_m > 0.0 ? covered(true) : proof.planned;
   if (budget.stop.stop_requested())
     return fault(FaultCode::cancelled, "it was cancelled while it measured what the track covers");
   proof.sure_fraction = surely.fraction;
   double inner_m2 = 0.0, inner_covered_m2 = 0.0;
   for (const CoverField& field : plan.ground.fields) {
     const FieldProof one = measured(field, problem, proof.planned.covered, surely.covered, plan.ground.arc_m);
-    const double slack = problem.curves() ? chords_only : measured_to;
+    const bool may_miss = problem.curves() || problem.bar();
+    const double slack = may_miss ? chords_only : measured_to;
     const bool complete =
         one.inner_fraction >= 1.0 - problem.uncovered * one.reach_m2 / std::max(one.inner_m2, 1e-12) - slack;
-    if (!complete && problem.curves()) {
+    if (!complete && may_miss) {
       proof.complete = false;
       proof.missed =
           places_of(without(inner_of(field, problem, plan.ground.arc_m), surely.covered), one.reach_m2);

@@ -12,6 +12,7 @@
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
+#include "tool_coverage.hpp"
 
 namespace outrider {
 namespace {
@@ -37,23 +38,38 @@ double begin_of(const PieceDrive& drive, std::size_t piece) {
 }
 
 /// Where it is then: between two samples it goes straight.
-Vec2 place(const std::vector<TimedPose>& track, double time_s) {
+Pose2 pose_at(const std::vector<TimedPose>& track, double time_s) {
   const auto next = std::ranges::lower_bound(track, time_s, {}, &TimedPose::time_s);
-  if (next == track.begin()) return track.front().pose.position;
-  if (next == track.end()) return track.back().pose.position;
+  if (next == track.begin()) return track.front().pose;
+  if (next == track.end()) return track.back().pose;
   const TimedPose& before = *(next - 1);
   const double part = (time_s - before.time_s) / (next->time_s - before.time_s);
-  return before.pose.position + part * (next->pose.position - before.pose.position);
+  return {before.pose.position + part * (next->pose.position - before.pose.position),
+          before.pose.heading_rad + part * wrap_angle(next->pose.heading_rad - before.pose.heading_rad)};
 }
 
 /// The way between two times, with both ends.
 std::vector<Vec2> stretch(const PieceDrive& drive, double from_s, double to_s) {
-  std::vector<Vec2> points{place(drive.track, from_s)};
+  std::vector<Vec2> points{pose_at(drive.track, from_s).position};
   auto next = std::ranges::upper_bound(drive.times_s, from_s);
   for (; next != drive.times_s.end() && *next < to_s; ++next)
     points.push_back(drive.way[static_cast<std::size_t>(next - drive.times_s.begin())]);
-  points.push_back(place(drive.track, to_s));
+  points.push_back(pose_at(drive.track, to_s).position);
   return points;
+}
+
+/// The poses between two times, with both ends.
+std::vector<Pose2> poses_between(const PieceDrive& drive, double from_s, double to_s) {
+  std::vector<Pose2> poses{pose_at(drive.track, from_s)};
+  auto next = std::ranges::upper_bound(drive.track, from_s, {}, &TimedPose::time_s);
+  for (; next != drive.track.end() && next->time_s < to_s; ++next) cover::add_pose(poses, next->pose);
+  cover::add_pose(poses, pose_at(drive.track, to_s));
+  return poses;
+}
+
+GrowingCoverage coverage_begun(const CoverProblem& problem, const Region& reach) {
+  const auto bar = problem.bar();
+  return bar ? GrowingCoverage(*bar, reach) : GrowingCoverage(problem.body_radius_m(), reach);
 }
 
 std::string counted(std::size_t count, std::string_view what) {
@@ -98,14 +114,19 @@ std::string shortfall(const CoverProblem& problem, const CoverProof& proof) {
   for (const MissedPlace& place : proof.missed) missed_m2 += place.area_m2;
   const MissedPlace& largest = proof.missed.front();
   const FieldProof& field = proof.fields.front();
+  std::string found =
+      problem.bar() ? fmt::format("the bar {:g} m wide", problem.strip_m())
+                    : fmt::format("the robot with a turning radius of {:g} m", problem.turning_radius_m);
+  if (problem.bar() && problem.curves())
+    found += fmt::format(" on a robot with a turning radius of {:g} m", problem.turning_radius_m);
+  const bool forwards = problem.curves() && !problem.reverse;
   return fmt::format(
       "{:.3f} % of the reach is surely covered; {} with {:.4g} m2 left, the largest {:.4g} m2 about ({:.6g}, "
-      "{:.6g}); "
-      "the robot with a turning radius of {:g} m {}; {}an 'uncovered' of {:.4f} accepts it",
+      "{:.6g}); {} {}; {}an 'uncovered' of {:.4f} accepts it",
       100.0 * proof.sure_fraction, counted(proof.missed.size(), "place"), missed_m2, largest.area_m2,
-      largest.at.x, largest.at.y, problem.turning_radius_m,
-      problem.reverse ? "found no way to cover more" : "and without reverse found no way to cover more",
-      problem.reverse ? "" : "'reverse' may cover it, ",
+      largest.at.x, largest.at.y, found,
+      forwards ? "and without reverse found no way to cover more" : "found no way to cover more",
+      forwards ? "'reverse' may cover it, " : "",
       std::ceil(1e4 * (1.0 - field.inner_fraction) * field.inner_m2 / field.reach_m2) * 1e-4);
 }
 
@@ -119,6 +140,7 @@ std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& probl
           {"reach_m2", area_of(plan.ground.reach)},
           {"area_m2", area_of(plan.ground.area)},
           {"width_m", problem.width_m},
+          {"strip_m", problem.strip_m()},
           {"time_s", drive.time_s},
           {"t_min_s", bound.least_s},
           {"t_max_s", bound.most_s},
@@ -148,7 +170,10 @@ std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& probl
 
 CoverLog::CoverLog(Log& log, const CoverProblem& problem, const CoverPlan& plan, std::uint64_t seed,
                    const std::string& name)
-    : log_(log), plan_(plan), coverage_(problem.radius_m(), plan.ground.reach) {
+    : log_(log),
+      plan_(plan),
+      bar_(problem.bar().has_value()),
+      coverage_(coverage_begun(problem, plan.ground.reach)) {
   const Box2 bounds = bounds_of(plan.ground.area);
   outrider_msgs::RunInfo info;
   info.job = "cover";
@@ -157,8 +182,12 @@ CoverLog::CoverLog(Log& log, const CoverProblem& problem, const CoverPlan& plan,
   info.world = name;
   info.low = point_of(bounds.low);
   info.high = point_of(bounds.high);
-  info.robot_radius = problem.radius_m();
-  info.coverage_width = problem.width_m;
+  info.robot_radius = problem.body_radius_m();
+  info.coverage_width = problem.strip_m();
+  if (const auto bar = problem.bar()) {
+    info.coverage_length = bar->length_m;
+    info.coverage_forward = bar->forward_m;
+  }
   log.append(topic::run, 0.0, std::move(info));
   area_.area = outlines_of(outlines(plan.ground.area));
   area_.reach = outlines_of(outlines(plan.ground.reach));
@@ -192,9 +221,15 @@ void CoverLog::note_poses(const PieceDrive& drive, std::size_t end) {
 
 /// Notes what is covered at that time.
 void CoverLog::note_coverage(const PieceDrive& drive, double time_s) {
-  const auto way =
-      measured_s_ < 0.0 ? std::vector<Vec2>{drive.way.front()} : stretch(drive, measured_s_, time_s);
-  const CoverageSums sums = coverage_.add(way);
+  const double from_s = std::max(0.0, measured_s_);
+  const bool begins = measured_s_ < 0.0;
+  CoverageSums sums;
+  if (bar_) {
+    sums = coverage_.add(begins ? std::vector<Pose2>{drive.track.front().pose}
+                                : poses_between(drive, from_s, time_s));
+  } else {
+    sums = coverage_.add(begins ? std::vector<Vec2>{drive.way.front()} : stretch(drive, from_s, time_s));
+  }
   measured_s_ = time_s;
   queue_.note(time_s, topic::coverage, outrider_msgs::Coverage{sums.covered_m2, sums.overlap_m2});
 }

@@ -13,7 +13,7 @@ std::string cover_summary(const Report& report) {
   std::string text = fmt::format("{}: {:.3f} % covered in {}\n\n", printable(report.world_name),
                                  100.0 * value("covered_fraction"), duration_text(value("time_s")));
   text += fmt::format("  area      {:.6g} m2, of which a disk of {:g} m reaches {:.6g} m2\n",
-                      value("area_m2"), value("width_m"), value("reach_m2"));
+                      value("area_m2"), value("strip_m"), value("reach_m2"));
   if (std::isfinite(value("origin_x")))
     text += fmt::format(
         "  frame     of positions here: metres east and north of ({:.9g}, {:.9g}), the files have the "

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "order_bound.hpp"
+
 namespace outrider::cover {
 namespace {
 
@@ -166,6 +168,10 @@ Outcome<CoverPlan> ordered_strokes(const std::vector<Stroke>& strokes, const Cov
   if (!tour) return pass_on(tour);
   CoverPlan plan;
   plan.order_bound_s = tour->lower_bound_s;
+  if (options.gap < 1.0) {
+    const double bound_s = order_bound_s(order.tour, problem.start.has_value(), tour->cost_s);
+    plan.order_bound_s = std::max(plan.order_bound_s, bound_s);
+  }
   const Drivable& first = stops[tour->visits.front().stop - 1];
   plan.track.start = problem.start ? *problem.start : map.transit.pose(first.entry);
   std::size_t before = 0;

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "outrider/core/units.hpp"
+#include "tool_coverage.hpp"
 #include "turning_order.hpp"
 
 namespace outrider::cover {
 namespace {
 
-constexpr double measured_step_rad = radians(2.0);
 constexpr double same_part = 1e-3;  // of the reach: so much more is not left out
 
 /// Numbers of laps to try: with the first, half a turn fits beside a lane.
@@ -30,8 +30,7 @@ std::vector<int> headlands(const CoverProblem& problem, TurningMethod method) {
 
 double missed_m2(const CoverPlan& plan, const CoverProblem& problem, const CoverageArea& ground,
                  const std::stop_token& stop) {
-  const auto points = points_along(plan.track.start.position, plan.track.pieces, measured_step_rad);
-  return coverage_of(points, problem.sure_radius_m(), ground.reach, stop).missed_m2;
+  return coverage_along(plan.track.start, plan.track.pieces, problem, ground.reach, true, stop).missed_m2;
 }
 
 struct Candidate {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "outrider/core/units.hpp"
-#include "outrider/jobs/cover/coverage.hpp"
+#include "tool_coverage.hpp"
 
 namespace outrider::cover {
 namespace {
@@ -18,7 +18,6 @@ constexpr double dot_part = 0.5;     // of the turning radius, between places of
 constexpr double most_dots = 300.0;
 constexpr std::size_t most_probes = 8;  // from which exits are looked for
 constexpr std::size_t most_exits = 16;  // of the headland, tried from the end of a lane
-constexpr double strip_step_rad = radians(2.0);
 
 Pose2 begin_of(const std::vector<PathPiece>& pieces) {
   return {pieces.front().from, heading_in(pieces.front())};
@@ -132,8 +131,7 @@ class Collection {
 
  private:
   [[nodiscard]] Region strip_of(const std::vector<PathPiece>& pieces) const {
-    const auto points = points_along(pieces.front().from, pieces, strip_step_rad);
-    return coverage_of(points, problem_.sure_radius_m(), field_.area, stop_).covered;
+    return coverage_along(begin_of(pieces), pieces, problem_, field_.area, true, stop_).covered;
   }
 
   const CoverProblem& problem_;

@@ -1,4 +1,4 @@
-// Coverage: the area that a disk passes over along a path, measured from the path alone.
+// Coverage: the area that a disk or a bar passes over along a path, measured from the path alone.
 //
 // A point is covered if the disk was over it. It belongs to the overlap if the disk came, left and came back;
 // standing, turning and the joint of two legs do not count again. Both are computed leg by leg from capsules,
@@ -9,13 +9,30 @@
 // because a point in that disk is passed again only if A or B passes it more than once.
 // The ends of capsules are chords that turn by 7.5 degrees, inside the true disk. So nothing counts as
 // covered that is not, and the error is at most 0.3 % of the disk at each end of the path.
+//
+// A bar is a rectangle that is fixed to the robot, as a mower deck or a spray boom. What it covers depends on
+// the headings, so its paths are poses. Between two poses of one heading the robot moves straight; between
+// others it rotates about one centre by the difference of the headings, as in a turn in place or along an
+// arc. Straight sweeps are exact. Those of rotations are made of steps of 2 degrees, each inside of the true
+// sweep: so for a bar, too, nothing counts as covered that is not.
 #pragma once
 
 #include <stop_token>
 
+#include "outrider/geometry/pose.hpp"
 #include "outrider/jobs/cover/region.hpp"
 
 namespace outrider {
+
+/// A rectangle that is fixed to the robot.
+struct Bar {
+  double width_m = 0.0;    ///< across the heading
+  double length_m = 0.0;   ///< along the heading
+  double forward_m = 0.0;  ///< from the robot's reference point ahead to the middle of the bar
+
+  /// Returns the radius of the smallest disk about the reference point that contains the bar.
+  [[nodiscard]] double reach_m() const;
+};
 
 /// What a path covers of an area.
 struct Coverage {
@@ -33,6 +50,11 @@ struct Coverage {
 Coverage coverage_of(const std::vector<Vec2>& way, double radius_m, const Region& area,
                      const std::stop_token& stop = {});
 
+/// The same of a bar. The headings of poses differ by the angle that the robot really turns: they are not
+/// wrapped.
+Coverage coverage_of(const std::vector<Pose2>& poses, const Bar& bar, const Region& area,
+                     const std::stop_token& stop = {});
+
 /// The areas that were covered until some time, m2.
 struct CoverageSums {
   double covered_m2 = 0.0;
@@ -46,10 +68,14 @@ class GrowingCoverage {
  public:
   /// A disk of the radius passes over `area`, which must outlive this object.
   GrowingCoverage(double radius_m, const Region& area) : radius_m_(radius_m), area_(area) {}
+  /// A bar passes over `area`, which must outlive this object.
+  GrowingCoverage(const Bar& bar, const Region& area) : bar_(bar), area_(area) {}
 
-  /// Adds a section of at least one point, which begins where the one before ends. Returns the areas covered
-  /// until then. O(n log^2 n) if the section is near few others.
+  /// Adds a section of at least one point of the way of a disk, which begins where the one before ends.
+  /// Returns the areas covered until then. O(n log^2 n) if the section is near few others.
   CoverageSums add(const std::vector<Vec2>& way);
+  /// Adds a section of at least one pose of a bar.
+  CoverageSums add(const std::vector<Pose2>& poses);
 
  private:
   /// What one section covers by itself, and which part of that was passed over more than once by then.
@@ -59,8 +85,10 @@ class GrowingCoverage {
     Box2 box;
   };
   [[nodiscard]] Region known_of(const Region& region, const Box2& box, Region Section::* part) const;
+  CoverageSums add(Region covered, std::vector<Region> overlap, const Region& joint);
 
-  double radius_m_;
+  double radius_m_ = 0.0;
+  Bar bar_;
   const Region& area_;
   std::vector<Section> before_;
   CoverageSums sums_;

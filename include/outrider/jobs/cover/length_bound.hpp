@@ -16,7 +16,8 @@
 
 namespace outrider {
 
-/// Returns the bound, m. O(n) unions for n walls.
+/// Returns the bound, m; 0 for a bar, which covers without driving where it turns in place. O(n) unions for n
+/// walls.
 double least_length_m(const CoverageArea& area, const CoverProblem& problem);
 
 }  // namespace outrider

@@ -34,12 +34,12 @@ enum class PieceRole { move, lap, lane, transfer };
 struct CoverOptions {
   std::int64_t directions =
       4;  ///< number of sweep directions tried: along the longest edges, and across them
-  TourOptions order{
-      .exact_goals = 9,
-      .expansions = 20'000,
-      .iterations = 4000,
-      .gap = 0.05,
-      .operations = 100'000'000};  ///< of the tour; more than 40 laps and cells are ordered without a proof
+  TourOptions order{.exact_goals = 9,
+                    .expansions = 20'000,
+                    .iterations = 4000,
+                    .gap = 0.05,
+                    .operations = 100'000'000};  ///< of the tour; it proves nothing for more than 40 laps and
+                                                 ///< cells, of which order_bound_s still holds
 };
 /// Describes the options by name.
 std::vector<Option> describe(CoverOptions& options);
@@ -82,7 +82,7 @@ struct FieldProof {
   double inner_fraction = 0.0;    ///< as below
 };
 
-/// A place that no disk on the track covers.
+/// A place that nothing on the track covers.
 struct MissedPlace {
   Vec2 at;  ///< a point in the middle of it
   double area_m2 = 0.0;
@@ -97,7 +97,7 @@ struct CoverProof {
   double length_bound_m = 0.0;  ///< no track that covers all is shorter (length_bound.hpp)
   std::vector<FieldProof> fields = {};
   bool complete = true;                  ///< at most the fraction `uncovered` is left out; else see `missed`
-  std::vector<MissedPlace> missed = {};  ///< with a turning radius: what is left out, the largest first
+  std::vector<MissedPlace> missed = {};  ///< what is left out, the largest first
 };
 
 /// Checks the track independently of the planner. Refuses a track whose pieces do not join, that comes nearer
@@ -105,7 +105,8 @@ struct CoverProof {
 /// covers, of any field, less than 1 - `uncovered` - 0.1 % of all points within the sure radius of the
 /// standing room. With a turning radius it refuses turns in place, curves that are tighter and pieces that
 /// are driven backwards without `reverse`; a track that covers less than 1 - `uncovered` - 0.01 % is not
-/// refused, but not complete.
+/// refused, but not complete. With a bar it refuses a track on which the disk of the robot or the bar leaves
+/// the area; one that covers less is not complete either.
 Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, const Budget& budget = {});
 
 }  // namespace outrider

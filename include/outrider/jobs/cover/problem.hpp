@@ -9,14 +9,21 @@
 // hole, which stands for an obstacle. Within an area it stays inside. With transfers every part of the
 // standing room counts that such a drive comes to.
 //
+// A robot may carry a bar, which covers in place of its disk: a mower deck or a spray boom. The reach is then
+// that of a disk as wide as the bar. The body of the robot is still a disk; neither it nor the bar may leave
+// the area. The robot turns where a disk that contains both, whichever way they turn, has room: this is the
+// standing room then.
+//
 // A robot with a turning radius drives no curve that is tighter, and turns nowhere in place. Its reach is
 // that of a disk all the same: what its curves cannot cover counts as missed.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "outrider/core/options.hpp"
+#include "outrider/jobs/cover/coverage.hpp"
 #include "outrider/jobs/cover/region.hpp"
 #include "outrider/jobs/cover/track.hpp"
 #include "outrider/path/visibility/polygon_ground.hpp"
@@ -33,13 +40,22 @@ struct AreaOutline {
   std::vector<std::vector<Vec2>> holes;
 };
 
+/// What covers the ground.
+struct CoverTool {
+  std::string shape = "disk";  ///< disk: the robot itself; bar: a rectangle that is fixed to it
+  double width_m = 0.0;        ///< of a bar, across the heading; 0: as wide as the robot
+  double length_m = 0.1;       ///< of a bar, along the heading
+  double forward_m = 0.0;      ///< of the middle of a bar, ahead of the robot's centre
+};
+
 /// The question to a coverage planner.
 struct CoverProblem {
   std::vector<Vec2> boundary;            ///< simple polygon of either orientation, m
   std::vector<std::vector<Vec2>> holes;  ///< simple polygons inside the boundary
   std::vector<AreaOutline> others = {};  ///< further areas of the same kind
   bool transfers = false;         ///< the robot may drive between areas, over the ground outside of them
-  double width_m = 0.2;           ///< diameter of the robot and width of the strip that it covers
+  double width_m = 0.2;           ///< diameter of the robot; without a bar also the width of its strip
+  CoverTool tool;                 ///< what covers the ground
   double overlap = 0.1;           ///< fraction of the width that neighbouring strips share, 0 to 0.9
   double tracking_error_m = 0.0;  ///< largest distance of the robot from its track
   double uncovered =
@@ -52,12 +68,19 @@ struct CoverProblem {
 
   /// Returns true if the robot cannot turn in place.
   [[nodiscard]] bool curves() const { return turning_radius_m > 0.0; }
+  /// Returns the bar; nothing if the robot covers with its disk.
+  [[nodiscard]] std::optional<Bar> bar() const;
   /// Radius of the robot.
-  [[nodiscard]] double radius_m() const { return 0.5 * width_m; }
+  [[nodiscard]] double body_radius_m() const { return 0.5 * width_m; }
+  /// Radius of the disk in which the robot turns, with its bar.
+  [[nodiscard]] double radius_m() const;
+  /// Width of the strip that is covered.
+  [[nodiscard]] double strip_m() const;
   /// Distance between neighbouring strips.
-  [[nodiscard]] double stride_m() const { return width_m * (1.0 - overlap); }
-  /// Every point within this distance of the track is covered for every allowed tracking error.
-  [[nodiscard]] double sure_radius_m() const { return radius_m() - tracking_error_m; }
+  [[nodiscard]] double stride_m() const { return strip_m() * (1.0 - overlap); }
+  /// Every point within this distance of the track is covered for every allowed tracking error; for a bar,
+  /// every point beside a straight stroke.
+  [[nodiscard]] double sure_radius_m() const { return 0.5 * strip_m() - tracking_error_m; }
 };
 
 /// One of the areas that lie apart.
@@ -73,16 +96,16 @@ struct CoverageArea {
   std::shared_ptr<const PolygonGround> ground;  ///< exact: where the whole track stays
   std::vector<CoverField> fields;               ///< at least one; its ground is `ground` if it is alone
   Region area;                                  ///< the area to cover, of all fields
-  Region standing;     ///< where the centre of the disk may be, connected with the start, within arc_m
-  Region reach;        ///< what the disk touches from the standing room
+  Region standing;  ///< where the centre of the disk may be, connected with the start, within arc_m
+  Region reach;  ///< what the disk touches from the standing room; a disk as wide as the bar, if there is one
   double arc_m = 0.0;  ///< largest distance between an arc and its chords
 };
 
 /// Prepares the area. Faults: bad_input on a polygon that crosses itself, a hole that is not inside the
 /// boundary, a robot wider than every part of the area (with the widest that fits), numbers out of range, an
 /// overlap too small for the tracking error (with the one that is enough), areas apart without transfers, an
-/// area in a hole of another; start_blocked; outside_map. `where` is "boundary", "hole 2", "boundary of area
-/// 2", "hole 1 of area 2", or the key.
+/// area in a hole of another, a tracking error or transfers with a bar; start_blocked; outside_map. `where`
+/// is "boundary", "hole 2", "boundary of area 2", "hole 1 of area 2", or the key.
 Outcome<CoverageArea> cover_ground(const CoverProblem& problem);
 
 }  // namespace outrider

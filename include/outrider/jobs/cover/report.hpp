@@ -47,6 +47,7 @@ class CoverLog {
   Log& log_;
   const CoverPlan& plan_;
   outrider_msgs::CoverageArea area_;
+  bool bar_;  ///< a bar covers
   GrowingCoverage coverage_;
   LogQueue queue_;            ///< what a piece brings, to be logged in the order of time
   std::size_t pieces_ = 0;    ///< that are logged
@@ -57,6 +58,7 @@ class CoverLog {
 };
 
 /// Returns the report. The metrics are:
+/// - width_m of the robot and strip_m, the width of what it covers;
 /// - of the drive: covered_fraction of the reach, covered_m2, missed_m2, overlap_m2, of reach_m2 and area_m2;
 ///   time_s, length_m, turned_rad, tracking_error_m (the largest distance from the track);
 /// - bounds: t_min_s and t_max_s on the time of any drive, order_bound_s of any order of laps and cells;

@@ -224,7 +224,7 @@ TEST(TurningPlan, TheJudgeRefusesWhatTheRobotCannotDrive) {
   EXPECT_FALSE(prove(planned(pivot), problem));
 }
 
-void expect_refused(const CoverProblem& problem, const std::string& where, const std::string& says) {
+void expect_turning_refused(const CoverProblem& problem, const std::string& where, const std::string& says) {
   const auto plan = find_cover_method("quickest")->plan(problem, {}, {});
   ASSERT_FALSE(plan) << says;
   EXPECT_EQ(plan.error().where, where);
@@ -233,19 +233,20 @@ void expect_refused(const CoverProblem& problem, const std::string& where, const
 
 TEST(TurningPlan, BadInputIsRefusedInASentence) {
   for (const double radius : {-1.0, std::nan(""), std::numeric_limits<double>::infinity(), 1e-9})
-    expect_refused(field(30, 20, radius, false), "turning_radius", "or 0 for a robot that turns in place");
-  expect_refused(field(3, 3, 100.0, false), "turning_radius", "give a smaller radius");
-  expect_refused(field(30, 20, 0.0, true), "reverse", "for a robot with a turning radius");
+    expect_turning_refused(field(30, 20, radius, false), "turning_radius",
+                           "or 0 for a robot that turns in place");
+  expect_turning_refused(field(3, 3, 100.0, false), "turning_radius", "give a smaller radius");
+  expect_turning_refused(field(30, 20, 0.0, true), "reverse", "for a robot with a turning radius");
   CoverProblem headland = field(30, 20, 0.0, false);
   headland.headland = 2;
-  expect_refused(headland, "headland", "for a robot with a turning radius");
+  expect_turning_refused(headland, "headland", "for a robot with a turning radius");
   headland.turning_radius_m = 1.0;
   headland.headland = -1;
-  expect_refused(headland, "headland", "give 1 to 1000");
+  expect_turning_refused(headland, "headland", "give 1 to 1000");
   CoverProblem apart = field(30, 20, 2.0, false);
   apart.transfers = true;
   apart.others = {{{{40, 0}, {60, 0}, {60, 20}, {40, 20}}, {}}};
-  expect_refused(apart, "transfers", "turn in place only");
+  expect_turning_refused(apart, "transfers", "turn in place only");
 }
 
 TEST(TurningPlan, ACancelledPlanIsNone) {
