@@ -1,19 +1,24 @@
-// How strongly each layer is drawn: 1 unless somebody chose otherwise, 0 where it is off. In the address as "shots:0,map:0.4".
+// How strongly each layer is drawn: as is usual for it unless somebody chose otherwise, 0 where it is off. In the address as
+// "shots:0,map:0.4".
 import { clamp } from "../base/numbers";
 
 export class LayerChoice {
   private chosen = new Map<string, number>();
 
-  constructor(text = "") {
+  /** Layers of these names are off unless somebody switches them on. */
+  constructor(text = "", private off: ReadonlySet<string> = new Set()) {
     for (const [name, value] of text.split(",").map((one) => one.split(":"))) {
       if (name && Number.isFinite(Number(value))) this.set(name, Number(value));
     }
   }
 
-  of(name: string): number { return this.chosen.get(name) ?? 1; }
+  of(name: string): number { return this.chosen.get(name) ?? this.usual(name); }
+
+  /** What it is where nobody has chosen. */
+  usual(name: string): number { return this.off.has(name) ? 0 : 1; }
 
   set(name: string, opacity: number): void {
-    if (opacity >= 1) this.chosen.delete(name);
+    if (clamp(opacity, 0, 1) === this.usual(name)) this.chosen.delete(name);
     else this.chosen.set(name, clamp(opacity, 0, 1));
   }
 

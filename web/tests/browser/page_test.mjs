@@ -101,11 +101,34 @@ const cases = {
     await page.close();
   },
 
+  async "a target that cannot be hit: the best flight at it, and what is in the way, from the side, in plan and in its reason"() {
+    const page = await open("#watch/runs/yard/run.mcap?t=20");
+    await page.locator(".targets tbody", { hasText: "schroedi" }).locator("button").click();
+    await until("the flight", async () => /^No shot at schroedi the best flight is blocked by shed\//.test(await text(page, ".side h2")));
+    const by = (await text(page, ".side h2")).match(/blocked by (\S+)$/)[1];
+    assert.match(await text(page, ".side .caption"), new RegExp(`^[\\d.]+ m/s at .* from \\(.*It meets ${by} at \\(`));
+    assert.match(await page.locator(".targets tbody", { hasText: "schroedi" }).locator(".reason").textContent(), new RegExp(`the best flight, from \\(.*${by}`));
+    const picture = () => page.evaluate(() => document.querySelector(".plan-view canvas").toDataURL());
+    await frames(page);
+    const shown = await picture();
+    await page.locator('.legend .layer[data-layer="blocked flights"] label').click();
+    await frames(page);
+    assert.notEqual(await picture(), shown, "it is drawn in plan");
+    await page.close();
+  },
+
   async "what a robot senses and believes: a map that is turned is explored, a drive goes by tags"() {
     makeRuns(folder);
     const page = await open("#watch/runs/explore/run.mcap?t=3");
     await page.waitForSelector(".plots figure");
     assert.match(await text(page, ".legend"), /believed, 2\u03c3.*range finder.*path/);
+    await page.locator(".tabs button", { hasText: "Why" }).click();
+    await page.waitForSelector(".why li[aria-current] .choices .chosen");
+    assert.match(await text(page, ".choices thead"), /place.*to get there.*to see.*of the round that begins there, least is best/);
+    const values = (await page.locator(".choices td:last-child").allTextContents()).map(Number.parseFloat).filter(Number.isFinite);
+    assert.ok(values.length > 0 && values.every((value, i) => i === 0 || value >= values[i - 1]), `the best first: ${values}`);
+    await page.locator(".tabs button", { hasText: "Plots" }).click();
+    await page.waitForSelector(".plots figure");
     await frames(page);
     await compareShot(page, "explore", output);
     await page.keyboard.press("f");  // the robot is in the middle then
@@ -126,7 +149,7 @@ const cases = {
     const rooms = await open("#watch/runs/office/run.mcap?t=95&tab=plots");
     await rooms.waitForSelector(".plots figure");
     const legend = await text(rooms, ".legend");
-    assert.match(legend, /way settled in the end.*believed then, 2\u03c3.*odometry alone.*reference.*range finder/);
+    for (const name of ["way settled in the end", "believed then, 2\u03c3", "odometry alone", "reference", "range finder"]) assert.equal(legend.split(name).length, 2, `${name} once in: ${legend}`);
     assert.doesNotMatch(legend, /\btrue\b/);
     await frames(rooms);
     await compareShot(rooms, "slam", output);
