@@ -40,7 +40,7 @@ export function firingMap(run: Run): Layer | null {
     still({ ctx }) {
       if (colour !== theme.water) [picture, colour] = [tinted(shares(grid), theme.water), theme.water];
       ctx.save();
-      ctx.globalAlpha = 0.6;
+      ctx.globalAlpha = 0.4;
       ctx.imageSmoothingEnabled = false;
       ctx.translate(x0, y0 + info.height * info.resolution);
       ctx.scale(info.resolution, -info.resolution);

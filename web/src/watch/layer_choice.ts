@@ -2,11 +2,13 @@
 // "shots:0,map:0.4".
 import { clamp } from "../base/numbers";
 
+/** Layers of planning: they are drawn while the robot plans, and after that for who switches them on. */
+export const ofPlanning: ReadonlySet<string> = new Set(["firing map", "planned tour"]);
+
 export class LayerChoice {
   private chosen = new Map<string, number>();
 
-  /** Layers of these names are off unless somebody switches them on. */
-  constructor(text = "", private off: ReadonlySet<string> = new Set()) {
+  constructor(text = "") {
     for (const [name, value] of text.split(",").map((one) => one.split(":"))) {
       if (name && Number.isFinite(Number(value))) this.set(name, Number(value));
     }
@@ -15,7 +17,7 @@ export class LayerChoice {
   of(name: string): number { return this.chosen.get(name) ?? this.usual(name); }
 
   /** What it is where nobody has chosen. */
-  usual(name: string): number { return this.off.has(name) ? 0 : 1; }
+  usual(name: string): number { return ofPlanning.has(name) ? 0 : 1; }
 
   set(name: string, opacity: number): void {
     if (clamp(opacity, 0, 1) === this.usual(name)) this.chosen.delete(name);

@@ -12,6 +12,7 @@ import { firingMap } from "./firing_map_layer";
 import { flights } from "./flight_layer";
 import { ground } from "./ground_layer";
 import type { Layer, LayerOf } from "./layer";
+import { ofPlanning } from "./layer_choice";
 import { map } from "./map_layer";
 import { mapping } from "./mapping_layer";
 import { pursuit } from "./pursuit_layer";
@@ -29,9 +30,6 @@ export interface Named { name: string; layer: Layer }
 
 const makers: [string, LayerOf][] = [["obstacles", ground], ["pursuit", pursuit], ["covered area", cover], ["map", map], ["landmarks", mapping], ["firing map", firingMap], ["planned tour", tour], ["path", way],
   ["range finder", scan], ["blocked flights", blocked], ["shots", flights], ["tags", tags], ["stations", stations], ["targets", targets], ["candidates", candidates], ["robot", robot], ["belief", believed]];
-
-/** Layers of planning: they are drawn while the robot plans, and after that for who switches them on. */
-export const ofPlanning: ReadonlySet<string> = new Set(["firing map", "planned tour"]);
 
 /** Those that the log has messages for; `bare` ones without scales; with what the scenario says, until the log does. */
 export function layersOf(run: Run, area: Box, bare: boolean, scene: SceneAnswer | null): Named[] {

@@ -21,7 +21,6 @@ import type { Now, Told } from "./layer";
 import { LayerChoice } from "./layer_choice";
 import { marksOf, type Mark } from "./marks";
 import { MessageView } from "./message_view";
-import { ofPlanning } from "./plan_layers";
 import { playingKeys } from "./playing_keys";
 import { Plots } from "./plots";
 import { SideView } from "./side_view";
@@ -61,7 +60,7 @@ export class Watch {
     this.clock = new Clock(this.run.duration, () => this.invalidate(), goesOn);
     this.marks = marksOf(this.run);
     this.stage = new Stage(this.run, { redraw: () => this.invalidate(), selectShot: (shot) => this.selectShot(shot), selectTarget: (one) => this.selectTarget(one),
-      exports: () => this.exports(), tell: (told) => this.tell(told) }, new LayerChoice(query.layers, ofPlanning));
+      exports: () => this.exports(), tell: (told) => this.tell(told) }, new LayerChoice(query.layers));
     this.events = new EventList(this.run, (t) => this.clock.seek(t));
     this.plots = new Plots(this.run, (t) => this.clock.seek(t), query.plots?.split(",").filter(Boolean));
     this.messages = new MessageView(this.run);

@@ -72,10 +72,10 @@ describe("what can be looked at", () => {
     expect(["shots", "map", "targets", "odd"].map((name) => choice.of(name))).toEqual([0, 0.4, 1, 1]);
     choice.set("shots", 1);
     expect(choice.text).toBe("map:0.4");
-    const planned = new LayerChoice("", new Set(["firing map"]));
+    const planned = new LayerChoice();
     expect([planned.of("firing map"), planned.of("shots")]).toEqual([0, 1]);
     planned.set("firing map", 1);
-    expect([planned.text, new LayerChoice(planned.text, new Set(["firing map"])).of("firing map")]).toEqual(["firing map:1", 1]);
+    expect([planned.text, new LayerChoice(planned.text).of("firing map")]).toEqual(["firing map:1", 1]);
     planned.set("firing map", 0);
     expect(planned.text).toBe("");
   });
