@@ -344,6 +344,20 @@ const cases = {
     await field.fill("-999999");
     await field.press("Tab");
     assert.match(await text(page, ".notice"), /'-999999' is not valid; expected/);
+    await field.fill("1");
+    await field.press("Tab");
+    // Names to choose from: the cost stays, the work does not.
+    assert.deepEqual(await page.locator("#option-heuristic option").allTextContents(), ["Octile", "Euclidean", "Chebyshev"]);
+    assert.deepEqual(await page.locator("#option-ties option").allTextContents(), ["Largest g", "Smallest g"]);
+    await until("an answer", async () => /\d/.test(await cell(page, "expansions")));
+    const [cost, work] = [await cell(page, "cost"), await cell(page, "expansions")];
+    for (const [option, name] of [["heuristic", "chebyshev"], ["ties", "smallest_g"]]) {
+      const seen = await answers(page);
+      await page.selectOption(`#option-${option}`, name);
+      await nextAnswer(page, seen);
+      assert.equal(await cell(page, "cost"), cost);
+    }
+    assert.ok(Number((await cell(page, "expansions")).replaceAll(",", "")) > Number(work.replaceAll(",", "")), "a poorer estimate, and ties that go back");
     await page.close();
   },
 
