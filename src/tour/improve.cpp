@@ -116,7 +116,7 @@ void recreate(const Instance& instance, Route& route, std::vector<std::uint32_t>
 }  // namespace
 
 Improvement improve(const Instance& instance, Route route, std::int64_t seed, std::int64_t iterations,
-                    BudgetMeter& meter, const Price& price) {
+                    BudgetMeter& meter, const Price& price, const Better& better) {
   double present = price(route);
   const auto polish_if_better = [&](Route& candidate, double& worth) {
     Route polished = candidate;
@@ -128,6 +128,7 @@ Improvement improve(const Instance& instance, Route route, std::int64_t seed, st
   };
   polish_if_better(route, present);
   Improvement result{route, 0};
+  if (better) better(result.best);
   double least = present;
   Rng rng = Rng(static_cast<std::uint64_t>(seed)).child("tour");
   const auto related = related_goals(instance);
@@ -143,6 +144,7 @@ Improvement improve(const Instance& instance, Route route, std::int64_t seed, st
       polish_if_better(candidate, worth);
       result.best = candidate;
       least = worth;
+      if (better) better(result.best);
     }
     if (worth < present - temperature * std::log(1.0 - rng.uniform())) {
       route = std::move(candidate);

@@ -18,9 +18,12 @@ inline double cost_of(const Route& route) { return route.cost; }
 /// What a route is worth, when that is not its cost.
 using Price = std::function<double(const Route&)>;
 
+/// Receives each route that is better than all before it.
+using Better = std::function<void(const Route&)>;
+
 /// Starts from `route` and never ends worse, by its price. One expansion of the budget an iteration.
 /// Sources: Shaw (1998), large neighbourhood search; Schrimpf et al. (2000), ruin and recreate.
 Improvement improve(const Instance& instance, Route route, std::int64_t seed, std::int64_t iterations,
-                    BudgetMeter& meter, const Price& price = &cost_of);
+                    BudgetMeter& meter, const Price& price = &cost_of, const Better& better = {});
 
 }  // namespace outrider::tour

@@ -65,8 +65,13 @@ void solve_exactly(const tour::Instance& instance, const TourOptions& options, B
 
 /// Improves the route for some rounds of ruin and recreate, and counts them.
 void improve(const tour::Instance& instance, const TourOptions& options, std::int64_t iterations,
-             BudgetMeter& meter, tour::Route& route, Tour& tour) {
-  tour::Improvement improved = tour::improve(instance, route, options.seed, iterations, meter);
+             BudgetMeter& meter, const TourObserver& found, tour::Route& route, Tour& tour) {
+  tour::Better better;
+  if (found) {
+    better = [&](const tour::Route& one) { found(visits_of(instance, one.nodes), one.cost); };
+  }
+  tour::Improvement improved =
+      tour::improve(instance, route, options.seed, iterations, meter, &tour::cost_of, better);
   route = std::move(improved.best);
   tour.iterations += improved.iterations;
 }
@@ -105,7 +110,7 @@ void prove(const tour::Instance& instance, const TourOptions& options, BudgetMet
 }
 
 Outcome<Tour> solve_with(const TourProblem& problem, const std::vector<Visit>* begun,
-                         const TourOptions& options, const Budget& budget) {
+                         const TourOptions& options, const Budget& budget, const TourObserver& found) {
   if (Status status = check_options(options); !status) return pass_on(status);
   if (Status status = check(problem); !status) return pass_on(status);
   auto instance = tour::compile(problem);
@@ -119,11 +124,11 @@ Outcome<Tour> solve_with(const TourProblem& problem, const std::vector<Visit>* b
   }
   tour::Route route = begun == nullptr ? tour::construct(*instance) : route_of(*instance, *begun);
   if (instance->goals <= options.exact_goals && tour::exact_is_possible(*instance)) {
-    improve(*instance, options, options.iterations / 8, meter, route, tour);  // enough to prune by
+    improve(*instance, options, options.iterations / 8, meter, found, route, tour);  // enough to prune by
     solve_exactly(*instance, options, meter, route, tour);
   }
   if (!tour.proven_optimal) {
-    improve(*instance, options, options.iterations, meter, route, tour);
+    improve(*instance, options, options.iterations, meter, found, route, tour);
     if (options.gap < 1.0) prove(*instance, options, meter, route, tour);
   }
   tour.visits = visits_of(*instance, route.nodes);
@@ -136,14 +141,15 @@ Outcome<Tour> solve_with(const TourProblem& problem, const std::vector<Visit>* b
 
 }  // namespace
 
-Outcome<Tour> solve(const TourProblem& problem, const TourOptions& options, const Budget& budget) {
-  return solve_with(problem, nullptr, options, budget);
+Outcome<Tour> solve(const TourProblem& problem, const TourOptions& options, const Budget& budget,
+                    const TourObserver& found) {
+  return solve_with(problem, nullptr, options, budget, found);
 }
 
 Outcome<Tour> solve_from(const TourProblem& problem, const Tour& begun, const TourOptions& options,
-                         const Budget& budget) {
+                         const Budget& budget, const TourObserver& found) {
   if (Status status = check(problem, begun); !status) return pass_on(status);
-  return solve_with(problem, &begun.visits, options, budget);
+  return solve_with(problem, &begun.visits, options, budget, found);
 }
 
 }  // namespace outrider

@@ -119,6 +119,37 @@ struct FiringRegion {
   }
 };
 
+/// A stop of a tour, and who is shot at from there.
+struct TourStop {
+  Point2 position;
+  std::vector<std::string> targets;
+
+  static constexpr std::string_view type = "outrider_msgs/msg/TourStop";
+  template <class List>
+  static void describe(List& list) {
+    list.field("position", &TourStop::position);
+    list.field("targets", &TourStop::targets);
+  }
+};
+
+/// A tour that is planned. The newest message holds: while the robot plans, tours become faster; then the
+/// plan.
+struct Tour {
+  std::vector<TourStop> stops;
+  std::vector<Point2> way;   ///< from the start through all stops
+  double cost = 0.0;         ///< time that it takes
+  double lower_bound = 0.0;  ///< no tour over the stops looked at takes less, as far as that is proven
+
+  static constexpr std::string_view type = "outrider_msgs/msg/Tour";
+  template <class List>
+  static void describe(List& list) {
+    list.field("stops", &Tour::stops);
+    list.field("way", &Tour::way);
+    list.field("cost", &Tour::cost, "s");
+    list.field("lower_bound", &Tour::lower_bound, "s");
+  }
+};
+
 /// A station that refills the tank or charges the battery.
 struct Station {
   std::string name;

@@ -72,16 +72,41 @@ struct Waypoints {
   }
 };
 
+/// A place that a decision compared.
+struct Candidate {
+  Point2 position;
+  double cost = 0.0;   ///< time to turn and drive there
+  double gain = 0.0;   ///< unknown area that is expected to be seen from there
+  double value = 0.0;  ///< what the strategy compares; NaN: another place counts for this one, too
+  bool chosen = false;
+
+  static constexpr std::string_view type = "outrider_msgs/msg/Candidate";
+  template <class List>
+  static void describe(List& list) {
+    list.field("position", &Candidate::position);
+    list.field("cost", &Candidate::cost, "s");
+    list.field("gain", &Candidate::gain, "m2");
+    list.field("value", &Candidate::value);
+    list.field("chosen", &Candidate::chosen);
+  }
+};
+
 /// The choice of a next goal. The goal and the path to it are on /goal_pose and /plan.
 struct Decision {
-  std::string kind;             ///< frontier, home, ...
-  std::uint32_t frontiers = 0;  ///< open at this time
+  std::string kind;                   ///< frontier, home, ...
+  std::uint32_t frontiers = 0;        ///< open at this time
+  std::string value_of;               ///< what the values are, such as "s of the round"
+  bool most_is_best = false;          ///< the largest value is the best, not the least
+  std::vector<Candidate> candidates;  ///< the best of them, at most 16, the best first; none on the way home
 
   static constexpr std::string_view type = "outrider_msgs/msg/Decision";
   template <class List>
   static void describe(List& list) {
     list.field("kind", &Decision::kind);
     list.field("frontiers", &Decision::frontiers);
+    list.field("value_of", &Decision::value_of);
+    list.field("most_is_best", &Decision::most_is_best);
+    list.field("candidates", &Decision::candidates);
   }
 };
 

@@ -43,6 +43,11 @@ inline constexpr std::string_view walls = "/walls";
 inline constexpr std::string_view medial_axis = "/medial_axis";
 inline constexpr std::string_view shots = "/shots";
 inline constexpr std::string_view firing_regions = "/firing_regions";
+/// nav_msgs/OccupancyGrid: share of the targets that can be hit from the cell, in percent; -1: out of reach
+inline constexpr std::string_view firing_map = "/firing_map";
+inline constexpr std::string_view tours = "/tours";
+/// Shot: the flight that comes nearest to a hit of a target that cannot be hit, and what is in its way
+inline constexpr std::string_view blocked_flights = "/blocked_flights";
 inline constexpr std::string_view targets = "/targets";
 inline constexpr std::string_view target_positions = "/target_positions";
 inline constexpr std::string_view supplies = "/supplies";

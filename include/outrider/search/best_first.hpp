@@ -12,15 +12,16 @@
 //     Cost estimate(State s) const;            // h, a lower bound of the cost to the goal
 //     double value(const Cost& cost) const;    // a number that increases with the cost
 //     double priority(const Cost& g, const Cost& h) const;  // f
+//     double tie(const Cost& g) const;         // optional: of equal f the largest comes first; else value(g)
 //     void settle(State s);                    // may change the label of s just before s is closed
 //     void expand(State s, Relax& relax);      // relax(neighbour, parent, g, h) for each neighbour
 //   };
 //
-// The order of expansion is least f, then largest g, then least state, so the result is the same on every
-// machine. A closed state is never opened again. So if h is consistent and settle() changes nothing, the cost
-// found is optimal. Only states that the search reaches are touched. O((states + moves) log states). Faults:
-// no_path if all states reachable from the start are closed; budget_exhausted; cancelled. Sources: Hart,
-// Nilsson and Raphael (1968); Nash et al. (2007) for the choice of parent.
+// The order of expansion is least f, then largest g (or tie()), then least state, so the result is the same
+// on every machine. A closed state is never opened again. So if h is consistent and settle() changes nothing,
+// the cost found is optimal. Only states that the search reaches are touched. O((states + moves) log states).
+// Faults: no_path if all states reachable from the start are closed; budget_exhausted; cancelled. Sources:
+// Hart, Nilsson and Raphael (1968); Nash et al. (2007) for the choice of parent.
 #pragma once
 
 #include "outrider/core/budget.hpp"
@@ -37,6 +38,15 @@ struct SearchMemory {
   BucketQueue queue;
 };
 
+template <class Policy>
+double tie_of(const Policy& policy, const typename Policy::Cost& g) {
+  if constexpr (requires { policy.tie(g); }) {
+    return policy.tie(g);
+  } else {
+    return policy.value(g);
+  }
+}
+
 /// Searches a path and returns the goal state. The labels in `memory` hold the path; see path_to().
 template <class Policy>
 Outcome<State> best_first(Policy& policy, SearchMemory<typename Policy::Cost>& memory, BudgetMeter& meter,
@@ -49,7 +59,7 @@ Outcome<State> best_first(Policy& policy, SearchMemory<typename Policy::Cost>& m
     if (known && (labels.closed(s) || !(g < labels.g(s)))) return;
     if (trace != nullptr && !known) trace->open(s);
     labels.open(s, parent, g);
-    queue.push(policy.priority(g, h), policy.value(g), s);
+    queue.push(policy.priority(g, h), tie_of(policy, g), s);
   };
 
   const Cost from_start = policy.estimate(policy.start());
@@ -57,7 +67,7 @@ Outcome<State> best_first(Policy& policy, SearchMemory<typename Policy::Cost>& m
   queue.begin(policy.priority(Cost{}, from_start));
   if (trace != nullptr) trace->open(policy.start());
   labels.open(policy.start(), policy.start(), Cost{});
-  queue.push(policy.priority(Cost{}, from_start), policy.value(Cost{}), policy.start());
+  queue.push(policy.priority(Cost{}, from_start), tie_of(policy, Cost{}), policy.start());
   QueueEntry entry;
   while (queue.pop(entry)) {
     if (labels.closed(entry.state)) continue;

@@ -17,6 +17,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "outrider/core/budget.hpp"
@@ -37,12 +38,17 @@ struct TourOptions {
 
 std::vector<Option> describe(TourOptions& options);
 
+/// Receives the visits and the cost of each tour that ruin and recreate finds, of each call the better ones
+/// only. It is called on the thread that solves, and changes nothing in the result.
+using TourObserver = std::function<void(const std::vector<Visit>& visits, double cost_s)>;
+
 /// Solves the problem as described above.
-Outcome<Tour> solve(const TourProblem& problem, const TourOptions& options, const Budget& budget);
+Outcome<Tour> solve(const TourProblem& problem, const TourOptions& options, const Budget& budget,
+                    const TourObserver& found = {});
 
 /// Solves the problem with `begun` as the first tour; check() must accept it. The result is never worse than
 /// `begun`.
 Outcome<Tour> solve_from(const TourProblem& problem, const Tour& begun, const TourOptions& options,
-                         const Budget& budget);
+                         const Budget& budget, const TourObserver& found = {});
 
 }  // namespace outrider

@@ -12,19 +12,23 @@ const std::vector<ExploreStrategy>& explore_strategies() {
        .paper = "Kulich, Faigl and Preucil, On distance utility in the exploration task, 2011; Held and "
                 "Karp, A dynamic "
                 "programming approach to sequencing problems, 1962",
-       .choose = choose_by_tour},
+       .value_of = "s of the round that begins there",
+       .values = round_values},
       {.name = "information_gain",
        .sentence = "The view that is expected to show most for each second of turning and driving.",
        .paper = "Gonzalez-Banos and Latombe, Navigation strategies for exploring indoor environments, 2002; "
                 "Burgard, "
                 "Moors, Stachniss and Schneider, Coordinated multi-robot exploration, 2005",
-       .choose = choose_by_gain},
+       .value_of = "m2/s",
+       .most_is_best = true,
+       .values = gain_values},
       {.name = "nearest",
        .sentence = "The view that is reached first, where driving near walls counts twice.",
        .paper = "Yamauchi, A frontier-based approach for autonomous exploration, 1997; the flood fill of the "
                 "reference "
                 "report, from its description",
-       .choose = choose_nearest},
+       .value_of = "s to get there",
+       .values = nearness_values},
   };
   return strategies;
 }

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "outrider/geometry/polyline.hpp"
 #include "outrider/jobs/explore/catalog.hpp"
@@ -75,6 +78,30 @@ int switches(const ExploreState& state, std::uint32_t chosen) {
   return state.map.frontiers().contains(state.before.frontier) ? state.before.switches + 1 : 0;
 }
 
+/// The views by their values, the best first, those without one last; of equal ones the first.
+std::vector<std::size_t> best_first(const std::vector<double>& values, bool most_is_best) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const auto loss = [&](std::size_t i) {
+    if (std::isnan(values[i])) return inf;
+    return most_is_best ? -values[i] : values[i];
+  };
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, loss);
+  return order;
+}
+
+std::vector<ViewCandidate> candidates_of(const std::vector<View>& views, const std::vector<double>& values,
+                                         const std::vector<std::size_t>& order) {
+  std::vector<ViewCandidate> candidates;
+  for (const std::size_t i : order) {
+    const View& view = views[i];
+    candidates.push_back(
+        {view.pose.position, view.turn_s + view.reach_s, view.gain_m2, values[i], i == order.front()});
+  }
+  return candidates;
+}
+
 }  // namespace
 
 std::string_view to_string(DecisionKind kind) {
@@ -116,7 +143,9 @@ Outcome<Decision> decide(const ExploreState& state, const ExploreOptions& option
   Views views = find_views(state, options, workspace);
   decision.refused = std::move(views.refused);
   while (!views.views.empty()) {
-    const std::size_t chosen = strategy->choose(views, state, options, workspace);
+    const std::vector<double> values = strategy->values(views, state, options, workspace);
+    const std::vector<std::size_t> order = best_first(values, strategy->most_is_best);
+    const std::size_t chosen = order.front();
     const View& view = views.views[chosen];
     auto way = way_to(state, view.pose.position, options, workspace);
     if (!way && way.error().code == FaultCode::bad_input) return pass_on(way);
@@ -129,6 +158,7 @@ Outcome<Decision> decide(const ExploreState& state, const ExploreOptions& option
       decision.way_m = length_of(*way);
       decision.waypoints = std::move(*way);
       decision.gain_m2 = view.gain_m2;
+      decision.candidates = candidates_of(views.views, values, order);
       if (decision.way_m < 2.0 * options.view_m) state.map.pursue(view.frontier);
       return decision;
     }

@@ -10,6 +10,7 @@
 #include "outrider/job/scene.hpp"
 #include "outrider/job/scene_markers.hpp"
 #include "outrider/job/sensor_log.hpp"
+#include "outrider/jobs/explore/catalog.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/motion_messages.hpp"
@@ -22,6 +23,24 @@ constexpr double track_every_s = 0.4;
 constexpr double belief_every_s = 1.0;
 constexpr double home_m = 0.3;
 constexpr double outline_step_rad = radians(15.0);
+
+constexpr std::size_t most_candidates = 16;  // that are logged
+
+outrider_msgs::Decision decision_message(const ExploreMission& mission, bool goes_home) {
+  outrider_msgs::Decision message;
+  message.kind = goes_home ? "home" : "frontier";
+  message.frontiers = static_cast<std::uint32_t>(mission.frontiers.frontiers().size());
+  if (goes_home) return message;
+  if (const auto strategy = find_explore_strategy(mission.task.explore.strategy)) {
+    message.value_of = strategy->value_of;
+    message.most_is_best = strategy->most_is_best;
+  }
+  for (const ViewCandidate& one : mission.decision.candidates) {
+    if (message.candidates.size() == most_candidates) break;
+    message.candidates.push_back({point_of(one.place), one.cost_s, one.gain_m2, one.value, one.chosen});
+  }
+  return message;
+}
 
 /// Logs the exploration.
 class Recorder {
@@ -70,9 +89,7 @@ class Recorder {
     went_home_ = goes_home;
     if (!mission.path) return;
     const double time_s = mission.time_s;
-    log_.append(topic::decisions, time_s,
-                outrider_msgs::Decision{goes_home ? "home" : "frontier",
-                                        static_cast<std::uint32_t>(mission.frontiers.frontiers().size())});
+    log_.append(topic::decisions, time_s, decision_message(mission, goes_home));
     log_.append(topic::goal, time_s, stamped(time_s, goes_home ? start_ : mission.decision.goal));
     log_plan(log_, time_s, mission.path->points);
   }

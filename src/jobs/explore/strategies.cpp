@@ -2,28 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace outrider {
 namespace {
 
 constexpr double same_m = 0.5;
-
-/// The least by `value`, where the choice before counts less by the bonus.
-template <class Value>
-std::size_t least(const Views& views, const ExploreState& state, double bonus, Value value) {
-  const auto before = chosen_before(views, state.before);
-  std::size_t best = 0;
-  double least_value = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < views.views.size(); ++i) {
-    const double v = value(views.views[i]) - (before == i ? bonus : 0.0);
-    if (v < least_value) {
-      least_value = v;
-      best = i;
-    }
-  }
-  return best;
-}
 
 }  // namespace
 
@@ -47,26 +30,25 @@ double bonus_of_before(const ExploreState& state, const ExploreOptions& options)
   return std::ldexp(options.momentum_s, std::min(state.before.switches, most_doublings));
 }
 
-std::size_t choose_nearest(const Views& views, const ExploreState& state, const ExploreOptions& options,
-                           Workspace& /*workspace*/) {
-  return least(views, state, bonus_of_before(state, options), [](const View& view) { return view.reach_s; });
+std::vector<double> nearness_values(const Views& views, const ExploreState& state,
+                                    const ExploreOptions& options, Workspace& /*workspace*/) {
+  std::vector<double> values;
+  for (const View& view : views.views) values.push_back(view.reach_s);
+  if (const auto before = chosen_before(views, state.before))
+    values[*before] -= bonus_of_before(state, options);
+  return values;
 }
 
-std::size_t choose_by_gain(const Views& views, const ExploreState& state, const ExploreOptions& options,
-                           Workspace& /*workspace*/) {
+std::vector<double> gain_values(const Views& views, const ExploreState& state, const ExploreOptions& options,
+                                Workspace& /*workspace*/) {
   const auto before = chosen_before(views, state.before);
-  std::size_t best = 0;
-  double most = -1.0;
+  std::vector<double> values;
   for (std::size_t i = 0; i < views.views.size(); ++i) {
     const View& view = views.views[i];
     const double bonus = before == i ? bonus_of_before(state, options) : 0.0;
-    const double rate = view.gain_m2 / std::max(0.5, view.turn_s + view.reach_s - bonus);
-    if (rate > most) {
-      most = rate;
-      best = i;
-    }
+    values.push_back(view.gain_m2 / std::max(0.5, view.turn_s + view.reach_s - bonus));
   }
-  return best;
+  return values;
 }
 
 }  // namespace outrider

@@ -5,12 +5,12 @@
 
 namespace outrider {
 
-std::size_t choose_nearest(const Views& views, const ExploreState& state, const ExploreOptions& options,
-                           Workspace& workspace);
-std::size_t choose_by_gain(const Views& views, const ExploreState& state, const ExploreOptions& options,
-                           Workspace& workspace);
-std::size_t choose_by_tour(const Views& views, const ExploreState& state, const ExploreOptions& options,
-                           Workspace& workspace);
+std::vector<double> nearness_values(const Views& views, const ExploreState& state,
+                                    const ExploreOptions& options, Workspace& workspace);
+std::vector<double> gain_values(const Views& views, const ExploreState& state, const ExploreOptions& options,
+                                Workspace& workspace);
+std::vector<double> round_values(const Views& views, const ExploreState& state, const ExploreOptions& options,
+                                 Workspace& workspace);
 
 /// Returns the previously chosen view, if it still exists: of the same frontier, or else the nearest within
 /// 0.5 m.

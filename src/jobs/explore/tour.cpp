@@ -1,6 +1,7 @@
 // The first leg of the fastest round through the nearest views and home. The way home counts from the
 // beginning: what lies on it is left for later, and what does not is finished before the robot goes on.
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "reach.hpp"
@@ -112,16 +113,17 @@ RoundTrip round_through(const Views& views, const ExploreState& state, Workspace
 
 }  // namespace
 
-std::size_t choose_by_tour(const Views& views, const ExploreState& state, const ExploreOptions& options,
-                           Workspace& workspace) {
+std::vector<double> round_values(const Views& views, const ExploreState& state, const ExploreOptions& options,
+                                 Workspace& workspace) {
   const std::vector<std::size_t> chosen = stops_of(views);
   Views stops;
   for (const std::size_t i : chosen) stops.views.push_back(views.views[i]);
   std::vector<double> whole_s = wholes(round_through(stops, state, workspace));
   if (const auto before = chosen_before(stops, state.before))
     whole_s[*before] -= bonus_of_before(state, options);
-  const auto best = std::ranges::min_element(whole_s) - whole_s.begin();
-  return chosen[static_cast<std::size_t>(best)];
+  std::vector<double> values(views.views.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < chosen.size(); ++i) values[chosen[i]] = whole_s[i];
+  return values;
 }
 
 }  // namespace outrider

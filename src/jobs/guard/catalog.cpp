@@ -5,6 +5,16 @@
 #include "outrider/jobs/guard/reference.hpp"
 
 namespace outrider {
+namespace {
+
+/// A method that has nothing to tell before it is done.
+template <auto Planner>
+Outcome<GuardPlan> at_once(const GuardProblem& problem, const FiringMap& firing_map,
+                           const GuardOptions& options, const Budget& budget, const DraftObserver&) {
+  return Planner(problem, firing_map, options, budget);
+}
+
+}  // namespace
 
 const std::vector<GuardPlanner>& guard_planners() {
   static const std::vector<GuardPlanner> planners = {
@@ -17,12 +27,12 @@ const std::vector<GuardPlanner>& guard_planners() {
       {"shrinking_circles",
        "For each target the first place found on circles that shrink around it; groups of targets as listed, "
        "each in its best order.",
-       "the method of the reference report, from its description", shrinking_circles},
+       "the method of the reference report, from its description", at_once<shrinking_circles>},
       {"circles_in_order", "The places of shrinking_circles in the best order of all targets.",
-       "shrinking_circles with the tour solver", circles_in_order},
+       "shrinking_circles with the tour solver", at_once<circles_in_order>},
       {"source_target_table",
        "A table of places and the targets hit from there, looked up; always the nearest place next.",
-       "the abstract of the reference report, from its description", source_target_table},
+       "the abstract of the reference report, from its description", at_once<source_target_table>},
   };
   return planners;
 }

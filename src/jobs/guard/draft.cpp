@@ -1,6 +1,7 @@
 #include "draft.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "outrider/core/parallel.hpp"
 #include "outrider/jobs/guard/plan.hpp"
@@ -12,6 +13,7 @@ constexpr double near_m = 1.2;  // how far from a stop of the tour a better one 
 constexpr double coarse_tile_m = 0.8;
 constexpr std::size_t most_alone = 40;  // targets, beyond which one search for a tour finds too little
 constexpr std::size_t searches = 4;     // for so many
+constexpr double told_gain = 0.01;      // part by which a tour is faster than the one that was told before
 
 /// Everything that solving over one set of cells after another has in common.
 struct Drafting {
@@ -20,6 +22,7 @@ struct Drafting {
   const GuardOptions& options;
   const Budget& budget;
   ShotBook& book;
+  const DraftObserver& observe;
   SureHits hits;
   std::vector<std::size_t> targets;  // by goal
   std::vector<std::size_t> needed;   // cells that are always among the stops
@@ -120,17 +123,40 @@ std::vector<std::vector<Service>> services(const Drafting& drafting, const std::
   return offered;
 }
 
-Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_t>& cells) {
+/// Tells the observer of tours over the stops of a draft, when they are faster than those before. `told_s` is
+/// the time of the last one told.
+TourObserver teller(const Drafting& drafting, const Draft& draft, double& told_s) {
+  if (!drafting.observe) return {};
+  return [&drafting, &draft, &told_s](const std::vector<Visit>& visits, double cost_s) {
+    if (cost_s > (1.0 - told_gain) * told_s) return;
+    told_s = cost_s;
+    const Vec2 start = drafting.problem.start.position;
+    TourDraft told{{}, {start}, cost_s, 0.0};
+    std::size_t at = 0;
+    for (const Visit& visit : visits) {
+      DraftStop& stop = told.stops.emplace_back(
+          DraftStop{visit.stop == 0 ? start : drafting.place(draft.cells[visit.stop]), {}});
+      for (const std::uint32_t goal : visit.goals) stop.targets.push_back(draft.targets[goal]);
+      const auto leg = draft.routes->waypoints(at, visit.stop);
+      told.way.insert(told.way.end(), leg.begin(), leg.end());
+      at = visit.stop;
+    }
+    drafting.observe(told);
+  };
+}
+
+Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_t>& cells, double& told_s) {
   const GuardProblem& problem = drafting.problem;
   if (auto ok = fill(drafting, cells); !ok) return pass_on(ok);
-  Draft draft{{0}, drafting.targets, {}, {}};
+  Draft draft{{0}, drafting.targets, {}, {}, {}};
   std::vector<Vec2> places{problem.start.position};
   for (const std::size_t cell : cells) {
     draft.cells.push_back(cell);
     places.push_back(drafting.place(cell));
   }
-  const auto routes = yard_routes(problem, drafting.firing_map, places, drafting.budget);
+  auto routes = yard_routes(problem, drafting.firing_map, places, drafting.budget);
   if (!routes) return tl::unexpected(routes.error());
+  draft.routes = std::move(*routes);
 
   TourProblem& tour = draft.offered;
   tour.goals = drafting.targets.size();
@@ -141,12 +167,12 @@ Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_
   tour.services = services(drafting, cells);
   tour.services.insert(tour.services.begin(), std::vector<Service>{});  // the start
   for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t j = 0; j < places.size(); ++j) tour.drives.push_back(routes->between(i, j));
+    for (std::size_t j = 0; j < places.size(); ++j) tour.drives.push_back(draft.routes->between(i, j));
   }
   TourOptions tour_options;
   tour_options.iterations = drafting.options.iterations;
   tour_options.gap = 1.0;
-  auto solved = solve(tour, tour_options, drafting.budget);
+  auto solved = solve(tour, tour_options, drafting.budget, teller(drafting, draft, told_s));
   if (!solved) return pass_on(solved);
   draft.tour = std::move(*solved);
   return draft;
@@ -170,7 +196,7 @@ Status search_on(const Drafting& drafting, Draft& draft) {
 }
 
 /// Improves the tour once more over the same stops, and bounds or proves it.
-Status settle(const Drafting& drafting, Draft& draft) {
+Status settle(const Drafting& drafting, Draft& draft, double& told_s) {
   TourOptions options;
   options.iterations = 4 * drafting.options.iterations;
   options.gap = drafting.options.gap;
@@ -186,7 +212,8 @@ Status settle(const Drafting& drafting, Draft& draft) {
     options.operations = 1'000'000'000'000;
     options.expansions = 2 * drafting.options.memory_mib * 1024;  // of some 250 bytes: half of the cap
   }
-  auto solved = solve_from(draft.offered, draft.tour, options, drafting.budget);
+  auto solved =
+      solve_from(draft.offered, draft.tour, options, drafting.budget, teller(drafting, draft, told_s));
   if (!solved) return pass_on(solved);
   draft.tour = std::move(*solved);
   return {};
@@ -214,8 +241,11 @@ std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft
 }  // namespace
 
 Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_map,
-                          const GuardOptions& options, const Budget& budget, ShotBook& book) {
-  Drafting drafting{problem, firing_map, options, budget, book, sure_hits(problem, firing_map), {}, {}};
+                          const GuardOptions& options, const Budget& budget, ShotBook& book,
+                          const DraftObserver& observe) {
+  Drafting drafting{problem, firing_map, options, budget, book, observe, sure_hits(problem, firing_map),
+                    {},      {}};
+  double told_s = std::numeric_limits<double>::infinity();
   for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
     if (firing_map.regions[t].hits > 0) drafting.targets.push_back(t);
   }
@@ -224,15 +254,15 @@ Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_m
   if (drafting.targets.size() > most_alone) most = most * 2 / 5;
   auto cells = choose_stops(firing_map, drafting.hits, coarse_tile_m, most, {}, 0.0);
   if (auto ok = cover_all(drafting, cells); !ok) return pass_on(ok);
-  auto best = solve_over(drafting, cells);
+  auto best = solve_over(drafting, cells, told_s);
   for (std::int64_t i = 0; best && i < options.refinements; ++i) {
-    auto closer = solve_over(drafting, cells_near(drafting, *best));
+    auto closer = solve_over(drafting, cells_near(drafting, *best), told_s);
     if (!closer) return closer;
     if (closer->tour.cost_s >= best->tour.cost_s) break;
     best = std::move(closer);
   }
   if (!best) return best;
-  if (auto settled = settle(drafting, *best); !settled) return pass_on(settled);
+  if (auto settled = settle(drafting, *best, told_s); !settled) return pass_on(settled);
   return best;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "outrider/core/budget.hpp"
+#include "outrider/jobs/guard/plan.hpp"
 #include "outrider/jobs/guard/stops.hpp"
 #include "outrider/tour/solve.hpp"
 
@@ -21,6 +22,7 @@ struct Draft {
   std::vector<std::size_t> cells;    ///< by stop of the tour; entry 0 stands for the start
   std::vector<std::size_t> targets;  ///< by goal of the tour
   TourProblem offered;               ///< the stops, shots and drives that the tour was chosen from
+  std::optional<Routes> routes;      ///< between the stops
   Tour tour;
 };
 
@@ -28,6 +30,7 @@ struct Draft {
 /// tour, again and again until that no longer helps. Over the stops looked at last the tour then gets its
 /// bound, and is improved once more where that finds a better one. `book` holds the shot of each hit.
 Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_map,
-                          const GuardOptions& options, const Budget& budget, ShotBook& book);
+                          const GuardOptions& options, const Budget& budget, ShotBook& book,
+                          const DraftObserver& observe = {});
 
 }  // namespace outrider

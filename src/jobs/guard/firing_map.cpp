@@ -256,6 +256,8 @@ void prove(FiringMap& firing_map, const Target& target, std::size_t t, const std
   }
   firing_map.proofs[t].from_elsewhere =
       firing_region(firing_map.rules, space, target, firing_map.frame, elsewhere, stop).hits > 0;
+  firing_map.proofs[t].blocked =
+      best_blocked_flight(firing_map.rules, space, target, firing_map.frame, firing_map.reachable, stop);
   firing_map.proofs[t].exhausted = std::move(tried);
 }
 

@@ -55,14 +55,20 @@ void finish(Run& run, Report report, double planning_s) {
 /// from the start and leaves when hit; else the mission goes to them as it must. Walkers need no plan of it.
 Outcome<GuardPlan> plan_still_yard(const GuardScenario& scenario, const GuardProblem& problem,
                                    const FiringMap& firing_map, const GuardPlanner& planner,
-                                   const RunWatch& watch) {
+                                   const RunWatch& watch, Log& log, double time_s = 0.0) {
   if (auto ok = check_supplies(problem, firing_map); !ok) return pass_on(ok);
   if (scenario.wander.any()) return GuardPlan{};
-  auto plan = planner.plan(problem, firing_map, scenario.options, watch.budget());
-  if (!plan || scenario.arrivals.any() || scenario.arrivals.leave < 1.0) return plan;
+  log_firing_map(log, firing_map, time_s);
+  log_blocked_flights(log, problem, firing_map, time_s);
+  const bool still = !scenario.arrivals.any() && scenario.arrivals.leave >= 1.0;
+  DraftObserver observe;
+  if (still) observe = [&](const TourDraft& tour) { log_tour(log, problem, tour, time_s); };
+  auto plan = planner.plan(problem, firing_map, scenario.options, watch.budget(), observe);
+  if (!plan || !still) return plan;
   plan = supply_plan(problem, firing_map, std::move(*plan), watch.budget());
   if (plan && scenario.options.shoot_on_the_move)
     plan = shoot_in_passing(problem, firing_map, *plan, watch.stop);
+  if (plan) observe(draft_of(problem, *plan));
   return plan;
 }
 
@@ -78,7 +84,7 @@ Status guard_known_yard(const GuardScenario& scenario, const GuardPlanner& plann
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
   if (scenario.regions) log_firing_regions(run.log, scenario.problem, *firing_map);
   if (auto ok = steps.next("planning the tour"); !ok) return ok;
-  auto plan = plan_still_yard(scenario, scenario.problem, *firing_map, planner, watch);
+  auto plan = plan_still_yard(scenario, scenario.problem, *firing_map, planner, watch, run.log);
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const double planned_s = wall_s();
   if (auto ok = steps.next("driving and shooting"); !ok) return ok;
@@ -98,8 +104,9 @@ Status guard_found_yard(const GuardScenario& scenario, const GuardPlanner& plann
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
   yard.found.problem.supplies.stations = stations_in_reach(yard.found.problem, *firing_map);
   const GuardProblem& found = yard.found.problem;
-  if (scenario.regions) log_firing_regions(run.log, found, *firing_map, metric(yard.run.report, "time_s"));
-  const auto plan = plan_still_yard(scenario, found, *firing_map, planner, watch);
+  const double explored_s = metric(yard.run.report, "time_s");
+  if (scenario.regions) log_firing_regions(run.log, found, *firing_map, explored_s);
+  const auto plan = plan_still_yard(scenario, found, *firing_map, planner, watch, run.log, explored_s);
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const double planning_s = wall_s() - began_s;
   if (auto ok = steps.next("driving and shooting"); !ok) return ok;

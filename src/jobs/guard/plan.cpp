@@ -29,13 +29,25 @@ std::vector<PlannedStop> stops_of(const GuardProblem& problem, const FiringMap& 
 
 }  // namespace
 
+TourDraft draft_of(const GuardProblem& problem, const GuardPlan& plan) {
+  TourDraft tour{{}, {problem.start.position}, plan.bounded_s(), plan.lower_bound_s};
+  for (const PlannedStop& stop : plan.stops) {
+    DraftStop& told = tour.stops.emplace_back(DraftStop{stop.position, {}});
+    for (const PassingHit& hit : stop.passing) told.targets.push_back(hit.target);
+    for (const PlannedHit& hit : stop.hits) told.targets.push_back(hit.target);
+    tour.way.insert(tour.way.end(), stop.waypoints.begin(), stop.waypoints.end());
+  }
+  return tour;
+}
+
 Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firing_map,
-                              const GuardOptions& options, const Budget& budget) {
+                              const GuardOptions& options, const Budget& budget,
+                              const DraftObserver& observe) {
   GuardPlan plan = begin_plan(problem, firing_map, options);
   if (plan.unreachable.size() == problem.targets.size()) return plan;
 
   ShotBook book;
-  const auto draft = draft_tour(problem, firing_map, options, budget, book);
+  const auto draft = draft_tour(problem, firing_map, options, budget, book, observe);
   if (!draft) return tl::unexpected(draft.error());
   for (std::size_t t = 0; t < problem.targets.size(); ++t) {
     const auto& planned = draft->targets;

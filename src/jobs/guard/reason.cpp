@@ -8,6 +8,25 @@
 #include "outrider/ballistics/sight.hpp"
 
 namespace outrider {
+namespace {
+
+/// Returns the best blocked flight in words, as the end of a sentence; empty if there is none.
+std::string nearest_words(const std::optional<BlockedFlight>& blocked, const FlightSpace& space) {
+  if (!blocked) return "";
+  const std::string from =
+      fmt::format("; the best flight, from ({:.2f}, {:.2f}) at {:.0f} degrees", blocked->position.x,
+                  blocked->position.y, degrees(blocked->shot.pitch_rad));
+  const std::string where =
+      fmt::format("({:.2f}, {:.2f}, {:.2f})", blocked->at.x, blocked->at.y, blocked->at.z);
+  const std::string& what = space.solids()[blocked->solid].name;
+  if (blocked->impact.hit) {
+    return fmt::format("{}, would hit and passes {} at {} with {:.3f} m to spare", from, what, where,
+                       blocked->clearance_m);
+  }
+  return fmt::format("{}, touches {} at {}, {:.2f} m from the target", from, what, where, blocked->short_m);
+}
+
+}  // namespace
 
 std::string why_unreachable(const GuardProblem& problem, const FiringMap& firing_map,
                             const GuardOptions& options, std::size_t target) {
@@ -31,11 +50,12 @@ std::string why_unreachable(const GuardProblem& problem, const FiringMap& firing
   }
   return fmt::format(
       "none of {} flights from the {} places within reach hits it with {:g} m to spare ({}); places every "
-      "{:g} m, pitches every {:g} degrees, aim points every {:g} m{}",
+      "{:g} m, pitches every {:g} degrees, aim points every {:g} m{}{}",
       proof.flights, proof.places, options.margin_m, who, options.resolution_m,
       degrees(options.pitch_step_rad), options.aim_step_m,
       firing_map.proofs[target].from_elsewhere ? "; from ground that cannot be driven to it could be hit"
-                                               : "");
+                                               : "",
+      nearest_words(firing_map.proofs[target].blocked, firing_map.space(target)));
 }
 
 }  // namespace outrider

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <cstdlib>
 
 #include "octile.hpp"
 #include "outrider/search/best_first.hpp"
@@ -9,12 +11,14 @@
 namespace outrider {
 namespace {
 
-struct OctilePolicy {
-  using Cost = Octile;
+/// A search along the moves of the grid, led by the octile distance.
+template <class CostType>
+struct OctileMoves {
+  using Cost = CostType;
 
   const GridQuery& query;
   double weight;
-  const Labels<Octile>& labels;
+  const Labels<Cost>& labels;
   const GridMap& ground = query.ground;
   State first = ground.index(query.start);
   State last = ground.index(query.goal);
@@ -23,27 +27,68 @@ struct OctilePolicy {
   [[nodiscard]] std::size_t states() const { return ground.marks.size(); }
   [[nodiscard]] State start() const { return first; }
   [[nodiscard]] bool is_goal(State s) const { return s == last; }
-  [[nodiscard]] Octile estimate(Cell v) const { return octile_distance(v, query.goal); }
-  [[nodiscard]] Octile estimate(State s) const { return estimate(ground.at(s)); }
-  [[nodiscard]] static double value(Octile cost) { return cost.value(); }
-  [[nodiscard]] double priority(Octile g, Octile h) const {
+  [[nodiscard]] Cost estimate(State s) const { return octile_distance(ground.at(s), query.goal); }
+  [[nodiscard]] static double value(Cost cost) { return cost.value(); }
+  [[nodiscard]] double priority(Cost g, Cost h) const {
     return weight == 1.0 ? (g + h).value() : g.value() + weight * h.value();  // exact for 0 and 1
   }
   static void settle(State /*s*/) {}
 
   template <class Relax>
   void expand(State s, Relax& relax) {
+    expand(s, relax, [this](Cell v) { return octile_distance(v, query.goal); });
+  }
+
+  template <class Relax, class Estimate>
+  void expand(State s, Relax& relax, const Estimate& estimate_of) {
     if ((ground.marks[s] & GridMap::pinch_bit) != 0 && s != first) return;
     const Cell v = ground.at(s);
-    const Octile g = labels.g(s);
+    const Cost g = labels.g(s);
     for (unsigned left = ground.moves[s]; left != 0; left &= left - 1) {
       const auto i = static_cast<unsigned>(std::countr_zero(left));
       const Cell next{v.x + grid_moves[i].x, v.y + grid_moves[i].y};
       const State neighbour = ground.index(next);
       ++generated;
       if (labels.closed(neighbour)) continue;
-      relax(neighbour, s, g + (i < 4 ? Octile{1, 0} : Octile{0, 1}), estimate(next));
+      relax(neighbour, s, g + Cost(i < 4 ? Octile{1, 0} : Octile{0, 1}), estimate_of(next));
     }
+  }
+};
+
+using OctilePolicy = OctileMoves<Octile>;
+
+/// A length along moves, or an estimate that is none.
+struct Guided {
+  Octile moves;
+  double rest = 0.0;
+
+  Guided() = default;
+  explicit Guided(Octile length, double more = 0.0) : moves(length), rest(more) {}
+  [[nodiscard]] double value() const { return moves.value() + rest; }
+  friend Guided operator+(const Guided& a, const Guided& b) {
+    return Guided(a.moves + b.moves, a.rest + b.rest);
+  }
+  friend bool operator<(const Guided& a, const Guided& b) { return a.value() < b.value(); }
+};
+
+struct GuidedPolicy : OctileMoves<Guided> {
+  Guide guide;
+
+  [[nodiscard]] Guided estimate_of(Cell v) const {
+    const int dx = std::abs(v.x - query.goal.x), dy = std::abs(v.y - query.goal.y);
+    switch (guide.heuristic) {
+      case Heuristic::euclidean: return Guided({}, std::hypot(dx, dy));
+      case Heuristic::chebyshev: return Guided({std::max(dx, dy), 0});
+      case Heuristic::octile: break;
+    }
+    return Guided(octile_distance(v, query.goal));
+  }
+  [[nodiscard]] Guided estimate(State s) const { return estimate_of(ground.at(s)); }
+  [[nodiscard]] double tie(const Guided& g) const { return guide.smallest_g ? -g.value() : g.value(); }
+
+  template <class Relax>
+  void expand(State s, Relax& relax) {
+    OctileMoves::expand(s, relax, [this](Cell v) { return estimate_of(v); });
   }
 };
 
@@ -61,10 +106,25 @@ struct WantedMemory {
   std::vector<std::uint8_t> of_state;
 };
 
-std::vector<Cell> vertices_to(State last, const GridMap& ground, const Labels<Octile>& labels) {
+template <class Cost>
+std::vector<Cell> vertices_to(State last, const GridMap& ground, const Labels<Cost>& labels) {
   std::vector<Cell> vertices;
   for (const State s : path_to(last, labels)) vertices.push_back(ground.at(s));
   return vertices;
+}
+
+template <class Policy>
+Outcome<Plan> search_by(Policy& policy, SearchMemory<typename Policy::Cost>& memory, const Problem& problem,
+                        const GridQuery& query, double weight, const Budget& budget, Workspace& workspace) {
+  BudgetMeter meter(budget);
+  auto found = best_first(policy, memory, meter, workspace.trace);
+  if (!found) return pass_on(found);
+  const double resolution = query.ground.frame.resolution_m;
+  const double cost = resolution * memory.labels.g(*found).value();
+  const double straight = resolution * octile_distance(query.start, query.goal).value();
+  const double bound = weight <= 1.0 ? cost : std::max(cost / weight, straight);
+  return plan_along(problem, vertices_to(*found, query.ground, memory.labels), cost, bound,
+                    {meter.spent(), policy.generated, 0});
 }
 
 }  // namespace
@@ -75,16 +135,16 @@ Outcome<Plan> octile_search(const Problem& problem, double weight, const Budget&
   if (!query) return pass_on(query);
   auto& memory = workspace.get<SearchMemory<Octile>>();
   OctilePolicy policy{*query, weight, memory.labels};
-  BudgetMeter meter(budget);
-  auto found = best_first(policy, memory, meter, workspace.trace);
-  if (!found) return pass_on(found);
+  return search_by(policy, memory, problem, *query, weight, budget, workspace);
+}
 
-  const double resolution = query->ground.frame.resolution_m;
-  const double cost = resolution * memory.labels.g(*found).value();
-  const double straight = resolution * octile_distance(query->start, query->goal).value();
-  const double bound = weight <= 1.0 ? cost : std::max(cost / weight, straight);
-  return plan_along(problem, vertices_to(*found, query->ground, memory.labels), cost, bound,
-                    {meter.spent(), policy.generated, 0});
+Outcome<Plan> guided_search(const Problem& problem, const Guide& guide, const Budget& budget,
+                            Workspace& workspace) {
+  auto query = grid_query(problem);
+  if (!query) return pass_on(query);
+  auto& memory = workspace.get<SearchMemory<Guided>>();
+  GuidedPolicy policy{{*query, guide.weight, memory.labels}, guide};
+  return search_by(policy, memory, problem, *query, guide.weight, budget, workspace);
 }
 
 std::vector<Outcome<Plan>> octile_search_many(const Problem& problem, const std::vector<Vec2>& goals,

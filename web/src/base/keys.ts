@@ -47,7 +47,7 @@ export class Keys {
   listen(): void {
     addEventListener("keydown", (event) => this.handle(event));
     addEventListener("click", (event) => {
-      if (event.detail > 0 && event.target instanceof Element) event.target.closest<HTMLElement>("button, summary")?.blur();
+      if (event.detail > 0 && event.target instanceof Element) event.target.closest<HTMLElement>("button, summary, input[type=checkbox]")?.blur();
     });
   }
 
@@ -55,8 +55,8 @@ export class Keys {
   handle(event: KeyboardEvent): boolean {
     if (event.altKey) return false;
     const at = event.target instanceof Element ? event.target : null;
-    if (at?.closest("input:not([type=range]), select, textarea, dialog")) return false;
-    if ((event.key === " " || event.key === "Enter") && at?.closest("button, a, summary")) return false;
+    if (at?.closest("input:not([type=range], [type=checkbox]), select, textarea, dialog")) return false;
+    if ((event.key === " " || event.key === "Enter") && at?.closest("button, a, summary, input[type=checkbox]")) return false;
     const name = keyOf(event);
     if (!this.letters && isLetter(name)) return false;
     for (const { keys } of this.groups.values()) {

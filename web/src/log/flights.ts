@@ -7,6 +7,7 @@ import type { Run } from "./run";
 import { topic } from "./topics";
 
 export interface Flight {
+  /** Among the shots; -1 for a flight that was not tried. */
   index: number;
   target: string;
   attempt: number;
@@ -39,6 +40,10 @@ function flightOf(start: number, shot: Shot, index: number): Flight {
 
 export const flightsOf = once(({ log }: Run): Flight[] =>
   log.messages<Shot>(topic.shots).map(({ t, message }, i) => flightOf(t, message, i)));
+
+/** The flights that come nearest to those targets that cannot be hit, by the name of the target. Their contact is what is in the way. */
+export const blockedOf = once(({ log }: Run): Map<string, Flight> =>
+  new Map(log.messages<Shot>(topic.blockedFlights).map(({ t, message }) => [message.target, flightOf(t, message, -1)])));
 
 /** Centre of the ball `tau` seconds after the muzzle: on the path of a shot in air, else on the line to the contact, at
  *  the parabola's height. */

@@ -67,6 +67,7 @@ export interface Shot {
 }
 export interface Target { name: string; status: string; reason: string; size: Point3; yaw: number; shots: number; entrance: string }
 export interface TargetPosition { name: string; centre: Point3; believed: Point2 }
+export interface Tour { stops: { position: Point2; targets: string[] }[]; way: Point2[]; cost: number; lower_bound: number }
 export interface Station { name: string; position: Point2; gives_water: boolean; gives_charge: boolean }
 export interface Supplies { tank: number; battery: number; stations: Station[] }
 export interface StoreLevels { water: number; charge: number }
@@ -74,6 +75,8 @@ export interface Tag { id: number; position: Point3; facing: number; size: numbe
 export interface Tags { tags: Tag[] }
 export interface Waypoint { position: Point2; heading: number; stop: boolean; reached: number; error: Point2 }
 export interface Waypoints { waypoints: Waypoint[] }
+export interface Candidate { position: Point2; cost: number; gain: number; value: number; chosen: boolean }
+export interface Decision { kind: string; frontiers: number; value_of: string; most_is_best: boolean; candidates: Candidate[] }
 export interface Refusal { position: Point2; reason: string }
 export interface CoverageArea { area: Outline[]; reach: Outline[]; missed: Outline[]; overlap: Outline[]; planned: Point2[] }
 export interface Coverage { covered: number; overlap: number }

@@ -1,6 +1,7 @@
 // A form generated from option descriptions. It returns the values that differ from their defaults.
 import type { OptionRow } from "../api";
 import { h } from "../base/dom";
+import { choiceTitle } from "./titles";
 
 export type Values = Record<string, number | boolean | string>;
 
@@ -16,6 +17,13 @@ export function valueOf(option: OptionRow, text: string): { value: number | stri
   return { refusal: `${option.name}: '${text}' is not valid; expected ${kind}${range}${option.unit ? ` ${option.unit}` : ""}` };
 }
 
+/** The names that an option of text takes, if its sentence ends with them: "...: octile, euclidean or chebyshev"; else none. */
+export function choicesOf(option: OptionRow): string[] {
+  const listed = option.type === "string" ? option.sentence.match(/: ((?:\w+, )*\w+ or \w+)$/)?.[1] : undefined;
+  const names = listed?.split(/, | or /) ?? [];
+  return names.includes(String(option.default)) ? names : [];
+}
+
 function field(option: OptionRow, given: Values, changed: (refusal: string) => void): HTMLElement {
   const now = given[option.name] ?? option.default;
   const keep = (value: number | boolean | string): void => {
@@ -28,6 +36,12 @@ function field(option: OptionRow, given: Values, changed: (refusal: string) => v
     const box = h("input", { type: "checkbox", id, checked: now === true });
     box.addEventListener("change", () => keep(box.checked));
     return box;
+  }
+  const choices = choicesOf(option);
+  if (choices.length > 0) {
+    const select = h("select", { id }, ...choices.map((name) => h("option", { value: name, selected: name === now }, choiceTitle(name))));
+    select.addEventListener("change", () => keep(select.value));
+    return select;
   }
   const input = h("input", { type: option.type === "string" ? "text" : "number", id, value: String(now), min: option.low, max: option.high, step: option.type === "integer" ? 1 : "any" });
   input.addEventListener("change", () => {

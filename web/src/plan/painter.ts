@@ -25,6 +25,9 @@ function pixelOf(colour: string, alpha = 255): number {
   return new Uint32Array(new Uint8ClampedArray([r, g, b, alpha]).buffer)[0]!;
 }
 
+/** How opaque cells of a search are, of 255. */
+export const tint = { closed: 190, open: 150 } as const;
+
 /** Returns the pixel index of a cell: row 0 is the lowest of the map but the highest of a picture. */
 const place = (x: number, y: number, width: number, height: number): number => (height - 1 - y) * width + x;
 
@@ -78,7 +81,7 @@ export function paintTrace(picture: Picture, trace: Trace, step: number, key: st
   const grid = trace.grid!;
   const { width, height } = grid;
   picture.paint(width, height, `${key} ${step}`, (pixels) => {
-    const [closed, open, newest] = [pixelOf(theme.closed, 190), pixelOf(theme.open, 150), pixelOf(theme.open)];
+    const [closed, open, newest] = [pixelOf(theme.closed, tint.closed), pixelOf(theme.open, tint.open), pixelOf(theme.open)];
     const set = (vertex: number, pixel: number): void => {
       const [x, y] = grid.cell(vertex);
       if (x >= 0 && y >= 0 && x < width && y < height) pixels[place(x, y, width, height)] = pixel;

@@ -11,3 +11,6 @@ export function titleOf(planner: string): string {
   const word = capitals.has(stem) ? stem.toUpperCase() : stem.charAt(0).toUpperCase() + stem.slice(1);
   return word.replaceAll("_", " ") + { "": "", _star: "*", _plus: "+" }[mark]!;
 }
+
+/** What people call a choice of an option: "Euclidean", "Largest g". */
+export const choiceTitle = (name: string): string => name.charAt(0).toUpperCase() + name.slice(1).replaceAll("_", " ");

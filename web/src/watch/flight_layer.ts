@@ -10,7 +10,7 @@ import { disk, type Layer, type Pen } from "./layer";
 /** As if the sun stood in the upper left: the higher, the farther off. */
 const shadowOf = (ball: Ball): { x: number; y: number } => ({ x: ball.x + 0.3 * ball.z, y: ball.y - 0.3 * ball.z });
 
-function cross({ ctx, camera }: Pen, x: number, y: number, pixels: number): void {
+export function cross({ ctx, camera }: Pen, x: number, y: number, pixels: number): void {
   const r = camera.px(pixels);
   ctx.beginPath();
   ctx.moveTo(x - r, y - r);

@@ -1,5 +1,9 @@
-// How strongly each layer is drawn: 1 unless somebody chose otherwise, 0 where it is off. In the address as "shots:0,map:0.4".
+// How strongly each layer is drawn: as is usual for it unless somebody chose otherwise, 0 where it is off. In the address as
+// "shots:0,map:0.4".
 import { clamp } from "../base/numbers";
+
+/** Layers of planning: they are drawn while the robot plans, and after that for who switches them on. */
+export const ofPlanning: ReadonlySet<string> = new Set(["firing map", "planned tour"]);
 
 export class LayerChoice {
   private chosen = new Map<string, number>();
@@ -10,10 +14,13 @@ export class LayerChoice {
     }
   }
 
-  of(name: string): number { return this.chosen.get(name) ?? 1; }
+  of(name: string): number { return this.chosen.get(name) ?? this.usual(name); }
+
+  /** What it is where nobody has chosen. */
+  usual(name: string): number { return ofPlanning.has(name) ? 0 : 1; }
 
   set(name: string, opacity: number): void {
-    if (opacity >= 1) this.chosen.delete(name);
+    if (clamp(opacity, 0, 1) === this.usual(name)) this.chosen.delete(name);
     else this.chosen.set(name, clamp(opacity, 0, 1));
   }
 

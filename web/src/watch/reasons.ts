@@ -3,15 +3,19 @@
 import { clockText, figures, finite, fixed } from "../base/numbers";
 import { typeset } from "../base/typeset";
 import { flightsOf } from "../log/flights";
+import type { Decision } from "../log/messages";
 import { refusalsOf } from "../log/plans";
 import { pursuitOf } from "../log/pursuit";
 import type { Run } from "../log/run";
 import { indexAt } from "../log/run_log";
 import { targetsOf } from "../log/targets";
 import { topic } from "../log/topics";
+import { isPlanning, tourOf } from "../log/tours";
 
+/** What there was to choose from, the best first. */
+export interface Choices { head: string[]; rows: { cells: string[]; chosen: boolean }[] }
 /** A sentence, with the time it is about where it is about one. */
-export interface Reason { t?: number; head: string; text: string }
+export interface Reason { t?: number; head: string; text: string; table?: Choices }
 export interface Reasons { title: string; about: string; rows: Reason[] }
 
 /** Shots from one place, one after another, are one stop. */
@@ -41,6 +45,16 @@ function tourWords(numbers: Record<string, number | null>): string {
   return [Number.isFinite(planned) ? `The plan takes ${fixed(planned, 1)} s. ${proof}` : "", Number.isFinite(anywhere) ? `Wherever it stopped, it would take at least ${fixed(anywhere, 1)} s.` : ""].filter(Boolean).join(" ");
 }
 
+/** The tour that is planned, until the first shot. */
+function planReasons(run: Run): Reasons[] {
+  const tour = tourOf(run);
+  if (!tour || tour.stops.length === 0 || flightsOf(run).length > 0) return [];
+  const proof = tour.bound <= 0 ? "" : tour.bound > tour.cost - 1e-6 ? ", and none is faster" : `, and none takes less than ${fixed(tour.bound, 1)} s`;
+  const about = isPlanning(run) ? `The fastest so far takes ${fixed(tour.cost, 1)} s.` : `It takes ${fixed(tour.cost, 1)} s if nothing goes wrong${proof}.`;
+  return [{ title: isPlanning(run) ? "The tour so far" : "The tour as planned", about, rows: tour.stops.map(({ at: [x, y], targets }, i): Reason =>
+    ({ head: `Stop ${i + 1} at (${fixed(x, 2)}, ${fixed(y, 2)})`, text: targets.length > 0 ? `serves ${targets.join(", ")}` : "fills up" })) }];
+}
+
 function tourReasons(run: Run): Reasons[] {
   if (targetsOf(run).length === 0) return [];
   const about = run.log.summary ? tourWords(run.log.summary.metrics) : "";
@@ -50,14 +64,23 @@ function tourReasons(run: Run): Reasons[] {
   return stops.length + left.length > 0 ? [{ title: "The tour", about, rows: [...stops, ...left] }] : [];
 }
 
+/** The places that a decision compared, with what each costs, shows and is worth. */
+function choicesOf({ candidates, value_of, most_is_best }: Omit<Decision, "kind" | "frontiers">): { table?: Choices } {
+  if (!candidates?.length) return {};
+  const [first = "", ...rest] = value_of.split(" ");
+  return { table: { head: ["", "place", "to get there", "to see", `${rest.join(" ") || "value"}, ${most_is_best ? "most" : "least"} is best`],
+    rows: candidates.map(({ position: { x, y }, cost, gain, value, chosen }, i) => ({ chosen,
+      cells: [String(i + 1), `(${fixed(x, 2)}, ${fixed(y, 2)})`, `${fixed(cost, 1)} s`, `${figures(gain)} m\u00b2`, Number.isFinite(value) ? typeset(`${figures(value)} ${first}`) : "\u2013"] })) } };
+}
+
 function explorationReasons(run: Run): Reasons[] {
-  const decisions = run.log.messages<{ kind: string; frontiers: number }>(topic.decisions);
+  const decisions = run.log.messages<Decision>(topic.decisions);
   if (decisions.length === 0) return [];
   const goals = run.log.messages<{ pose: { position: { x: number; y: number } } }>(topic.goal);
-  const rows = decisions.map(({ t, message: { kind, frontiers } }): Reason => {
+  const rows = decisions.map(({ t, message: { kind, frontiers, ...more } }): Reason => {
     const goal = goals[indexAt(goals, t)]?.message.pose.position;
     const to = goal ? ` (${fixed(goal.x, 2)}, ${fixed(goal.y, 2)})` : "";
-    return { t, head: `${clockText(t)} ${kind === "home" ? "goes home" : `to a frontier at${to}`}`, text: `${frontiers.toLocaleString("en")} ${frontiers === 1 ? "frontier was" : "frontiers were"} open` };
+    return { t, head: `${clockText(t)} ${kind === "home" ? "goes home" : `to a frontier at${to}`}`, text: `${frontiers.toLocaleString("en")} ${frontiers === 1 ? "frontier was" : "frontiers were"} open`, ...choicesOf(more) };
   });
   const refused = refusalsOf(run).map(({ at: [x, y], reason }): Reason => ({ head: `left over at (${fixed(x, 2)}, ${fixed(y, 2)})`, text: typeset(reason) }));
   return [{ title: "Decisions", about: `${decisions.length.toLocaleString("en")} times it chose where to look next.`, rows: [...rows, ...refused] }];
@@ -72,4 +95,4 @@ function pursuitReasons(run: Run): Reasons[] {
   return [{ title: "The bound closes in", about: "What planning knew, step by step.", rows }];
 }
 
-export const reasonsOf = (run: Run): Reasons[] => [tourReasons, explorationReasons, pursuitReasons].flatMap((make) => make(run));
+export const reasonsOf = (run: Run): Reasons[] => [planReasons, tourReasons, explorationReasons, pursuitReasons].flatMap((make) => make(run));

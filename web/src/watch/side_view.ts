@@ -4,7 +4,7 @@ import { h, iconButton } from "../base/dom";
 import { clamp, degrees, fixed, roundStep } from "../base/numbers";
 import { statusColour } from "../base/signs";
 import { onTheme, theme } from "../base/theme";
-import { ballOf, flightsOf, type Flight } from "../log/flights";
+import { ballOf, blockedOf, flightsOf, type Flight } from "../log/flights";
 import type { Run } from "../log/run";
 import { targetsOf, type TargetStory } from "../log/targets";
 import { leastClearance, type Near } from "./clearance";
@@ -39,22 +39,26 @@ export class SideView {
   /** The same shot, of a run that has gone on. */
   renew(run: Run): void {
     this.run = run;
-    this.shot = this.shot && (flightsOf(run)[this.shot.index] ?? null);
     this.target = this.named(this.target?.name);
+    this.shot = (this.shot && flightsOf(run)[this.shot.index]) ?? this.blocked;
     this.describe();
   }
 
   private named(name: string | undefined): TargetStory | null { return targetsOf(this.run).find((one) => one.name === name) ?? null; }
 
   select(shot: Flight | null, target: TargetStory | null): void {
-    if (shot === this.shot && target === this.target) return;
-    this.shot = shot;
-    this.target = this.named(shot?.target) ?? target;
-    this.near = shot ? leastClearance(this.run, shot) : null;
+    const chosen = this.named(shot?.target) ?? target;
+    if (chosen === this.target && (shot ?? this.blockedAt(chosen)) === this.shot) return;
+    this.target = chosen;
+    this.shot = shot ??= this.blocked;
+    this.near = shot && shot.index >= 0 ? leastClearance(this.run, shot) : null;
     this.nearButton.hidden = !this.near?.here;
     this.describe();
     if (shot) this.camera.show(this.frame(shot));
   }
+
+  private get blocked(): Flight | null { return this.blockedAt(this.target); }
+  private blockedAt(target: TargetStory | null): Flight | null { return (target && blockedOf(this.run).get(target.name)) ?? null; }
 
   /** The flight, the target and what stands under and beside them. */
   private frame(shot: Flight): Box {
@@ -89,9 +93,15 @@ export class SideView {
       this.caption.replaceChildren(target?.last.reason ?? "");
       return;
     }
+    const angle = degrees(Math.atan2(shot.up, shot.across));
+    if (shot.index < 0) {
+      this.title.replaceChildren(`No shot at ${shot.target} `, h("span", {}, `the best flight is blocked by ${shot.contact}`));
+      const [x, y, z] = shot.to.map((value) => fixed(value, 2));
+      this.caption.replaceChildren(`${fixed(shot.speed, 2)} m/s at ${angle} from (${fixed(shot.from[0], 2)}, ${fixed(shot.from[1], 2)}). It meets `, h("b", {}, shot.contact), ` at (${x}, ${y}, ${z}).`);
+      return;
+    }
     const outcome = shot.hit ? "hit" : `touched ${shot.contact || "nothing"}`;
     this.title.replaceChildren(`Shot ${shot.index + 1} at ${shot.target} `, h("span", {}, `try ${shot.attempt}, ${outcome}`));
-    const angle = degrees(Math.atan2(shot.up, shot.across));
     this.caption.replaceChildren(`${fixed(shot.speed, 2)} m/s at ${angle}, ${fixed(shot.along, 2)} m in ${fixed(shot.end - shot.start, 2)} s. Clearance `,
       h("b", {}, `${fixed(shot.clearance, 3)} m`), this.whereNear(shot));
   }

@@ -2,7 +2,7 @@
 import { BoxGeometry, BufferGeometry, EdgesGeometry, Float32BufferAttribute, Line, LineBasicMaterial, LineSegments, Mesh, RingGeometry, SphereGeometry } from "three";
 import { statusColour } from "../base/signs";
 import { pursuerColours, theme } from "../base/theme";
-import { ballOf, flightsOf, type Flight } from "../log/flights";
+import { ballOf, blockedOf, flightsOf, type Flight } from "../log/flights";
 import { pursuitOf } from "../log/pursuit";
 import type { Run } from "../log/run";
 import { targetsOf, type TargetStory } from "../log/targets";
@@ -61,6 +61,22 @@ export function waterActor(run: Run): Actor[] {
     const { x, y, z } = ballOf(run, flying, t - flying.start);
     ball.position.set(x, y, z);
   } }];
+}
+
+/** The best blocked flight at each target that cannot be hit, with a ball where something is in its way. */
+export function blockedActor(run: Run): Actor[] {
+  const samples = 48;
+  return [...blockedOf(run).values()].map((flight): Actor => {
+    const points = Array.from({ length: samples + 1 }, (_, i): [number, number, number] => {
+      const { x, y, z } = ballOf(run, flight, ((flight.end - flight.start) * i) / samples);
+      return [x, y, z];
+    });
+    const curve = lineOf(points, theme.unreachable);
+    const stop = new Mesh(new SphereGeometry(0.07, 16, 12), lambert(theme.unreachable));
+    stop.position.set(...flight.to);
+    const story = targetsOf(run).find(({ name }) => name === flight.target);
+    return { things: [curve, stop], act: ({ t }) => { curve.visible = stop.visible = story?.statusAt(t) === "unreachable"; } };
+  });
 }
 
 export function pursuitActor(run: Run): Actor[] {

@@ -20,12 +20,12 @@ import { stationActor, waypointActor, wayActor } from "./space_marks";
 import type { Actor } from "./space_parts";
 import { beliefActor, robotActor } from "./space_robot";
 import { eyeActor } from "./space_sight";
-import { pursuitActor, targetActor, waterActor } from "./space_targets";
+import { blockedActor, pursuitActor, targetActor, waterActor } from "./space_targets";
 
 /** Each makes what it has messages of, by the name of its layer. */
 const actorsOf: [string, (run: Run) => Actor[]][] = [["robot", robotActor], ["belief", beliefActor], ["map", mapActor], ["range finder", sensedActor], ["camera", eyeActor],
   ["landmarks", mappingActor], ["path", waypointActor], ["path", wayActor], ["stations", stationActor], ["covered area", coverActor], ["targets", targetActor], ["names", labelActor],
-  ["shots", waterActor], ["pursuit", pursuitActor]];
+  ["blocked flights", blockedActor], ["shots", waterActor], ["pursuit", pursuitActor]];
 
 /** Draws a group as strongly as is chosen, whatever its materials are by themselves. */
 function veil(group: Object3D, opacity: number): void {

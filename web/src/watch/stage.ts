@@ -8,8 +8,7 @@ import type { Run } from "../log/run";
 import type { TargetStory } from "../log/targets";
 import type { Now, Told } from "./layer";
 import type { LayerChoice } from "./layer_choice";
-import { LayerMenu } from "./layer_menu";
-import { signedLegend } from "./parts";
+import { Legend } from "./legend";
 import { PlanView } from "./plan_view";
 import type { SpaceView } from "./space_view";
 
@@ -29,34 +28,32 @@ export class Stage {
   private space: SpaceView | null = null;
   private stage = h("div", { class: "stage" });
   private switcher: HTMLElement;
-  private legend: HTMLElement;
+  private legend: Legend;
   private followButton = iconButton("follow", "Follow the robot", () => this.setFollow(!this.following), "f");
   private rulerButton = iconButton("ruler", "Measure in the plan: drag", () => this.measure(), "r");
   private barWatcher: ResizeObserver;
   private menu: MenuButton;
-  private layers: LayerMenu;
 
   constructor(private run: Run, private acts: StageActs, private choice: LayerChoice) {
     this.plan = new PlanView(run, acts, false, choice);
-    this.legend = signedLegend(run);
-    this.switcher = h("div", { class: "segments", role: "group", "aria-label": "View" },
-      h("button", { type: "button", "aria-pressed": "true", onclick: () => void this.show(false), title: "Plan view (v)" }, "Plan"),
-      h("button", { type: "button", "aria-pressed": "false", onclick: () => void this.show(true), title: "View in space (v)" }, "3D"));
-    const bar = h("div", { class: "stage-bar" }, this.switcher, this.legend);
-    this.barWatcher = new ResizeObserver(() => this.plan.camera.headroom(Math.max(50, bar.offsetHeight + 20)));
-    this.barWatcher.observe(bar);
-    this.menu = new MenuButton("save", "Export", acts.exports);
-    this.layers = new LayerMenu(choice, () => this.view.names, () => {
+    this.legend = new Legend(choice, () => {
       keepInAddress({ layers: choice.text });
       this.plan.choiceChanged();
     });
-    this.stage.append(this.plan.element, bar, h("div", { class: "stage-tools" }, this.layers.element, this.rulerButton, this.followButton, this.menu.element));
+    this.switcher = h("div", { class: "segments", role: "group", "aria-label": "View" },
+      h("button", { type: "button", "aria-pressed": "true", onclick: () => void this.show(false), title: "Plan view (v)" }, "Plan"),
+      h("button", { type: "button", "aria-pressed": "false", onclick: () => void this.show(true), title: "View in space (v)" }, "3D"));
+    const bar = h("div", { class: "stage-bar" }, this.switcher, this.legend.element);
+    this.barWatcher = new ResizeObserver(() => { if (!this.legend.isOpen) this.plan.camera.headroom(Math.max(50, bar.offsetHeight + 20)); });
+    this.barWatcher.observe(bar);
+    this.menu = new MenuButton("save", "Export", acts.exports);
+    this.stage.append(this.plan.element, bar, h("div", { class: "stage-tools" }, this.legend.button, this.rulerButton, this.followButton, this.menu.element));
     this.element = h("section", { class: "panel stage-panel", "aria-label": "The run" }, this.stage);
   }
 
   close(): void {
     this.menu.close();
-    this.layers.close();
+    this.legend.close();
     this.barWatcher.disconnect();
     this.plan.close();
     this.space?.close();
@@ -71,10 +68,6 @@ export class Stage {
     this.run = run;
     this.plan.renew(run);
     this.space?.renew(run);
-    const legend = signedLegend(run);
-    if (legend.isEqualNode(this.legend)) return;
-    this.legend.replaceWith(legend);
-    this.legend = legend;
   }
 
   private get view(): PlanView | SpaceView { return this.inSpace && this.space ? this.space : this.plan; }
@@ -83,6 +76,7 @@ export class Stage {
   draw(now: Now): void {
     if (!this.inSpace) this.plan.draw(now);
     else this.space?.draw(now);
+    this.legend.show(this.run, this.view.names);
   }
 
   svg(now: Now): string { return this.plan.svg(now); }
@@ -121,7 +115,7 @@ export class Stage {
     this.acts.redraw();
   }
 
-  showLayers(): void { this.layers.show(); }
+  showLayers(): void { this.legend.open(); }
 
   zoom(closer: boolean): void {
     if (this.inSpace) this.space?.zoom(closer ? 1 / 1.3 : 1.3);

@@ -2,14 +2,18 @@
 import { h } from "../base/dom";
 import type { Run } from "../log/run";
 import { indexAt } from "../log/run_log";
-import { reasonsOf, type Reason, type Reasons } from "./reasons";
+import { reasonsOf, type Choices, type Reason, type Reasons } from "./reasons";
 
 const most = 500;  // rows that are listed
+
+/** Shown below the decision that holds. */
+const choiceTable = ({ head, rows }: Choices): HTMLElement => h("table", { class: "choices" }, h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text || h("span", { class: "unseen" }, "rank"))))),
+  h("tbody", {}, ...rows.map(({ cells, chosen }) => h("tr", chosen ? { class: "chosen" } : {}, ...cells.map((text, i) => h("td", {}, chosen && i === 0 ? `${text} \u2713` : text))))));
 
 export class WhyView {
   readonly element = h("section", { class: "why scrolls", tabindex: 0, "aria-label": "Why" });
   private all: Reasons[] = [];
-  private timed: { t: number; row: HTMLElement }[] = [];
+  private timed: { t: number; row: HTMLElement; table?: Choices | undefined }[] = [];
   private current: HTMLElement | undefined;
   private shown = "";
 
@@ -28,20 +32,22 @@ export class WhyView {
     this.current = undefined;
   }
 
-  private row({ t, head, text }: Reason): HTMLElement {
+  private row({ t, head, text, table }: Reason): HTMLElement {
     const words = [h("b", {}, head), h("span", {}, text)];
     if (t === undefined) return h("li", {}, h("p", {}, ...words));
     const row = h("li", {}, h("button", { type: "button", onclick: () => this.seek(t) }, ...words));
-    this.timed.push({ t, row });
+    this.timed.push({ t, row, table });
     return row;
   }
 
   show(t: number): void {
     if (this.element.hidden) return;
-    const row = this.timed[indexAt(this.timed, t)]?.row;
+    const { row, table } = this.timed[indexAt(this.timed, t)] ?? {};
     if (row === this.current) return;
     this.current?.removeAttribute("aria-current");
+    this.current?.querySelector("table")?.remove();
     row?.setAttribute("aria-current", "step");
+    if (table) row?.append(choiceTable(table));
     this.current = row;
   }
 }

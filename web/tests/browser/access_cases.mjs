@@ -1,7 +1,7 @@
 // The cases of the page about who cannot see it, or sees it otherwise: axe-core in each view and in each of its colours, headings, what is announced, keys,
 // a window at twice the zoom and one of a phone.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { until } from "./browser.mjs";
@@ -52,7 +52,7 @@ function hidden() {
 }
 
 export const accessCases = ({ open, text, frames, server, folder }) => ({
-  async "axe-core finds nothing in any view, light, dark or in forced colours; each has one heading of its own"() {
+  async "axe-core finds nothing in any view, on a live run or in an open menu, light, dark or in forced colours; each has one heading of its own"() {
     const { id } = await (await fetch(`${server.url}api/v1/runs`, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scenario: "cover/cover_room.yaml" }) })).json();
     await until("its end", async () => (await (await fetch(`${server.url}api/v1/runs/${id}`)).json()).state === "done");
     const page = await open();
@@ -76,6 +76,27 @@ export const accessCases = ({ open, text, frames, server, folder }) => ({
     }
     await page.keyboard.press("?");
     await audit("help");
+    await page.goto("about:blank");
+    await page.goto(`${server.url}#watch/runs/yard/run.mcap?t=9&tab=why`);
+    await page.waitForSelector(".why li");
+    await inAllColours("why", ".aside");
+    for (const [name, open, shown] of [["legend", "y", ".legend.open"], ["palette", "Control+k", "dialog[open]"]]) {
+      await page.keyboard.press(open);
+      await page.waitForSelector(shown);
+      await inAllColours(name, name === "legend" ? ".stage" : "html");
+      await page.keyboard.press("Escape");
+    }
+    await page.click('button[aria-label="Export"]');
+    await inAllColours("export", ".stage-tools");
+    writeFileSync(join(folder, "yard/axe.yaml"), `${readFileSync(join(folder, "yard/yard.yaml"), "utf8")}plan:\n  iterations: 10000000\n`);
+    await page.goto(`${server.url}#live?scenario=yard/axe.yaml`);
+    await page.waitForSelector(".start button:enabled");
+    await page.click(".start button");
+    await page.waitForSelector('.live-page[data-state="running"] .why li', { state: "attached" });
+    await inAllColours("a live run");
+    await page.click(".run-head .button");
+    await page.waitForSelector('.live-page[data-state="cancelled"]');
+    rmSync(join(folder, "yard/axe.yaml"));
     await page.goto(`file://${makeViewer(folder, "runs/yard/run.mcap")}#?t=8`);
     await page.waitForSelector(".targets tbody");
     await inAllColours("viewer");

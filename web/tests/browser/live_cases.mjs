@@ -85,6 +85,29 @@ export const liveCases = ({ open, text, server, folder }) => ({
     await page.close();
   },
 
+  async "while a yard is planned it shows from where targets can be hit, then the tour as it becomes faster"() {
+    writeFileSync(join(folder, "yard/slow.yaml"), `${readFileSync(join(folder, "yard/yard.yaml"), "utf8")}plan:\n  iterations: 10000000\n`);
+    const page = await open("#live?scenario=yard/slow.yaml");
+    await page.waitForSelector(".start button:enabled");
+    await page.click(".start button");
+    await page.waitForSelector('.live-page[data-state="running"] .plan-view canvas');
+    await page.locator(".tabs button", { hasText: "Why" }).click();
+    await until("a tour", async () => /^The tour so far/.test(await text(page, ".why")));
+    const takes = async () => Number((await text(page, ".why .about")).match(/takes ([\d.]+) s/)[1]);
+    assert.match(await text(page, ".why li"), /^Stop 1 at \(.*serves \w+/);
+    assert.ok(await takes() < 200);
+    assert.equal(await page.locator(".live-page").getAttribute("data-samples"), "0", "nothing has moved yet");
+    const tip = page.locator(".plan-view .tip");
+    const frame = await page.locator(".plan-view canvas").boundingBox();
+    const share = async () => await tip.isVisible() && /% of the targets can be hit from here/.test(await tip.textContent());
+    for (let i = 1; i < 200 && !await share(); ++i) await page.mouse.move(frame.x + frame.width * (i * 0.618 % 1), frame.y + frame.height * (i * 0.382 % 1));
+    assert.ok(await share(), "the firing map is under the pointer");
+    await page.click(".run-head .button");
+    await page.waitForSelector('.live-page[data-state="cancelled"]');
+    rmSync(join(folder, "yard/slow.yaml"));
+    await page.close();
+  },
+
   async "a running mission is watched with everything, left and come back to; its end keeps the time, the tab and the view"() {
     const page = await open();
     const run = await tellRun(page, await contentsOf(readFileSync(join(folder, "runs/yard/run.mcap"))));

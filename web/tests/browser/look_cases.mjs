@@ -8,22 +8,26 @@ import { onScreen } from "./drag.mjs";
 const box = [-10.06, -7.06, 10.06, 7.06];  // of the fence of the yard
 
 export const lookCases = ({ open, text, frames, server, folder }) => ({
-  async "layers are switched off and made faint, in plan and in space; the address keeps it; what is off cannot be selected"() {
+  async "the legend switches layers off and, opened, makes them faint, in plan and in space; the address keeps it; what is off cannot be selected"() {
     const page = await open("#watch/runs/yard/run.mcap?t=20");
     await page.waitForSelector(".targets tbody");
     await frames(page);
     const picture = (selector = ".plan-view canvas") => page.evaluate((one) => document.querySelector(one).toDataURL(), selector);
     const all = await picture();
-    await page.keyboard.press("y");
-    const row = (name) => page.locator(".layer", { hasText: name });
-    assert.deepEqual(await page.locator(".layer label").allTextContents(), ["obstacles", "path", "shots", "targets", "robot"]);
-    await row("targets").locator("input[type=checkbox]").click();
+    const row = (name) => page.locator(`.legend .layer[data-layer="${name}"]`);
+    const layers = () => page.locator(".legend .layer").evaluateAll((all) => all.map((one) => one.dataset.layer));
+    assert.deepEqual(await layers(), ["robot", "targets", "shots", "blocked flights", "path", "planned tour", "firing map", "obstacles"]);
+    assert.match(await row("targets").locator(".signs").textContent(), /waiting.*reached.*unreachable/);
+    assert.ok(await row("targets").locator("input[type=range]").isHidden(), "opacities are there once it is opened");
+    await row("targets").locator("label").click();
     await frames(page);
     const without = await picture();
     assert.notEqual(without, all);
-    await row("targets").locator("input[type=checkbox]").click();
+    await row("targets").locator("label").click();
     await frames(page);
     assert.equal(await picture(), all, "on again, it is as it was");
+    await page.keyboard.press("y");
+    assert.ok(!await row("firing map").locator("input[type=checkbox]").isChecked(), "what was planned is shown to who asks for it");
     await row("obstacles").locator("input[type=range]").fill("0.3");
     await row("shots").locator("input[type=checkbox]").click();
     await until("the address", () => page.evaluate(() => /layers=obstacles(:|%3A)0\.3,shots(:|%3A)0\b/.test(location.hash)));

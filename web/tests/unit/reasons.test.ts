@@ -19,6 +19,25 @@ describe("the reasons of a run", () => {
       "a catch for 50.0 is known, none costs less than 50.0: it is the best"]);
   });
 
+  it("of a mission in a yard are the stops of the tour that is planned, and what is proven of it", () => {
+    const tour = (cost: number, lower_bound: number) => ({ cost, lower_bound, way: [{ x: 0, y: 0 }, { x: 1, y: 2 }], stops: [{ position: { x: 1, y: 2 }, targets: ["tom", "felix"] }] });
+    const run = (goesOn: boolean, ...tours: object[]) => reasonsOf(runOf({ "/run": [[0, info()]], "/tours": tours.map((one) => [0, one]) }, goesOn))[0]!;
+    expect(run(true, tour(30, 0), tour(20, 0))).toEqual({ title: "The tour so far", about: "The fastest so far takes 20.0 s.", rows: [{ head: "Stop 1 at (1.00, 2.00)", text: "serves tom, felix" }] });
+    expect(run(false, tour(20, 19)).about).toBe("It takes 20.0 s if nothing goes wrong, and none takes less than 19.0 s.");
+    expect(run(false, tour(20, 20)).about).toBe("It takes 20.0 s if nothing goes wrong, and none is faster.");
+  });
+
+  it("of a decision are the places that it compared, with what each is worth", () => {
+    const candidate = (x: number, cost: number, value: number, chosen = false) => ({ position: { x, y: 0 }, cost, gain: 2, value, chosen });
+    const decision = { kind: "frontier", frontiers: 3, value_of: "s of the round that begins there", most_is_best: false, candidates: [candidate(1, 4, 20, true), candidate(2, 3, 25.5), candidate(3, 5, NaN)] };
+    const run = runOf({ "/run": [[0, info({ job: "explore" })]], "/decisions": [[1, decision], [2, { ...decision, value_of: "m2/s", most_is_best: true }]] });
+    const [first, second] = reasonsOf(run)[0]!.rows.map(({ table }) => table!);
+    expect(first!.head.at(-1)).toBe("of the round that begins there, least is best");
+    expect(first!.rows.map(({ cells }) => cells.join(" | "))).toEqual(["1 | (1.00, 0.00) | 4.0 s | 2.00 m\u00b2 | 20.0 s", "2 | (2.00, 0.00) | 3.0 s | 2.00 m\u00b2 | 25.5 s", "3 | (3.00, 0.00) | 5.0 s | 2.00 m\u00b2 | \u2013"]);
+    expect(first!.rows.map(({ chosen }) => chosen)).toEqual([true, false, false]);
+    expect([second!.head.at(-1), second!.rows[0]!.cells.at(-1)]).toEqual(["value, most is best", "20.0 m\u00b2/s"]);
+  });
+
   it("of an exploration are its decisions and what it left", () => {
     const run = runOf({ "/run": [[0, info({ job: "explore" })]], "/pose": poses([[0, 0, 0, 0], [9, 1, 0, 0]]), "/goal_pose": [[1, pose(2, 3)], [8, pose(0, 0)]],
       "/decisions": [[1, { kind: "frontier", frontiers: 4 }], [8, { kind: "home", frontiers: 1 }]], "/refusals": [[9, { position: { x: 1, y: 1 }, reason: "a crack: 0.01 m2 behind it" }]] });
@@ -53,6 +72,12 @@ describe("what can be looked at", () => {
     expect(["shots", "map", "targets", "odd"].map((name) => choice.of(name))).toEqual([0, 0.4, 1, 1]);
     choice.set("shots", 1);
     expect(choice.text).toBe("map:0.4");
+    const planned = new LayerChoice();
+    expect([planned.of("firing map"), planned.of("shots")]).toEqual([0, 1]);
+    planned.set("firing map", 1);
+    expect([planned.text, new LayerChoice(planned.text).of("firing map")]).toEqual(["firing map:1", 1]);
+    planned.set("firing map", 0);
+    expect(planned.text).toBe("");
   });
 
   it("is found by letters in their order, closer ones first", () => {

@@ -8,13 +8,16 @@
 
 namespace outrider {
 
-/// A row of the catalogue. choose() returns the index of the next view to visit; `views` must not be empty.
+/// A row of the catalogue. values() returns the value of each view, of which the best is chosen, of equal
+/// ones the first; NaN for a view that another one counts for. `views` must not be empty.
 struct ExploreStrategy {
   std::string_view name;
   std::string_view sentence;
   std::string_view paper;
-  std::size_t (*choose)(const Views& views, const ExploreState& state, const ExploreOptions& options,
-                        Workspace& workspace) = nullptr;
+  std::string_view value_of;  ///< what the values are, with their unit
+  bool most_is_best = false;  ///< the largest value is the best, not the least
+  std::vector<double> (*values)(const Views& views, const ExploreState& state, const ExploreOptions& options,
+                                Workspace& workspace) = nullptr;
 };
 
 /// Returns all strategies in display order. The first is the default.

@@ -94,16 +94,26 @@ struct RefusedFrontier {
   std::string reason;  ///< one sentence
 };
 
+/// A view that a decision compared.
+struct ViewCandidate {
+  Vec2 place;
+  double cost_s = 0.0;   ///< time to turn and drive there
+  double gain_m2 = 0.0;  ///< unknown area that the robot expects to see from there
+  double value = 0.0;  ///< of the strategy (explore/catalog.hpp); NaN: another view counts for this one, too
+  bool chosen = false;
+};
+
 /// A decision.
 struct Decision {
   DecisionKind kind = DecisionKind::complete;
   std::string sentence;  ///< the reason, one sentence
   ExploreChoice choice;
-  Pose2 goal;                            ///< faces the unknown cells; home if there is nothing to see
-  std::vector<Vec2> waypoints;           ///< path from the pose to the goal; empty if there is none
-  double way_m = 0.0;                    ///< length of the path
-  double gain_m2 = 0.0;                  ///< unknown area that the robot expects to see from the goal
-  std::vector<RefusedFrontier> refused;  ///< by id, without frontiers that were skipped for nearer ones
+  Pose2 goal;                             ///< faces the unknown cells; home if there is nothing to see
+  std::vector<Vec2> waypoints;            ///< path from the pose to the goal; empty if there is none
+  double way_m = 0.0;                     ///< length of the path
+  double gain_m2 = 0.0;                   ///< unknown area that the robot expects to see from the goal
+  std::vector<RefusedFrontier> refused;   ///< by id, without frontiers that were skipped for nearer ones
+  std::vector<ViewCandidate> candidates;  ///< the views that were compared, the best first
 };
 
 /// Chooses the next goal. Faults: bad_input on an unknown strategy or planner; start_blocked when no known

@@ -15,8 +15,15 @@ struct GuardPlanner {
   std::string_view name;
   std::string_view sentence;  ///< one sentence that says what the planner does
   std::string_view source;    ///< source of the method
-  Outcome<GuardPlan> (*plan)(const GuardProblem&, const FiringMap&, const GuardOptions&,
-                             const Budget&) = nullptr;
+  Outcome<GuardPlan> (*method)(const GuardProblem&, const FiringMap&, const GuardOptions&, const Budget&,
+                               const DraftObserver&) = nullptr;
+
+  /// Plans by the method. `observe` receives tours while they are planned, from methods that search for one.
+  [[nodiscard]] Outcome<GuardPlan> plan(const GuardProblem& problem, const FiringMap& firing_map,
+                                        const GuardOptions& options, const Budget& budget,
+                                        const DraftObserver& observe = {}) const {
+    return method(problem, firing_map, options, budget, observe);
+  }
 };
 
 /// Returns all guard planners, in the order of display; the first is the default.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "outrider/ballistics/blocked_flight.hpp"
 #include "outrider/ballistics/firing_region.hpp"
 #include "outrider/core/outcome.hpp"
 #include "outrider/jobs/guard/problem.hpp"
@@ -18,8 +19,9 @@ namespace outrider {
 
 /// The reason why a target has no firing region.
 struct Proof {
-  std::optional<Exhausted> exhausted;  ///< set if shots at the centre of the target found no place
-  bool from_elsewhere = false;         ///< the target could be hit from ground that the robot cannot reach
+  std::optional<Exhausted> exhausted;    ///< set if shots at the centre of the target found no place
+  bool from_elsewhere = false;           ///< the target could be hit from ground that the robot cannot reach
+  std::optional<BlockedFlight> blocked;  ///< the flight that comes nearest to a hit
 };
 
 /// The preprocessed yard.

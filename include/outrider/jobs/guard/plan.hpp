@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,12 +66,34 @@ struct GuardPlan {
   }
 };
 
+/// A stop of a tour, with the targets that are shot at from there.
+struct DraftStop {
+  Vec2 position;
+  std::vector<std::size_t> targets;
+};
+
+/// A tour that planning has found so far.
+struct TourDraft {
+  std::vector<DraftStop> stops;  ///< in order
+  std::vector<Vec2> way;         ///< from the start through all stops
+  double cost_s = 0.0;           ///< as the tour solver counts it
+  double lower_bound_s = 0.0;    ///< proven so far, over the stops that are looked at; 0: nothing yet
+};
+
+/// Receives tours while they are planned, on the thread that plans. It changes nothing in the plan.
+using DraftObserver = std::function<void(const TourDraft&)>;
+
+/// Returns the tour of a plan.
+TourDraft draft_of(const GuardProblem& problem, const GuardPlan& plan);
+
 /// Plans the mission. It selects a few hundred stops from the cells of the firing map, solves the tour,
 /// refines the selection near the best tour, and verifies each shot. Every target is in exactly one stop or
 /// in `unreachable`. Deterministic. `expected_s` includes repeated shots while `cost_s` counts each flight
-/// once, so `cost_s` is usually a little less.
+/// once, so `cost_s` is usually a little less. `observe` receives tours that are faster by 1 % or more than
+/// the one before.
 Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firing_map,
-                              const GuardOptions& options, const Budget& budget);
+                              const GuardOptions& options, const Budget& budget,
+                              const DraftObserver& observe = {});
 
 /// Returns routes between stops. The search uses the corners of obstacles; if these miss a passage that the
 /// grid has, cells of a grid path are added. All stops that see a reachable cell next to them are connected.

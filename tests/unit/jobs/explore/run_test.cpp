@@ -46,7 +46,17 @@ TEST(ExploreRun, MapsARoomWithItsOwnIdeaOfWhereItIs) {
   ASSERT_FALSE(poses_of(log).empty());
   EXPECT_LT(distance(poses_of(log).back().position, run->true_pose.position), 1e-9);
   EXPECT_FALSE(log.messages<geometry_msgs::PoseWithCovarianceStamped>(topic::belief).empty());
-  EXPECT_FALSE(log.messages<outrider_msgs::Decision>(topic::decisions).empty());
+  ASSERT_FALSE(log.messages<outrider_msgs::Decision>(topic::decisions).empty());
+  for (const auto& [time_ns, decision] : log.messages<outrider_msgs::Decision>(topic::decisions)) {
+    EXPECT_EQ(decision.candidates.empty(), decision.kind == "home");
+    EXPECT_LE(decision.candidates.size(), 16U);
+    for (std::size_t i = 0; i < decision.candidates.size(); ++i) {
+      const outrider_msgs::Candidate& one = decision.candidates[i];
+      EXPECT_EQ(one.chosen, i == 0) << "the best is chosen, and comes first";
+      EXPECT_FALSE(one.value < decision.candidates[0].value) << decision.value_of;
+      EXPECT_GT(one.gain, 0.0);
+    }
+  }
   EXPECT_EQ(log.latest<outrider_msgs::Solids>(topic::solids)->solids.size(), 5U);
   const auto* scan = log.latest<sensor_msgs::LaserScan>(topic::scan);
   ASSERT_NE(scan, nullptr);

@@ -139,6 +139,12 @@ TEST(PlanGuard, NamesWhatStandsInTheWayOfAnUnreachableTarget) {
             std::string::npos)
       << reason;
   EXPECT_EQ(reason.find("cannot be driven to"), std::string::npos) << reason;
+  const auto& blocked = firing_map->proofs[1].blocked;
+  ASSERT_TRUE(blocked);
+  const std::string& wall = firing_map->space(1).solids()[blocked->solid].name;
+  EXPECT_EQ(wall.find("hut/"), 0U) << wall;
+  EXPECT_NE(reason.find("; the best flight, from ("), std::string::npos) << reason;
+  EXPECT_NE(reason.find("touches " + wall), std::string::npos) << reason;
 }
 
 TEST(PlanGuard, SaysWhenATargetIsOutOfReachOrOnlyHitFromElsewhere) {
@@ -165,6 +171,37 @@ TEST(PlanGuard, SaysWhenATargetIsOutOfReachOrOnlyHitFromElsewhere) {
   const auto outside = plan_guard(problem, *hall, options, {});
   ASSERT_EQ(outside->unreachable.size(), 1U);
   EXPECT_NE(outside->unreachable[0].reason.find("cannot be driven to"), std::string::npos);
+}
+
+TEST(PlanGuard, TellsOfFasterAndFasterToursAndPlansTheSame) {
+  Rng rng(5);
+  const GuardProblem problem = random_guard_problem(rng, 12, 6, 2.5);
+  GuardOptions options;
+  options.resolution_m = 0.15;
+  options.stops = 60;
+  options.iterations = 300;
+  const auto firing_map = build_firing_map(problem, options);
+  ASSERT_TRUE(firing_map);
+  std::vector<TourDraft> told;
+  const auto watched =
+      plan_guard(problem, *firing_map, options, {}, [&](const TourDraft& draft) { told.push_back(draft); });
+  const auto alone = plan_guard(problem, *firing_map, options, {});
+  ASSERT_TRUE(watched && alone);
+  EXPECT_EQ(watched->cost_s, alone->cost_s);
+  EXPECT_EQ(watched->stops.size(), alone->stops.size());
+  ASSERT_FALSE(told.empty());
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    std::size_t served = 0;
+    for (const DraftStop& stop : told[i].stops) served += stop.targets.size();
+    EXPECT_EQ(served + alone->unreachable.size(), problem.targets.size());
+    EXPECT_EQ(told[i].way.front(), problem.start.position);
+    EXPECT_EQ(told[i].way.back(), told[i].stops.back().position);
+    if (i > 0) {
+      EXPECT_LE(told[i].cost_s, 0.99 * told[i - 1].cost_s);
+    }
+  }
+  EXPECT_GE(told.back().cost_s, alone->bounded_s() - 1e-9);
+  EXPECT_EQ(draft_of(problem, *alone).stops.size(), alone->stops.size());
 }
 
 TEST(PlanGuard, IsEmptyWithoutTargets) {
