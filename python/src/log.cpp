@@ -76,7 +76,8 @@ void bind_log(py::module_& module) {
         }
         return loaded(made);
       },
-      py::arg("path"), py::kw_only(), py::arg("topics") = std::vector<std::string>());
+      py::arg("path"), py::kw_only(), py::arg("topics") = std::vector<std::string>(),
+      "Returns the messages of a log as arrays, by topic.");
 }
 
 }  // namespace outrider::python

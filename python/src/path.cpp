@@ -142,7 +142,7 @@ py::dict guarantee_of(const Planner& planner) {
 }
 
 void bind_map(py::module_& module) {
-  py::class_<GridMap, SharedMap>(module, "GridMap")
+  py::class_<GridMap, SharedMap>(module, "GridMap", "Ground as a grid of free and blocked cells, read-only.")
       .def(py::init(&make_map), py::arg("blocked"), py::kw_only(), py::arg("resolution") = 1.0,
            py::arg("origin") = py::make_tuple(0.0, 0.0), py::arg("model") = "cells")
       .def_property_readonly(
@@ -156,7 +156,7 @@ void bind_map(py::module_& module) {
 
 void bind_plan(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(Expansion, state, parent, f, g, h);
-  py::class_<Plan>(module, "Plan")
+  py::class_<Plan>(module, "Plan", "A path with its cost and a proven lower bound.")
       .def_property_readonly("waypoints", [](const Plan& plan) { return array_of(plan.waypoints); })
       .def_readonly("cost", &Plan::cost)
       .def_readonly("lower_bound", &Plan::lower_bound)
@@ -167,7 +167,8 @@ void bind_plan(py::module_& module) {
       [](const Plan& plan, const SharedMap& map, const py::handle& start, const py::handle& goal) {
         require(check(plan, Problem{map, point_of(start, "start"), point_of(goal, "goal")}));
       },
-      py::arg("plan"), py::arg("map"), py::arg("start"), py::arg("goal"));
+      py::arg("plan"), py::arg("map"), py::arg("start"), py::arg("goal"),
+      "Verifies a plan by code that shares nothing with the planners; raises BadInput if it is wrong.");
 }
 
 }  // namespace
@@ -175,7 +176,8 @@ void bind_plan(py::module_& module) {
 void bind_path(py::module_& module) {
   bind_map(module);
   bind_plan(module);
-  py::class_<Planner>(module, "PathPlanner")
+  py::class_<Planner>(module, "PathPlanner",
+                      "A planner of the catalogue with its options and its memory, for one thread at a time.")
       .def(py::init<const std::string&, const py::kwargs&>())
       .def_property_readonly("name", [](const Planner& planner) { return std::string(planner.row().name); })
       .def_property_readonly("sentence",
@@ -195,11 +197,14 @@ void bind_path(py::module_& module) {
       .def("trace", &plan_with_trace, py::arg("map"), py::arg("start"), py::arg("goal"), py::kw_only(),
            py::arg("most_expansions") = py::none())
       .def("costs", &Planner::costs, py::arg("map"), py::arg("starts"), py::arg("goals"));
-  module.def("path_planners", [] {
-    std::vector<std::string> names;
-    for (const PathPlanner& row : path_planners()) names.emplace_back(row.name);
-    return names;
-  });
+  module.def(
+      "path_planners",
+      [] {
+        std::vector<std::string> names;
+        for (const PathPlanner& row : path_planners()) names.emplace_back(row.name);
+        return names;
+      },
+      "Returns the names of the path planners.");
 }
 
 }  // namespace outrider::python

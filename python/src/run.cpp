@@ -122,7 +122,7 @@ py::dict save(FinishedRun& finished, const py::handle& path) {
 }  // namespace
 
 void bind_run(py::module_& module) {
-  py::class_<FinishedRun, std::shared_ptr<FinishedRun>>(module, "Run")
+  py::class_<FinishedRun, std::shared_ptr<FinishedRun>>(module, "Run", "A finished run of a job.")
       .def_property_readonly("status", [](const FinishedRun& finished) { return finished.run.report.status; })
       .def_property_readonly("job", [](const FinishedRun& finished) { return finished.run.report.job; })
       .def_property_readonly("reason", [](const FinishedRun& finished) { return finished.run.report.reason; })
@@ -137,12 +137,15 @@ void bind_run(py::module_& module) {
       .def_property_readonly("result", [](const FinishedRun& finished) { return result_text(finished.run); })
       .def("save", &save, py::arg("folder"));
   module.def("run", &run_scenario, py::arg("scenario"), py::kw_only(), py::arg("seed") = py::none(),
-             py::arg("set") = py::dict());
-  module.def("jobs", [] {
-    py::dict result;
-    for (const Job& job : jobs()) result[py::str(std::string(job.name))] = std::string(job.sentence);
-    return result;
-  });
+             py::arg("set") = py::dict(), "Runs the job of a scenario file, with options set by key.");
+  module.def(
+      "jobs",
+      [] {
+        py::dict result;
+        for (const Job& job : jobs()) result[py::str(std::string(job.name))] = std::string(job.sentence);
+        return result;
+      },
+      "Returns the jobs, with a sentence for each.");
 }
 
 }  // namespace outrider::python

@@ -36,6 +36,9 @@ export interface RunInfo {
   ball_radius: number;
   margin: number;
   coverage_width: number;
+  /** Of a bar; absent or 0: a disk covers. */
+  coverage_length?: number;
+  coverage_forward?: number;
 }
 export interface RoundedPolygon { points: Point2[]; radius: number }
 export interface Solid { name: string; kind: string; footprint: RoundedPolygon[]; low_z: number; high_z: number; blocks_driving: boolean }

@@ -3,15 +3,17 @@ import { Path, type Ink } from "../base/ink";
 import { clockText } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
 import { theme, type Colour } from "../base/theme";
+import { barComesOver } from "../log/bar";
 import { coverOf, type Cover, type Pass } from "../log/cover";
 import type { Outlines } from "../log/geometry";
 import type { Run } from "../log/run";
 import { lastNotAfter } from "../log/track";
 import { comesOver, Way } from "../log/way";
 import { areaOf } from "./area";
+import { BarStrip } from "./bar_strip";
 import { drawUnion } from "./ground_layer";
 import { label, type Layer, type Pen } from "./layer";
-import { Strip, type LinePen } from "./strip";
+import { Strip, type LinePen, type Painter } from "./strip";
 
 export type Role = Pass["role"];
 export const roleColours: Record<Role, Colour> = { lap: "belief", lane: "water", move: "robot" };
@@ -63,7 +65,7 @@ export function within(outlines: Outlines, x: number, y: number): boolean {
 /** What happened to a place of the area. */
 export function storyOf(run: Run, cover: Cover, x: number, y: number): string | null {
   if (!within(cover.area, x, y)) return null;
-  const times = comesOver(run.track, x, y, cover.width / 2);
+  const times = cover.bar ? barComesOver(cover.bar, run.track, x, y) : comesOver(run.track, x, y, cover.width / 2);
   if (times.length === 0) return within(cover.reach, x, y) ? "missed" : "out of reach";
   const more = times.length > 3 ? `, and ${times.length - 3} times more` : "";
   return `covered at ${times.slice(0, 3).map((t) => clockText(t)).join(", ")}${more}`;
@@ -74,11 +76,11 @@ const roles = Object.keys(roleColours) as Role[];
 /** The way, with a corner wherever a pass begins. */
 export const wayOf = (run: Run, { passes }: Cover): Way => new Way(run.track, passes.map((one) => one.start));
 
-/** The strip that is covered. */
-export const stripOf = (way: Way, { width }: Cover): Strip => new Strip(way, [(ctx) => {
+/** What is covered. */
+export const stripOf = (run: Run, way: Way, { bar, width }: Cover): Painter => (bar ? new BarStrip(run.track, bar) : new Strip(way, [(ctx) => {
   ctx.strokeStyle = theme.reached;
   ctx.lineWidth = width;
-}]);
+}]));
 
 /** The way in the colours of its roles. */
 function rolesOf(way: Way, { passes, width }: Cover): Strip {
@@ -109,7 +111,7 @@ export function cover(run: Run): Layer | null {
   const found = coverOf(run);
   if (!found) return null;
   const way = wayOf(run, found);
-  const [strip, line] = [stripOf(way, found), rolesOf(way, found)];
+  const [strip, line] = [stripOf(run, way, found), rolesOf(way, found)];
   const [x0, y0, x1, y1] = areaOf(run);
   const around = pathOf([[[x0, y0], [x1, y0], [x1, y1], [x0, y1]]], turnedRound(found.area));
   const [border, missed, overlap] = [pathOf(found.area), pathOf(found.missed), pathOf(found.overlap)];
@@ -118,7 +120,7 @@ export function cover(run: Run): Layer | null {
   for (const [x, y] of found.planned) planned.lineTo(x, y);
 
   /** Until now: painted where there is a canvas to keep, else drawn as lines. */
-  function show(what: Strip, { ctx, camera, now }: Pen): void {
+  function show(what: Painter, { ctx, camera, now }: Pen): void {
     ctx.save();
     if (ctx === camera.ctx) {
       const { width, height } = ctx.canvas;

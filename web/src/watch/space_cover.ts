@@ -53,7 +53,7 @@ export function coverActor(run: Run): Actor[] {
   const { size: [width, height], scale } = pictureSize(box, mostPixels);
   const view: View = { size: [width, height], name: "floor", px: 1 / scale,
     toPlane: (ctx) => ctx.setTransform(scale, 0, 0, -scale, -scale * x0, scale * y1) };
-  const strip = stripOf(wayOf(run, cover), cover);
+  const strip = stripOf(run, wayOf(run, cover), cover);
   const picture = document.createElement("canvas");
   [picture.width, picture.height] = [width, height];
   const around = pathOf([[[x0, y0], [x1, y0], [x1, y1], [x0, y1]]], turnedRound(cover.area));

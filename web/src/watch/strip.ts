@@ -17,9 +17,16 @@ export interface View {
   toPlane: (ctx: CanvasRenderingContext2D) => void;
 }
 
+export interface Painter {
+  /** Paints what is covered until t onto a canvas of its own. */
+  paint: (t: number, view: View, colours: string) => HTMLCanvasElement;
+  /** Draws the same where there is no canvas to paint onto. */
+  draw: (ctx: Ink, px: number, t: number) => void;
+}
+
 const mostKept = 5;
 
-export class Strip {
+export class Strip implements Painter {
   /** Clear where no leg is. */
   readonly canvas = document.createElement("canvas");
   private legs = document.createElement("canvas");
