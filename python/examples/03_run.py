@@ -14,3 +14,6 @@ except outrider.BadInput as refusal:
     print(refusal)
 
 # Prints:
+# guard: done, 23 of 24 targets
+# 23 shots, the first after 2.0 s
+# robot.radius: '-1' is not valid; expected a number from 0 to 100 m

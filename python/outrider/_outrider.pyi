@@ -123,4 +123,4 @@ def check(plan: Plan, map: GridMap, start: Point, goal: Point) -> None:
     """Verifies a plan by code that shares nothing with the planners; raises BadInput if it is wrong."""
 
 def read_log(path: str | PathLike[str], *, topics: Sequence[str] = ...) -> dict[str, npt.NDArray[np.void]]:
-    """The messages of a log (MCAP, ROS 1 bag, ROS 2 db3) as Run.log has them."""
+    """The messages of a log (MCAP, ROS 1 bag, ROS 2 db3) as Run.log has them. Warns if the end of the file is missing."""

@@ -64,6 +64,7 @@ void bind_log(py::module_& module) {
       [](const py::handle& at, std::vector<std::string> topics) {
         const std::string path = path_text(at);
         std::vector<NumpyArray> made;
+        std::string cut_short;
         {
           const py::gil_scoped_release others_may_run;
           const auto reader = value_of(open_log_file(path, {.topics = std::move(topics)}));
@@ -73,6 +74,11 @@ void bind_log(py::module_& module) {
             arrays.append(message->channel, message->time_ns, message->data);
           }
           made = arrays.finish();
+          cut_short = reader->cut_short();
+        }
+        if (!cut_short.empty() &&
+            PyErr_WarnEx(PyExc_RuntimeWarning, (path + ": " + cut_short).c_str(), 1) != 0) {
+          throw py::error_already_set();
         }
         return loaded(made);
       },

@@ -74,10 +74,16 @@ def test_a_folder_that_cannot_be_made_is_refused(tmp_path):
 
 
 def test_a_damaged_log_is_refused(tmp_path):
-    (tmp_path / "damaged.mcap").write_bytes(b"\x89MCAP0\r\n" + b"\xff" * 64)
-    with pytest.raises(outrider.BadInput):
-        outrider.read_log(tmp_path / "damaged.mcap")
-    with pytest.raises(outrider.BadInput):
+    outrider.run(SCENARIO).save(tmp_path)
+    whole = (tmp_path / "run.mcap").read_bytes()
+    for part in (whole[:len(whole) // 2], b"\x89MCAP0\r\n" + b"\xff" * 64):
+        (tmp_path / "cut.mcap").write_bytes(part)
+        with pytest.warns(RuntimeWarning, match="cut.mcap"):
+            outrider.read_log(tmp_path / "cut.mcap")
+    (tmp_path / "text.mcap").write_text("no log")
+    with pytest.raises(outrider.BadInput, match="text.mcap"):
+        outrider.read_log(tmp_path / "text.mcap")
+    with pytest.raises(outrider.BadInput, match="none.mcap"):
         outrider.read_log(tmp_path / "none.mcap")
 
 

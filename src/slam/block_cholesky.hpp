@@ -1,7 +1,7 @@
 // Sparse symmetric positive definite systems made of N x N blocks, one block row for each node of a graph.
 //
-// N is 1, 2, 3, 4 or 6: a planar pose has three unknowns, a spatial one six. A node with fewer than N unknowns
-// has ones on the rest of its diagonal and zeros beside them.
+// N is 1, 2, 3, 4 or 6: a planar pose has three unknowns, a spatial one six. A node with fewer than N
+// unknowns has ones on the rest of its diagonal and zeros beside them.
 //
 // BlockCholesky factors P A P^T = L L^T for an elimination order P that the caller chooses, with a
 // left-looking algorithm: each column subtracts the contributions of the columns to its left (Davis, Direct

@@ -36,8 +36,8 @@ Status check_options(const PoseGraphOptions& options) {
 std::vector<Option> describe(PoseGraphOptions& options) {
   return {
       {"start", "", 0, 0,
-       "where to begin: given (by the file), odometry, spanning_tree, chordal, staircase (the relaxation of "
-       "SE-Sync, from chordal), or best: all, until one is proven",
+       "where to begin: given, odometry, spanning_tree, chordal, staircase, or best: all, until one is "
+       "proven",
        &options.start},
       {"kernel", "", 0, 0, "loss of an edge that does not fit: none, huber, cauchy or geman_mcclure",
        &options.kernel},

@@ -22,6 +22,7 @@ class Keeper final : public LogSink {
     std::string topic;
     std::int64_t time_ns = 0;
     double x = 0.0;
+    std::size_t channels = 0;  ///< that were known by then
     friend bool operator==(const Received&, const Received&) = default;
   };
   void begin(const Log& log) override { began_with = log.channels().size(); }
@@ -29,7 +30,7 @@ class Keeper final : public LogSink {
   void append(std::size_t channel, std::int64_t time_ns, std::string_view data) override {
     const auto point = decode<outrider_msgs::Point2>(MessageEncoding::cdr, data);
     ASSERT_TRUE(point);
-    received.push_back({channels.at(channel).topic, time_ns, point->x});
+    received.push_back({channels.at(channel).topic, time_ns, point->x, channels.size()});
   }
   std::size_t began_with = 0;
   std::vector<Channel> channels;
@@ -120,11 +121,11 @@ TEST(Log, ASinkReceivesEverythingOnceWheneverItComes) {
   log.add_sink(late);
   log.append("/c", 1.0, at(4));
   log.append("/a", 7.0, at(5));
-  const std::vector<Keeper::Received> all = {{"/b", 5'000'000'000, 1},
-                                             {"/a", 500'000'000, 2},
-                                             {"/b", 5'000'000'000, 3},
-                                             {"/c", 1'000'000'000, 4},
-                                             {"/a", 7'000'000'000, 5}};
+  const std::vector<Keeper::Received> all = {{"/b", 5'000'000'000, 1, 1},
+                                             {"/a", 500'000'000, 2, 2},
+                                             {"/b", 5'000'000'000, 3, 2},
+                                             {"/c", 1'000'000'000, 4, 3},
+                                             {"/a", 7'000'000'000, 5, 3}};
   EXPECT_EQ(early.received, all);
   EXPECT_EQ(late.received, all);
   EXPECT_EQ(gone.received, std::vector(all.begin(), all.begin() + 3));
