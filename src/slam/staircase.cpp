@@ -43,7 +43,7 @@ class Staircase {
     while (descent_.descend(x, roughly, left, meter)) {
       if (leaves(x, roughly)) continue;
       if (!descent_.descend(x, exactly, left, meter)) break;
-      result.proven = !way_down(x);
+      result.proven = is_least(x);
       if (result.proven || !leaves(x, exactly)) break;
     }
     result.rank = static_cast<int>(x.cols());
@@ -60,19 +60,28 @@ class Staircase {
     return form;
   }
 
-  /// Returns a direction of negative curvature of the dual matrix, by inverse iteration with a shift just
-  /// above its least eigenvalue; empty if the matrix is positive semidefinite, up to a loss of 1e-4 of the
-  /// cost.
-  [[nodiscard]] std::optional<Eigen::VectorXd> way_down(const Eigen::MatrixXd& x) const {
-    constexpr double least = 1e-4, most = 1e6;
+  [[nodiscard]] ShiftedMatrix<Pose> dual_at(const Eigen::MatrixXd& x) const {
     const auto multipliers = descent_.form().multipliers(x, descent_.form().times(x));
-    ShiftedMatrix<Pose> dual(graph_, descent_.form().minus(multipliers));
-    const double unit = std::max(descent_.cost(x), 1e-3) / static_cast<double>(D * graph_.nodes.size());
-    double loss = least;
-    if (dual.factor(loss * unit)) return std::nullopt;
-    while (loss < most && !dual.factor(loss * unit)) loss *= 2.0;
-    if (loss >= most) return std::nullopt;
-    return least_eigenvector(dual, loss * unit);
+    return {graph_, descent_.form().minus(multipliers)};
+  }
+  /// The shift of the dual matrix that loses that part of the cost.
+  [[nodiscard]] double shift_for(double loss, const Eigen::MatrixXd& x) const {
+    return loss * std::max(descent_.cost(x), 1e-3) / static_cast<double>(D * graph_.nodes.size());
+  }
+  /// The dual matrix is positive semidefinite, up to a loss of 1e-4 of the cost.
+  [[nodiscard]] bool is_least(const Eigen::MatrixXd& x) const {
+    return dual_at(x).factor(shift_for(least_loss, x));
+  }
+
+  /// Returns a direction of negative curvature of the dual matrix, by inverse iteration with a shift just
+  /// above its least eigenvalue; empty if none is found.
+  [[nodiscard]] std::optional<Eigen::VectorXd> way_down(const Eigen::MatrixXd& x) const {
+    constexpr double most = 1e6;
+    ShiftedMatrix<Pose> dual = dual_at(x);
+    double loss = least_loss;
+    while (loss < most && !dual.factor(shift_for(loss, x))) loss *= 2.0;
+    if (loss == least_loss || loss >= most) return std::nullopt;
+    return least_eigenvector(dual, shift_for(loss, x));
   }
 
   [[nodiscard]] std::optional<Eigen::VectorXd> least_eigenvector(const ShiftedMatrix<Pose>& shifted,
@@ -153,6 +162,7 @@ class Staircase {
     return (x.template middleRows<D>(B * static_cast<Eigen::Index>(node)) * plane).transpose();
   }
 
+  static constexpr double least_loss = 1e-4;  ///< of the cost; less is not told from rounding
   const PoseGraphOf<Pose>& graph_;
   StiefelDescent<Pose> descent_;
 };

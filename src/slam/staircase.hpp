@@ -21,7 +21,7 @@ struct StaircaseResult {
   std::vector<Pose> poses;      ///< the first is where it was
   std::int64_t iterations = 0;  ///< of the trust region
   int rank = 0;                 ///< p at the end
-  bool proven = false;          ///< no poses have a lower cost of the kind above, whatever their dimension
+  bool proven = false;          ///< no poses of any dimension cost less by 1e-4, of the kind above
 };
 
 /// Climbs from the poses in at most so many steps, each an expansion. Pre: check() accepts the graph, and it
