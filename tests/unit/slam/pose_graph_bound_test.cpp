@@ -81,20 +81,7 @@ TEST(PoseGraphBound, ProvesTheOptimum) {
 
 /// A ring of poses whose start winds once too often: a local minimum, which must not be proven.
 TEST(PoseGraphBound, DoesNotProveALocalMinimum) {
-  PoseGraph ring;
-  constexpr int count = 24;
-  for (int i = 0; i < count; ++i) ring.nodes.push_back({std::to_string(i), {}, false});
-  for (int i = 0; i < count; ++i) {
-    GraphEdge edge{
-        EdgeKind::pose, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>((i + 1) % count), {}};
-    edge.measured = {{1.0, 0.0}, 2.0 * pi / count + 0.01};
-    edge.information = Eigen::Vector3d(10.0, 10.0, 100.0).asDiagonal();
-    ring.edges.push_back(edge);
-  }
-  PoseGraph winding = ring;
-  for (int i = 0; i < count; ++i) {
-    winding.nodes[static_cast<std::size_t>(i)].pose = {{0.1 * i, 0.0}, wrap_angle(4.0 * pi / count * i)};
-  }
+  const PoseGraph ring = testing::winding_ring(24, 1), winding = testing::winding_ring(24, 2);
   const auto best = optimise(ring, {}, {});
   const auto local = optimise(winding, {.start = "given"}, {});
   ASSERT_TRUE(best && local && best->converged && local->converged);

@@ -88,6 +88,24 @@ PoseGraphOf<Pose> random_graph(std::size_t poses, std::size_t points, double err
   return graph;
 }
 
+/// A ring of poses, each a metre and a part of the turn from the one before; as given, they wind around it so
+/// often.
+inline PoseGraph winding_ring(int count, int times) {
+  PoseGraph ring;
+  for (int i = 0; i < count; ++i) {
+    const Pose2 pose{{0.1 * i, 0.0}, wrap_angle(2.0 * pi * times / count * i)};
+    ring.nodes.push_back({fmt::format("{}", i), pose, false});
+  }
+  for (int i = 0; i < count; ++i) {
+    GraphEdge edge{
+        EdgeKind::pose, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>((i + 1) % count), {}};
+    edge.measured = {{1.0, 0.0}, 2.0 * pi / count + 0.01};
+    edge.information = Eigen::Vector3d(10.0, 10.0, 100.0).asDiagonal();
+    ring.edges.push_back(edge);
+  }
+  return ring;
+}
+
 template <class Pose>
 std::vector<Pose> shaken(std::vector<Pose> poses, const PoseGraphOf<Pose>& graph, double size, Rng& rng) {
   for (std::size_t i = 1; i < poses.size(); ++i) {

@@ -13,28 +13,10 @@ using testing::shaken;
 
 constexpr std::int64_t many = 1000;
 
-/// A ring of poses, each a metre and a part of the turn from the one before.
-PoseGraph ring_of(int count) {
-  PoseGraph ring;
-  for (int i = 0; i < count; ++i) ring.nodes.push_back({std::to_string(i), {}, false});
-  for (int i = 0; i < count; ++i) {
-    GraphEdge edge{
-        EdgeKind::pose, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>((i + 1) % count), {}};
-    edge.measured = {{1.0, 0.0}, 2.0 * pi / count + 0.01};
-    edge.information = Eigen::Vector3d(10.0, 10.0, 100.0).asDiagonal();
-    ring.edges.push_back(edge);
-  }
-  return ring;
-}
-
 /// Poses that wind twice around the ring are at a local minimum, from which no descent in the plane leads.
 TEST(Staircase, LeavesALocalMinimum) {
-  PoseGraph ring = ring_of(24);
+  const PoseGraph ring = testing::winding_ring(24, 2);
   const auto best = optimise(ring, {}, {});
-  for (std::size_t i = 0; i < ring.nodes.size(); ++i) {
-    const auto k = static_cast<double>(i);
-    ring.nodes[i].pose = {{0.1 * k, 0.0}, wrap_angle(4.0 * pi / 24.0 * k)};
-  }
   const auto local = optimise(ring, {.start = "given"}, {});
   ASSERT_TRUE(best && local && local->converged);
   ASSERT_GT(local->cost, 2.0 * best->cost) << "the premise: it is another minimum";
@@ -117,7 +99,7 @@ TEST(Staircase, EndsWithTheBudget) {
 }
 
 TEST(Staircase, IsAStartOfOptimise) {
-  PoseGraph ring = ring_of(12);
+  const PoseGraph ring = testing::winding_ring(12, 1);
   const auto solution = optimise(ring, {.start = "staircase"}, {});
   ASSERT_TRUE(solution);
   EXPECT_EQ(solution->start, "staircase");
