@@ -29,7 +29,7 @@ const views = [
   ["#watch/runs/yard/run.mcap?t=9&tab=events", ".events li", ".aside"],
   ["#watch/runs/yard/run.mcap?t=9&tab=numbers", ".metrics", ".aside"],
   ["#watch/runs/yard/run.mcap?t=9&view=3d", ".space-view canvas", ".stage"],
-  ["#plan/maps/gallery.map?planner=a_star&versus=dijkstra", ".result tbody"],
+  ["#plan/maps/gallery.map?planner=a_star&versus=dijkstra", ".result td[data-row=answer]"],
   ["#plan/yard/yard.sdf", ".result tbody"],
   ["#change/yard/yard.yaml", ".yard-page tbody"],
   ["#watch/absent/run.mcap", ".refusal"],

@@ -44,7 +44,7 @@ export const exportCases = ({ open, text, frames }) => ({
     assert.deepEqual([shown.width, shown.height], [width & ~1, height & ~1]);
     assert.ok(Math.abs(shown.duration - 1) < 0.11, `${shown.duration} s`);
     await page.goto(page.url().replace(/#.*/, "#plan/maps/gallery.map?planner=a_star"));
-    await page.waitForSelector(".result tbody");
+    await page.waitForSelector(".result td[data-row=answer]");
     const [answer] = JSON.parse(await saved(page, () => choose("JSON")));
     assert.equal(answer.status, "done");
     assert.ok(answer.waypoints.length >= 2);

@@ -139,7 +139,7 @@ export const lookCases = ({ open, text, frames, server, folder }) => ({
     await page.keyboard.type("gallery");
     await until("the file", async () => /gallery\.map/.test(await text(page, ".palette li")));
     await page.keyboard.press("Enter");
-    await page.waitForSelector(".plan-page .result tbody");
+    await page.waitForSelector(".plan-page .result td[data-row=answer]");
     assert.equal(page.url().split("?")[0], `${server.url}#plan/maps/gallery.map`);
     await page.close();
   },

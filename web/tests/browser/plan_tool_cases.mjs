@@ -5,7 +5,7 @@ import { until } from "./browser.mjs";
 export const planToolCases = ({ open, text, cell, answers }) => ({
   async "a maze and an empty map are one click each, and undone; lengths are in feet where somebody asks for that"() {
     const page = await open("#draw?planner=a_star&radius=0.2&start=2,5.5&goal=14,5.5");
-    await page.waitForSelector(".result tbody");
+    await page.waitForSelector(".result td[data-row=answer]");
     assert.match(await text(page, ".map-tools .about"), /^16 by 11 m, cells of 0\.25 m/);
     assert.match(await text(page, ".choice select option:checked"), /^A\*$/);
     const after = async (act) => {
