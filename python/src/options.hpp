@@ -1,4 +1,4 @@
-// Self-describing options as values of Python.
+// Self-describing options, and paths, as values of Python.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -18,7 +18,7 @@ std::string result_text(const Run& run) {
   return object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Outcome<WrittenFiles> write_run(Run& run, RunLog& log, const std::string& folder, const MakeFile& more) {
+Outcome<WrittenFiles> write_run(Run& run, RunLog& log, const std::string& folder, const MakePage& page) {
   const bool begun = run.report.status != "cancelled" || !run.report.metrics.empty();
   if (folder.empty() || !begun) return WrittenFiles{};
   std::vector<NamedContent> files;
@@ -36,8 +36,8 @@ Outcome<WrittenFiles> write_run(Run& run, RunLog& log, const std::string& folder
     complete.push_back({folder + "/run.mcap", *log_path});
     written.emplace_back("log", complete.back().path);
     add("picture", "run.svg", plan_view(run.log));
-    if (more) {
-      auto file = more(*log_path);
+    if (page) {
+      auto file = page(*log_path);
       if (!file) return pass_on(file);
       add("page", file->path, std::move(file->content));
     }

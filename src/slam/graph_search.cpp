@@ -65,7 +65,7 @@ class Search {
     descend_from({std::move(top.poses), "staircase"});
   }
   void climb_from_best() {
-    if (best_ && options_.kernel == "none" && can_climb(graph_)) climb_from(std::vector<Pose>(best_->poses));
+    if (best_ && options_.kernel == "none" && can_climb(graph_)) climb_from(best_->poses);
   }
 
   /// Goes down under a kernel first, by which edges that contradict the others do not bend the graph.

@@ -108,9 +108,9 @@ bool revise_refusals(const PoseGraphOf<Pose>& graph, const PoseGraphSolutionOf<P
 template <class Pose>
 Outcome<PoseGraphSolutionOf<Pose>> optimise_graduated(const PoseGraphOf<Pose>& graph,
                                                       const PoseGraphOptions& options, BudgetMeter& meter) {
-  const bool best = options.start == "best";
-  auto start = graph_start(graph, best ? "chordal" : options.start);
-  if (!start && best) start = graph_start(graph, "given");
+  const bool chordal = options.start == "best" || options.start == "staircase";
+  auto start = graph_start(graph, chordal ? "chordal" : options.start);
+  if (!start && chordal) start = graph_start(graph, "given");
   if (!start) return pass_on(start);
   PoseGraphOf<Pose> placed = graph;
   std::vector<bool> refused = graduated_refusals(graph, start->poses, options.iterations, meter);

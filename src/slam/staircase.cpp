@@ -78,10 +78,11 @@ class Staircase {
   [[nodiscard]] std::optional<Eigen::VectorXd> way_down(const Eigen::MatrixXd& x) const {
     constexpr double most = 1e6;
     ShiftedMatrix<Pose> dual = dual_at(x);
+    const double whole = shift_for(1.0, x);
     double loss = least_loss;
-    while (loss < most && !dual.factor(shift_for(loss, x))) loss *= 2.0;
+    while (loss < most && !dual.factor(loss * whole)) loss *= 2.0;
     if (loss == least_loss || loss >= most) return std::nullopt;
-    return least_eigenvector(dual, shift_for(loss, x));
+    return least_eigenvector(dual, loss * whole);
   }
 
   [[nodiscard]] std::optional<Eigen::VectorXd> least_eigenvector(const ShiftedMatrix<Pose>& shifted,

@@ -35,6 +35,7 @@ double small_shift(const PoseGraphOf<Pose>& graph, const QuadraticForm<Pose>& fo
   return share * sum / static_cast<double>((dimension<Pose> + 1) * graph.nodes.size());
 }
 
+/// Factors the part of the form that is quadratic in positions.
 template <class Pose>
 BlockCholesky<1> position_factor(const PoseGraphOf<Pose>& graph, const QuadraticForm<Pose>& form) {
   constexpr int D = dimension<Pose>;
@@ -56,6 +57,7 @@ BlockCholesky<1> position_factor(const PoseGraphOf<Pose>& graph, const Quadratic
   return factor;
 }
 
+/// Replaces the rotations by the nearest with orthonormal columns.
 template <class Pose>
 void orthonormalise(const PoseGraphOf<Pose>& graph, Eigen::MatrixXd& x) {
   constexpr int D = dimension<Pose>, B = D + 1;
@@ -126,7 +128,7 @@ template <class Pose>
 void StiefelDescent<Pose>::precondition_at(const Point& at) {
   preconditioner_.replace(form_.minus(at.multipliers));
   shift_ = std::max(least_shift_, 0.01 * shift_);
-  while (!preconditioner_.factor(shift_)) shift_ *= 10.0;
+  while (std::isfinite(shift_) && !preconditioner_.factor(shift_)) shift_ *= 10.0;
 }
 
 template <class Pose>

@@ -20,13 +20,13 @@ namespace outrider {
 /// differ from run to run.
 std::string result_text(const Run& run);
 
-/// Makes a further file of a run from its complete log, whose path is given; its name is that in the folder.
-using MakeFile = std::function<Outcome<NamedContent>(const std::string& log_path)>;
+/// Makes the page of a run from its complete log, whose path is given.
+using MakePage = std::function<Outcome<NamedContent>(const std::string& log_path)>;
 
 /// Completes the log and writes the files into the folder: all of them or none. A run without messages has no
-/// log, no picture and no further file. Writes nothing for a run that was cancelled before its mission began,
+/// log, no picture and no page. Writes nothing for a run that was cancelled before its mission began,
 /// so the files of an earlier run stay whole. Takes the contents of the files from the run. Faults: bad_input
-/// for the folder; cannot_write; those of `more`.
-Outcome<WrittenFiles> write_run(Run& run, RunLog& log, const std::string& folder, const MakeFile& more = {});
+/// for the folder; cannot_write; those of `page`.
+Outcome<WrittenFiles> write_run(Run& run, RunLog& log, const std::string& folder, const MakePage& page = {});
 
 }  // namespace outrider

@@ -161,5 +161,17 @@ TEST(Graduated, TheLargestPlausibleCostIsExceededOnceInAThousandTimes) {
   }
 }
 
+/// The staircase begins at the chordal relaxation, and so does the search for false edges before it.
+TEST(Graduated, BeginsAtTheChordalRelaxationBelowAStaircase) {
+  Rng rng(9);
+  const PoseGraph graph = walk_with_false_edges<Pose2>(5, rng);
+  const auto chordal = optimise(graph, {.start = "chordal", .robust = "gnc"}, {});
+  const auto staircase = optimise(graph, {.start = "staircase", .robust = "gnc"}, {});
+  ASSERT_TRUE(chordal && staircase);
+  EXPECT_GE(staircase->refused.size(), 5U);
+  EXPECT_EQ(staircase->refused, chordal->refused);
+  EXPECT_NEAR(staircase->cost, chordal->cost, 1e-6 * chordal->cost);
+}
+
 }  // namespace
 }  // namespace outrider

@@ -50,9 +50,13 @@ const contains = (ring: Vec2[], p: Vec2): boolean => ring.every((a, i) => turn(a
 /** When the bar comes over a place, at the row of the track before: each time that it comes, stays or passes, and leaves counts once. O(rows). */
 export function barComesOver(bar: Bar, track: Track, x: number, y: number): number[] {
   const times: number[] = [];
+  const reach = Math.hypot(Math.abs(bar.forward) + bar.length / 2, bar.width / 2);
+  /** The robot is too far on one side in both rows. Its way between them is straight, or stands. */
+  const isFar = (row: Float64Array, i: number, at: number): boolean =>
+    Math.min(row[i]!, row[i + 1]!) - reach > at || Math.max(row[i]!, row[i + 1]!) + reach < at;
   let over = false;
   for (let i = 0; i + 1 < track.length; ++i) {
-    const now = sweptBetween(bar, track, track.time[i]!, track.time[i + 1]!).some((ring) => contains(ring, [x, y]));
+    const now = !isFar(track.x, i, x) && !isFar(track.y, i, y) && sweptBetween(bar, track, track.time[i]!, track.time[i + 1]!).some((ring) => contains(ring, [x, y]));
     if (now && !over) times.push(track.time[i]!);
     over = now;
   }

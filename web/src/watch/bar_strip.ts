@@ -10,6 +10,8 @@ export class BarStrip implements Painter {
   private rows = document.createElement("canvas");
   private painted = 0;
   private view = "";
+  /** Of whole rows, once they were painted. */
+  private paths: Path[] = [];
 
   constructor(private track: Track, private bar: Bar) {}
 
@@ -24,14 +26,15 @@ export class BarStrip implements Painter {
     const rows = this.rows.getContext("2d")!;
     toPlane(rows);
     for (; this.painted + 1 < time.length && time[this.painted + 1]! <= t; ++this.painted) {
-      this.fill(rows, time[this.painted]!, time[this.painted + 1]!);
+      const i = this.painted;
+      this.fill(rows, (this.paths[i] ??= this.swept(time[i]!, time[i + 1]!)));
     }
     const ctx = this.canvas.getContext("2d")!;
     ctx.setTransform(1, 0, 0, 1, 0, 0);
     ctx.clearRect(0, 0, width, height);
     ctx.drawImage(this.rows, 0, 0);
     toPlane(ctx);
-    this.fill(ctx, time[this.painted] ?? t, t);
+    this.fill(ctx, this.swept(time[this.painted] ?? t, t));
     return this.canvas;
   }
 
@@ -39,19 +42,22 @@ export class BarStrip implements Painter {
   draw(ctx: Ink, _px: number, t: number): void {
     const { time } = this.track;
     const all = new Path();
-    for (let i = 0; i < time.length && time[i]! <= t; ++i) this.add(all, time[i]!, Math.min(t, time[i + 1] ?? t));
-    ctx.fillStyle = theme.reached;
-    ctx.fill(all);
+    for (let i = 0; i < time.length && time[i]! <= t; ++i) this.addSwept(all, time[i]!, Math.min(t, time[i + 1] ?? t));
+    this.fill(ctx, all);
   }
 
-  private fill(ctx: Ink, from: number, to: number): void {
-    const path = new Path();
-    this.add(path, from, to);
+  private fill(ctx: Ink, path: Path): void {
     ctx.fillStyle = theme.reached;
     ctx.fill(path);
   }
 
-  private add(path: Path, from: number, to: number): void {
+  private swept(from: number, to: number): Path {
+    const path = new Path();
+    this.addSwept(path, from, to);
+    return path;
+  }
+
+  private addSwept(path: Path, from: number, to: number): void {
     for (const ring of sweptBetween(this.bar, this.track, from, to)) {
       ring.forEach(([x, y], i) => (i ? path.lineTo(x, y) : path.moveTo(x, y)));
       path.closePath();
