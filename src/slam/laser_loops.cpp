@@ -87,11 +87,13 @@ MatchWindow whole_window(const KeyframeGraph& graph, std::uint32_t end) {
   return {{0.5 * (box.low + box.high), 0.0}, 0.5 * std::max(size.x, size.y) + margin_m, std::numbers::pi};
 }
 
-/// Returns true if the pose lies within `reach_sd` standard deviations of where the keyframe is believed to
-/// be.
+/// Returns true if position and heading lie within `reach_sd` standard deviations of those that the last
+/// keyframe is believed to have.
 bool is_plausible(const KeyframeGraph& graph, const Pose2& there, double reach_sd) {
   constexpr double least = 1e-4;  // m^2
   const Eigen::Matrix3d& c = graph.covariance();
+  const double turn_rad = std::abs(wrap_angle(there.heading_rad - graph.keyframes.back().pose.heading_rad));
+  if (turn_rad > std::max(least_turn_rad, reach_sd * std::sqrt(c(2, 2)))) return false;
   const Eigen::LLT<Eigen::Matrix2d> factor(c.topLeftCorner<2, 2>() + least * Eigen::Matrix2d::Identity());
   const Vec2 gap = there.position - graph.keyframes.back().pose.position;
   const Eigen::Vector2d off(gap.x, gap.y);
@@ -263,28 +265,31 @@ bool LoopSearch::close_far(KeyframeGraph& graph, KeyframeSurfaces& surfaces, dou
   return false;
 }
 
-bool LoopSearch::bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap) {
+bool LoopSearch::bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd,
+                        std::uint32_t gap) {
   constexpr double reach_m = 4.0;
   constexpr std::uint32_t most_keyframes = 16;
   const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
   const KeyframeRange before{gap > most_keyframes ? gap - most_keyframes : 0, gap};
   const auto fit = recognise_place(map_of(graph, surfaces, before), last_surface(graph, surfaces, gap),
                                    {graph.keyframes.back().pose, reach_m, std::numbers::pi});
-  if (!fit || is_contradicted(graph, surfaces.robot_T_laser(), before, gap, fit->pose) ||
+  if (!fit || !is_plausible(graph, fit->pose, reach_sd) ||
+      is_contradicted(graph, surfaces.robot_T_laser(), before, gap, fit->pose) ||
       !add_loop(graph, loop_constraint(graph, gap - 1, *fit)))
     return false;
   bridged.emplace_back(gap - 1, last);
   return true;
 }
 
-bool LoopSearch::rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap) {
+bool LoopSearch::rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd,
+                        std::uint32_t gap) {
   if (!is_search_due(graph, gap)) return false;
   const MatchWindow window = whole_window(graph, gap);
   if (window.reach_m > widest_m) return false;
   std::vector<std::uint32_t> before(gap);
   std::iota(before.begin(), before.end(), 0U);
   const auto place = recognise_far(graph, surfaces, before, gap, window);
-  if (!place) return false;
+  if (!place || !is_plausible(graph, place->fit.pose, reach_sd)) return false;
   KeyframeRange visit = visit_of(graph, place->keyframe);
   visit.end = std::min(visit.end, gap);
   if (!believe(graph, surfaces.robot_T_laser(), *place, visit, gap)) return false;

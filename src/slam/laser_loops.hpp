@@ -37,12 +37,12 @@ struct LoopSearch {
   /// not known, and a window would leave out other places that look the same.
   bool close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd, std::uint32_t first);
   /// Joins the last keyframes with those before the gap, which ends at the keyframe `gap`. Returns true if it
-  /// moved the poses.
-  bool bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap);
+  /// moved the poses. How far is plausible depends on what odometry is taken to err by in the gap.
+  bool bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd, std::uint32_t gap);
   /// Searches the keyframes since the gap on the whole map before it, each time the robot has driven another
   /// half of the way since the gap. Returns true if it joined them, which moves the poses. Takes about a
   /// second, and is not done on a map of more than 500 m by 500 m.
-  bool rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap);
+  bool rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd, std::uint32_t gap);
   /// Judges closed loops by what came later, and undoes wrong ones. Returns true if this moved the poses.
   bool review(KeyframeGraph& graph, const Pose2& robot_T_laser);
   /// Returns true if a constraint of this search spans the gap.

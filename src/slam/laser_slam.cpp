@@ -34,6 +34,7 @@ struct TrackPoint {
 struct Gap {
   std::uint32_t keyframe = 0;
   std::size_t part_before = 0;
+  bool is_lost = false;  ///< else the robot is where odometry says, but sees nothing that it knows
 };
 
 }  // namespace
@@ -135,10 +136,11 @@ double LaserSlam::State::contradiction(const LaserScan& scan, const Pose2& at) c
   return pair.seen() >= least_points ? pair.contradiction() : 0.0;
 }
 
-/// Closes loops with the keyframes since the last gap that nothing spans.
+/// Closes loops with the keyframes since the robot was last lost, if nothing spans that gap.
 bool LaserSlam::State::close_loops() {
-  const bool is_open = !gaps.empty() && !loops.spans(gaps.back().keyframe);
-  return loops.close(graph, local.surfaces(), options.loop_reach_sd, is_open ? gaps.back().keyframe : 0);
+  const auto lost = std::ranges::find_if(gaps.rbegin(), gaps.rend(), &Gap::is_lost);
+  const bool is_open = lost != gaps.rend() && !loops.spans(lost->keyframe);
+  return loops.close(graph, local.surfaces(), options.loop_reach_sd, is_open ? lost->keyframe : 0);
 }
 
 /// Joins the last keyframes with those before the last gap if nothing spans it: with the last ones while the
@@ -148,8 +150,9 @@ bool LaserSlam::State::bridge_gap() {
   if (gaps.empty() || loops.spans(gaps.back().keyframe)) return false;
   const Gap& gap = gaps.back();
   const bool is_recent = graph.keyframes.size() - gap.keyframe <= most_keyframes;
-  if (!(is_recent ? loops.bridge(graph, local.surfaces(), gap.keyframe)
-                  : options.close_loops && loops.rejoin(graph, local.surfaces(), gap.keyframe)))
+  const double reach_sd = options.loop_reach_sd;
+  if (!(is_recent ? loops.bridge(graph, local.surfaces(), reach_sd, gap.keyframe)
+                  : options.close_loops && loops.rejoin(graph, local.surfaces(), reach_sd, gap.keyframe)))
     return false;
   part = gap.part_before;
   return true;
@@ -274,7 +277,7 @@ void LaserSlam::State::take_scan(const LaserScan& scan, const Surface& surface, 
   if (!fit) bias.forget();
   if (fit || step.lost) unmatched = {};
   if (step.lost || is_keyframe_due()) {
-    if (begun && !fit) gaps.push_back({static_cast<std::uint32_t>(graph.keyframes.size()), part});
+    if (begun && !fit) gaps.push_back({static_cast<std::uint32_t>(graph.keyframes.size()), part, step.lost});
     if (step.lost) part = graph.keyframes.size();
     if (fit) learn(*fit);
     add_keyframe(scan, fit, is_carried);

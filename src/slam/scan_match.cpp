@@ -14,6 +14,8 @@ constexpr std::size_t telling_points = 60;  // with fewer, a scan does not tell 
 constexpr double least_share = 0.25, sure_share = 0.5, certain_share = 0.9, better_share = 0.1;
 // of one scan whose pose the odometry does not suggest: two rooms are often alike in most of what it shows
 constexpr double alone_share = 0.85, most_contradiction_alone = 0.05;
+// share of the points that another scan looked through; where a pose is right, it is seldom more
+constexpr double most_at_right_pose = 0.1;
 
 Eigen::Matrix3d information_of(const MatchWindow& window) {
   const double p = 1.0 / (window.position_sd_m * window.position_sd_m);
@@ -29,9 +31,9 @@ MatchWindow widened(MatchWindow window, double reach_m, double turn_rad) {
 
 /// Returns false if another scan looked through too many points. The fewer points match, the fewer may be.
 bool believed(const Fit& fit, const std::function<double(const Pose2&)>& contradiction) {
-  constexpr double most_if_sure = 0.25, most_if_not = 0.1;  // where a pose is right, it is seldom above 0.1
+  constexpr double most_if_sure = 0.25;
   return fit.share >= certain_share ||
-         contradiction(fit.pose) <= (fit.share >= sure_share ? most_if_sure : most_if_not);
+         contradiction(fit.pose) <= (fit.share >= sure_share ? most_if_sure : most_at_right_pose);
 }
 
 }  // namespace
@@ -82,6 +84,7 @@ std::optional<Fit> match_scan(const SurfaceMap& map, const Surface& surface, con
   const bool is_wide = window.reach_m > most_correction_m;
   if (!is_wide) {
     if (auto fit = match_nearby(map, surface, window, contradiction)) return fit;
+    if (contradiction(window.centre) <= most_at_right_pose) return std::nullopt;
   }
   if (surface.size() < telling_points) return std::nullopt;
   const auto fit = recognise_place(map, surface,

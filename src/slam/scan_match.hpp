@@ -2,9 +2,11 @@
 //
 // Odometry is believed first: the best pose is searched within three of its standard deviations. If few
 // points lie on surfaces there, or another scan looked through them, the window is widened to 0.6 m and 0.6
-// rad. If nothing is found there either, it is widened to 4 m and the full turn. In a window that is large
-// enough for several places, the scan must be recognised: nearly all points lie on surfaces, no other pose
-// scores nearly as well, and hardly any point is one that another scan looked through.
+// rad. If nothing is found there either, the scan may show something new: behind a door, most of it is. Only
+// if another scan contradicts it where odometry says, odometry is wrong, and the window is widened to 4 m and
+// the full turn. In a window that is large enough for several places, the scan must be recognised: nearly all
+// points lie on surfaces, no other pose scores nearly as well, and hardly any point is one that another scan
+// looked through.
 #pragma once
 
 #include <functional>

@@ -76,6 +76,20 @@ TEST_F(ScanMatch, APoseThatIsContradictedIsNotTaken) {
   EXPECT_FALSE(match_scan(map, part, window, [](const Pose2&) { return 0.9; }));
 }
 
+/// A room that is entered, and one that is known and looks the same: nothing says that odometry is wrong.
+TEST_F(ScanMatch, ARoomLikeAKnownOneIsNotTakenForItUnlessOdometryIsContradicted) {
+  const Surface surface = seen_from(walls, in_the_middle, rng);
+  const MatchWindow beside = window_about({in_the_middle.position + Vec2{3.0, 0.0}, pi});
+  ASSERT_FALSE(match_nearby(map, surface, beside, nothing_speaks_against));
+  EXPECT_FALSE(match_scan(map, surface, beside, nothing_speaks_against));
+  const auto there = [&](const Pose2& at) {
+    return distance(at.position, in_the_middle.position) > 1.0 ? 0.5 : 0.0;
+  };
+  const auto fit = match_scan(map, surface, beside, there);
+  ASSERT_TRUE(fit);
+  expect_near(fit->pose, in_the_middle);
+}
+
 TEST_F(ScanMatch, AnotherRoomIsNotMatched) {
   const std::vector<testing::Wall> corner{{{-8, 8}, {8, -5}}, {{-8, -2}, {4, 8}}};
   const Surface surface = seen_from(corner, {}, rng);
