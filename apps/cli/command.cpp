@@ -62,6 +62,28 @@ CLI::Option& add_option(CLI::App& app, const std::string& name, Place place, con
                      place);
 }
 
+ArgumentText text_of(const CLI::Option& option) {
+  ArgumentText text;
+  text.is_positional = option.get_positional();
+  for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
+  if (text.is_positional) text.names = {option.get_name()};
+  if (option.get_expected_min() > 0 && option.get_type_size() > 0) text.value = option.get_type_name();
+  text.sentence = option.get_description();
+  text.heading = option.get_group();
+  text.is_required = option.get_required();
+  return text;
+}
+
+CommandText text_of(const CLI::App& app) {
+  CommandText text{app.get_name(), app.get_description(), app.get_footer(), {}, {}};
+  for (const CLI::Option* option : app.get_options()) text.arguments.push_back(text_of(*option));
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (!command->get_group().empty()) text.commands.push_back(text_of(*command));
+  }
+  return text;
+}
+
 }  // namespace
 
 Parameter& Parameter::type(const std::string& name) {
@@ -169,6 +191,12 @@ std::vector<std::string> Command::all_given() const {
     if (option->count() > 0) names.push_back(option->get_name());
   }
   return names;
+}
+
+CommandText Command::text_of_tool() const {
+  const CLI::App* tool = app_;
+  while (tool->get_parent() != nullptr) tool = tool->get_parent();
+  return text_of(*tool);
 }
 
 const Command& Command::chosen() const {

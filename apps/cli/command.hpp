@@ -55,6 +55,25 @@ class Parameter {
   CLI::Option* option_;
 };
 
+/// An argument, as help, completion and the manual show it.
+struct ArgumentText {
+  std::vector<std::string> names;  ///< with their dashes: "-h", "--help"; of a positional argument its name
+  std::string value;               ///< the placeholder of its value; empty: it takes none
+  std::string sentence;
+  std::string heading;  ///< under which it is listed
+  bool is_positional = false;
+  bool is_required = false;
+};
+
+/// A command, as help, completion and the manual show it. Hidden commands are left out.
+struct CommandText {
+  std::string name;
+  std::string sentence;
+  std::string footer;
+  std::vector<ArgumentText> arguments;
+  std::vector<CommandText> commands;
+};
+
 /// Represents the tool, one of its commands, or a subcommand.
 class Command {
  public:
@@ -95,6 +114,8 @@ class Command {
   [[nodiscard]] std::vector<std::string> values(const std::string& name) const;
   /// Returns the names of all arguments on the command line.
   [[nodiscard]] std::vector<std::string> all_given() const;
+  /// Describes the tool with all its commands, whichever of them it is called on.
+  [[nodiscard]] CommandText text_of_tool() const;
 
   /// Parses the arguments, then runs the command they name. Returns the exit status. A fault states in one
   /// sentence what was misunderstood and suggests the nearest valid argument. Call it on the tool itself

@@ -16,6 +16,7 @@ void add_convert(Command& tool, const std::stop_token& stop);
 void add_replay(Command& tool, const std::vector<Job>& jobs);
 void add_bench(Command& tool);
 void add_list(Command& tool, const std::vector<Job>& jobs);
+void add_completion(Command& tool);
 void add_schema(Command& tool, const std::vector<Job>& jobs);
 void add_serve(Command& tool, const std::vector<Job>& jobs);
 

@@ -55,6 +55,7 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
   add_bench(tool);
   add_list(tool, jobs);
   add_schema(tool, jobs);
+  add_completion(tool);
   const auto status = tool.run(*words);
   return status ? *status : print_fault(status.error(), wants_json(argc, argv));
 }
