@@ -23,7 +23,7 @@ MOMENTS ?= 50
 RUNS ?= 200
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak cancel loops load fuzz bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak cancel loops load fuzz packages check-packages bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -101,9 +101,19 @@ fuzz:  ## run every fuzz target for FUZZ_SECONDS, 60 unless given
 	@ninja -C build-fuzz -j $(JOBS) fuzz_programs
 	@scripts/fuzz $(FUZZ_SECONDS) $(JOBS)
 
+packages:  ## write Debian packages of the tool, the library and the Python package to build/packages
+	$(INSTALL) build physics ompl page python
+	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release -DOUTRIDER_WITH_CERES=OFF $(FIRST)
+	@ninja -C build -j $(JOBS) all
+	@cd build && cpack -G DEB
+
+check-packages: packages  ## install the packages in a fresh Debian, use them there, and take them away again
+	$(INSTALL) packages
+	@scripts/check-packages build/packages
+
 bench:  ## run the benchmarks
 	$(INSTALL) build bench page browser
-	$(CONFIGURE) release build -DOUTRIDER_BUILD_BENCH=ON $(FIRST)
+	$(CONFIGURE) release build -DOUTRIDER_BUILD_BENCH=ON -DOUTRIDER_WITH_CERES=AUTO $(FIRST)
 	@ninja -C build -j $(JOBS) bench/all
 	@for program in build/bench/bench_*; do $$program || exit 1; done
 	@ninja -C build -j $(JOBS) outrider

@@ -6,6 +6,9 @@
 # Each layer is a component with its own export set, so the targets of other components, and the packages that
 # only those need, need not exist. The needs of a component are read from the links of its target.
 # tests/consumer is an example user.
+#
+# `cmake --install build --component tool` installs the tool alone, `dev` what users of the library need, and
+# `python` the Python package. Package.cmake makes Debian packages of them.
 include(CMakePackageConfigHelpers)
 
 get_property(layers GLOBAL PROPERTY OUTRIDER_LAYERS)
@@ -75,8 +78,9 @@ foreach(layer IN LISTS layers)
   string(APPEND component_facts "set(outrider_layers_of_${name} \"${layers_of_${name}}\")\n"
     "set(outrider_packages_of_${name} \"${packages_of_${name}}\")\n")
 
-  install(TARGETS ${layer} EXPORT outrider-${name})
-  install(EXPORT outrider-${name} FILE outriderTargets-${name}.cmake NAMESPACE outrider:: DESTINATION ${package_dir})
+  install(TARGETS ${layer} EXPORT outrider-${name} COMPONENT dev)
+  install(EXPORT outrider-${name} FILE outriderTargets-${name}.cmake NAMESPACE outrider:: DESTINATION ${package_dir}
+    COMPONENT dev)
 endforeach()
 
 # All layers together, for find_package(outrider) without components.
@@ -88,7 +92,8 @@ target_link_libraries(outrider_everything INTERFACE ${layers})
 target_include_directories(outrider_everything INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
 set_target_properties(outrider_everything PROPERTIES EXPORT_NAME outrider)
 install(TARGETS outrider_everything EXPORT outrider-everything)
-install(EXPORT outrider-everything FILE outriderTargets.cmake NAMESPACE outrider:: DESTINATION ${package_dir})
+install(EXPORT outrider-everything FILE outriderTargets.cmake NAMESPACE outrider:: DESTINATION ${package_dir}
+  COMPONENT dev)
 
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/outriderComponents.cmake @ONLY CONTENT
   "# The components, from left to right, and of each the layers it links and the packages these need.
@@ -99,6 +104,22 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/outriderConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/outriderConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/outriderConfig.cmake ${PROJECT_BINARY_DIR}/outriderConfigVersion.cmake
-  ${PROJECT_BINARY_DIR}/outriderComponents.cmake DESTINATION ${package_dir})
-install(DIRECTORY include/outrider DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  ${PROJECT_BINARY_DIR}/outriderComponents.cmake DESTINATION ${package_dir} COMPONENT dev)
+install(DIRECTORY include/outrider DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev FILES_MATCHING PATTERN *.hpp)
+
+include(${CMAKE_CURRENT_LIST_DIR}/PkgConfig.cmake)
+
+# What man and the shells know of the tool: it writes that itself, anew whenever it is built.
+set(manual ${PROJECT_BINARY_DIR}/manual)
+add_custom_command(OUTPUT ${manual}/outrider.1.gz
+  COMMAND outrider manual --out ${manual}
+  COMMAND gzip --best --no-name --force ${manual}/*.1
+  DEPENDS outrider)
+add_custom_target(manual ALL DEPENDS ${manual}/outrider.1.gz)
+install(DIRECTORY ${manual}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tool FILES_MATCHING PATTERN *.1.gz)
+install(FILES ${manual}/outrider.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME outrider
+  COMPONENT tool)
+install(FILES ${manual}/_outrider DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT tool)
+install(FILES ${manual}/outrider.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT tool)
+install(DIRECTORY scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/outrider COMPONENT tool)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT license)

@@ -31,8 +31,23 @@ int complete(const Command& command, const std::string& shell) {
   return job_done;
 }
 
-int print_manual_page(const Command& command, const std::string& name) {
+/// Returns the files that a package installs: "outrider.1", "outrider-plan.1", ..., "outrider.bash", ...
+std::vector<NamedText> files_of(const CommandText& tool) {
+  std::vector<NamedText> files{{"outrider.1", manual_page(tool, OUTRIDER_VERSION)},
+                               {"outrider.bash", bash_completion(tool)},
+                               {"_outrider", zsh_completion(tool)},
+                               {"outrider.fish", fish_completion(tool)}};
+  for (const CommandText& command : tool.commands)
+    files.emplace_back(fmt::format("outrider-{}.1", command.name), manual_page_of(command, OUTRIDER_VERSION));
+  return files;
+}
+
+int print_manual_page(const Command& command, const std::string& name, const std::string& folder) {
   const CommandText tool = command.text_of_tool();
+  if (!folder.empty()) {
+    const auto written = of_flag_out(cli::write_files(folder, files_of(tool)));
+    return written ? job_done : print_fault(written.error(), false);
+  }
   if (name.empty()) {
     show("{}", manual_page(tool, OUTRIDER_VERSION));
     return job_done;
@@ -57,7 +72,9 @@ void add_completion(Command& tool) {
   Command& manual = tool.add("manual", "a page for man, of the tool or of one command").hidden();
   auto name = std::make_shared<std::string>();
   manual.positional("command", name.get(), "whose page; of the tool unless given");
-  manual.does([name](const Command& command) { return print_manual_page(command, *name); });
+  auto folder = std::make_shared<std::string>();
+  manual.option("--out", folder.get(), "folder for every page and the scripts for the shells, in place of one page");
+  manual.does([name, folder](const Command& command) { return print_manual_page(command, *name, *folder); });
 }
 
 }  // namespace outrider::cli
