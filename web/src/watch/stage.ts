@@ -27,6 +27,7 @@ export class Stage {
   private plan: PlanView;
   private space: SpaceView | null = null;
   private stage = h("div", { class: "stage" });
+  private bar = h("div", { class: "stage-bar" });
   private switcher: HTMLElement;
   private legend: Legend;
   private followButton = iconButton("follow", "Follow the robot", () => this.setFollow(!this.following), "f");
@@ -43,11 +44,11 @@ export class Stage {
     this.switcher = h("div", { class: "segments", role: "group", "aria-label": "View" },
       h("button", { type: "button", "aria-pressed": "true", onclick: () => void this.show(false), title: "Plan view (v)" }, "Plan"),
       h("button", { type: "button", "aria-pressed": "false", onclick: () => void this.show(true), title: "View in space (v)" }, "3D"));
-    const bar = h("div", { class: "stage-bar" }, this.switcher, this.legend.element);
-    this.barWatcher = new ResizeObserver(() => { if (!this.legend.isOpen) this.plan.camera.headroom(Math.max(50, bar.offsetHeight + 20)); });
-    this.barWatcher.observe(bar);
+    this.bar.append(this.switcher, this.legend.element);
+    this.barWatcher = new ResizeObserver(() => { this.makeRoom(); });
+    this.barWatcher.observe(this.bar);
     this.menu = new MenuButton("save", "Export", acts.exports);
-    this.stage.append(this.plan.element, bar, h("div", { class: "stage-tools" }, this.legend.button, this.rulerButton, this.followButton, this.menu.element));
+    this.stage.append(this.plan.element, this.bar, h("div", { class: "stage-tools" }, this.legend.button, this.rulerButton, this.followButton, this.menu.element));
     this.element = h("section", { class: "panel stage-panel", "aria-label": "The run" }, this.stage);
   }
 
@@ -71,6 +72,15 @@ export class Stage {
   }
 
   private get view(): PlanView | SpaceView { return this.inSpace && this.space ? this.space : this.plan; }
+
+  /** Keeps room for the bar, which lies over the view; an open list of layers lies over it for a while only. */
+  private makeRoom(): void {
+    if (this.legend.isOpen) return;
+    const room = Math.max(50, this.bar.offsetHeight + 20);
+    this.plan.camera.headroom(room);
+    this.space?.headroom(room);
+  }
+
   get canvas(): HTMLCanvasElement { return this.view.canvas; }
 
   draw(now: Now): void {
@@ -89,9 +99,10 @@ export class Stage {
     keepInAddress({ view: space ? "3d" : "" });
     if (space && !this.space) {
       const { SpaceView: View } = await import("./space_view");
-      this.space ??= new View(this.run, this.acts.redraw, this.choice, (x, y) => this.plan.clickPlane(x, y));
+      this.space ??= new View(this.run, this.acts.redraw, this.choice, (x, y, now) => this.plan.clickPlane(x, y, now));
       this.space.follow = this.following;
       this.stage.prepend(this.space.element);
+      this.makeRoom();
     }
     this.plan.element.hidden = this.inSpace;
     if (this.space) this.space.element.hidden = !this.inSpace;

@@ -41,6 +41,17 @@ export const lookCases = ({ open, text, frames, server, folder }) => ({
     await row("names").locator("input[type=checkbox]").click();
     await frames(page);
     assert.notEqual(await picture(".space-view canvas"), named, "names stand in space");
+    assert.ok(Number(await page.locator(".space-view").getAttribute("data-names")) === 0);
+    await row("names").locator("input[type=checkbox]").click();
+    await frames(page);
+    assert.ok(Number(await page.locator(".space-view").getAttribute("data-names")) >= 20, "nearly all have room");
+    // What is drawn in plan is drawn in space as well.
+    for (const name of ["firing map", "planned tour"]) {
+      const before = await picture(".space-view canvas");
+      await row(name).locator("input[type=checkbox]").click();
+      await frames(page);
+      assert.notEqual(await picture(".space-view canvas"), before, name);
+    }
     await page.close();
   },
 
@@ -109,6 +120,12 @@ export const lookCases = ({ open, text, frames, server, folder }) => ({
     await frames(page);
     const measured = await page.locator(".plan-view").getAttribute("data-measured");
     assert.match(measured, /^(4\.9\d|5\.0\d) m, \u0394x (2\.9\d|3\.0\d) m, \u0394y (3\.9\d|4\.0\d) m, 5[23]\.\d\u00b0$/);
+    await page.keyboard.press("v");
+    await page.waitForSelector(".space-view canvas");
+    await frames(page);
+    const space = await page.locator(".space-view canvas").boundingBox();
+    await page.mouse.click(space.x + 0.51 * space.width, space.y + 0.45 * space.height);
+    await until("the house again", async () => await text(page, ".messages h2") === name && (await text(page, ".fields")).startsWith(`name${name}kind`));
     await page.close();
   },
 

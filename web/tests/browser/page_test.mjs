@@ -139,6 +139,14 @@ const cases = {
     const frame = await page.locator(".plan-view canvas").boundingBox();
     await page.mouse.move(frame.x + frame.width / 2, frame.y + frame.height / 2);
     assert.match(await text(page, ".plan-view .tip"), /^believed \d+ mm and .* off\n2\u03c3: \d+ mm by/);
+    await page.keyboard.press("v");
+    await page.waitForSelector(".space-view canvas");
+    const space = () => page.evaluate(() => document.querySelector(".space-view canvas").toDataURL());
+    await frames(page);
+    const compared = await space();
+    await page.locator('.legend .layer[data-layer="candidates"] label').click();
+    await frames(page);
+    assert.notEqual(await space(), compared, "the places that it compares stand in space");
     await page.goto(`${server.url}#watch/runs/drive/run.mcap?t=13&view=3d&follow=1`);
     await page.waitForSelector(".space-view canvas");
     await until("the drive", async () => (await text(page, ".job")) === "drive");
