@@ -4,7 +4,7 @@ import { send, type MapAnswer, type PlannerRow, type PlanRequest } from "../api"
 import { announce } from "../base/announce";
 import { h, iconButton } from "../base/dom";
 import { keys } from "../base/keys";
-import { MenuButton, type MenuItem } from "../base/menu";
+import { MenuButton, perform, type MenuItem } from "../base/menu";
 import type { Vec2 } from "../base/outline";
 import { onUnits } from "../base/units";
 import { keepInAddress } from "../base/url";
@@ -382,7 +382,7 @@ export class PlanPage {
       ...cameraKeys(() => this.seats.map(({ pane }) => pane.camera)),
       ...(this.ground.kind === "grid" ? [{ key: "M", words: "draw a maze over the whole map", act: () => this.fill(true) }] : []),
       { key: "S", words: "save as a scenario", act: () => void this.saving.save() },
-      ...["s", "g", "J"].map((key, i) => ({ key, words: `save ${this.exports()[i]!.about}`, act: () => this.exports()[i]!.act() })),
+      ...["s", "g", "J"].map((key, i) => ({ key, words: `save ${this.exports()[i]!.about}`, act: () => perform(this.exports()[i]) })),
     ], this);
   }
 }

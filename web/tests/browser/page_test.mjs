@@ -187,6 +187,7 @@ const cases = {
     await page.waitForSelector(".live-page .verdict");
     assert.match(await text(page, ".verdict"), /Done/);
     assert.match(await text(page, ".legend"), /covered.*lap.*lane.*move.*planned.*out of reach/);
+    assert.equal((await saved(page, () => page.keyboard.press("j"))).subarray(1, 5).toString(), "MCAP", "a run that was live has its log");
     const at = async (seconds) => {
       await page.locator(".transport input[type=range]").evaluate((slider, t) => {
         slider.value = String(t);
