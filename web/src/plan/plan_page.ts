@@ -178,6 +178,7 @@ export class PlanPage {
     if (!first) return;
     const below = Math.max(50, this.bar.offsetTop + this.bar.offsetHeight + 8);
     const stacked = second !== undefined && second.element.offsetTop > first.element.offsetTop;
+    first.element.style.flexBasis = stacked ? `${below - 16}px` : "";  // so both maps are of one size
     first.camera.headroom(below);
     second?.camera.headroom(stacked ? 16 : below);
   }

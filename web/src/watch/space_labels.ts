@@ -5,6 +5,7 @@ import type { Vec3 } from "../log/geometry";
 import type { Run } from "../log/run";
 import { targetsOf } from "../log/targets";
 import { disk, label } from "./layer";
+import { shortName } from "./names";
 import type { Actor } from "./space_parts";
 
 const dense = 2;  // pixels of a texture in one of the screen
@@ -61,7 +62,7 @@ export function numberSprite(number: number, filled: boolean, at: Vec3): Sprite 
 }
 
 export const labelActor = (run: Run): Actor[] => targetsOf(run).map((target) => {
-  const sprite = nameSprite(target.name.length > 28 ? `${target.name.slice(0, 27)}\u2026` : target.name);
+  const sprite = nameSprite(shortName(target.name));
   return { things: [sprite], act: ({ t, target: selected }) => {
     const place = target.placeAt(t);
     sprite.visible = place !== null;
