@@ -1,5 +1,6 @@
 // The stage: the plan and the view in space of the same instant, which of them is shown, its legend and its tools.
 import type { SceneAnswer } from "../api";
+import { announce } from "../base/announce";
 import { h, iconButton } from "../base/dom";
 import { MenuButton, type MenuItem } from "../base/menu";
 import { keepInAddress } from "../base/url";
@@ -19,6 +20,8 @@ export interface StageActs {
   tell: (told: Told) => void;
   exports: () => MenuItem[];
 }
+
+const measuring = "Measure in the plan: drag (r)";
 
 export class Stage {
   readonly element: HTMLElement;
@@ -105,6 +108,8 @@ export class Stage {
       this.makeRoom();
     }
     this.plan.element.hidden = this.inSpace;
+    this.rulerButton.disabled = this.inSpace;
+    this.rulerButton.title = this.inSpace ? "Lengths are measured in the plan view" : measuring;
     if (this.space) this.space.element.hidden = !this.inSpace;
     this.acts.redraw();
   }
@@ -119,7 +124,10 @@ export class Stage {
   }
 
   measure(): void {
-    if (this.inSpace) return;
+    if (this.inSpace) {
+      announce("Lengths are measured in the plan view.");
+      return;
+    }
     this.plan.ruler.toggle();
     this.plan.camera.moved();
     this.rulerButton.setAttribute("aria-pressed", String(this.plan.ruler.on));

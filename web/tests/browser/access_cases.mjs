@@ -75,6 +75,10 @@ export const accessCases = ({ open, text, frames, server, folder }) => ({
       await audit(`${name}, dark`, part, true);
       await page.emulateMedia({ forcedColors: "active" });
       await audit(`${name}, forced colours`, part, true);
+      found.push(...await page.locator(".button.primary:not(:disabled)").evaluateAll((all) => all.filter((one) => {
+        const { forcedColorAdjust, color, backgroundColor } = getComputedStyle(one);
+        return forcedColorAdjust !== "none" || color === backgroundColor;
+      }).map((one) => `${one.textContent} cannot be read in forced colours`)));
       await page.emulateMedia({ forcedColors: null });
       await page.evaluate(() => { document.documentElement.dataset.theme = "light"; });
     };

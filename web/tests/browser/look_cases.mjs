@@ -126,6 +126,8 @@ export const lookCases = ({ open, text, frames, server, folder }) => ({
     await page.keyboard.press("v");
     await page.waitForSelector(".space-view canvas");
     await frames(page);
+    const ruler = page.locator(".stage-tools button[aria-label^=Measure]");
+    assert.ok(await ruler.isDisabled() && /in the plan view$/.test(await ruler.getAttribute("title")), "the ruler is of the plan, and says so");
     const space = await page.locator(".space-view canvas").boundingBox();
     await page.mouse.click(space.x + 0.51 * space.width, space.y + 0.45 * space.height);
     await until("the house again", async () => await text(page, ".messages h2") === name && (await text(page, ".fields")).startsWith(`name${name}kind`));
