@@ -68,6 +68,7 @@ Json option_json(const Option& option) {
       std::holds_alternative<double*>(option.value) || std::holds_alternative<std::int64_t*>(option.value);
   if (number) object["low"] = option.low;
   if (number) object["high"] = option.high;
+  if (!option.choices.empty()) object["choices"] = option.choices;
   object["default"] = value_json(option);
   object["sentence"] = option.sentence;
   return object;

@@ -11,6 +11,8 @@ export interface OptionRow {
   high?: number;
   default: number | boolean | string;
   sentence: string;
+  /** Names of which a text is one. */
+  choices?: string[];
 }
 export interface PlannerRow {
   name: string;

@@ -12,6 +12,7 @@ import { offerMore, showPalette } from "./base/palette";
 import { startTheme, toggleTheme } from "./base/theme";
 import { entitle } from "./base/title";
 import { parseAddress, type Address } from "./base/url";
+import { mostCompared } from "./compare/differences";
 import { mayLeave, watchLeaving, type Work } from "./leaving";
 import type { RunLog } from "./log/run_log";
 import type { Source } from "./log/source";
@@ -74,7 +75,7 @@ async function viewOf({ view, path, query }: Address): Promise<View> {
   }
   if (view === "compare") {
     const { ComparePage } = await import("./compare/compare_page");
-    return ComparePage.open((query.runs ?? "").split(",").filter(Boolean).slice(0, 2), query);
+    return ComparePage.open((query.runs ?? "").split(",").filter(Boolean).slice(0, mostCompared), query);
   }
   const listed = getJson<{ folder: string; files: FileRow[] }>("files");
   if (view === "live") {

@@ -28,6 +28,7 @@ struct Option {
   std::variant<double*, std::int64_t*, bool*, std::string*> value;  ///< points to the member
   bool names_file =
       false;  ///< the value is the path of a file; in a scenario it is relative to the scenario file
+  std::vector<std::string> choices = {};  ///< names of which the text is one; empty if it may be any
 };
 
 /// Makes an option whose value is the path of a file to read.

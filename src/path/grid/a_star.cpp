@@ -19,8 +19,9 @@ std::vector<Option> describe(AStarOptions& options) {
            "weight of the estimate; above 1 the search is faster and the path at most so many times longer",
            &options.weight},
           {"heuristic", "", 0, 0, "the estimate of the length that is left: octile, euclidean or chebyshev",
-           &options.heuristic},
-          {"ties", "", 0, 0, "which of equal estimates comes first: largest_g or smallest_g", &options.ties}};
+           &options.heuristic, false, heuristics},
+          {"ties", "", 0, 0, "which of equal estimates comes first: largest_g or smallest_g", &options.ties,
+           false, tie_rules}};
 }
 
 Outcome<Plan> a_star(const Problem& problem, const AStarOptions& options, const Budget& budget,

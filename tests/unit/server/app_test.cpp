@@ -137,6 +137,20 @@ TEST_F(AppTest, MapsComeBackAsTheyWereDrawn) {
   EXPECT_EQ(json("POST", "/api/v1/maps", "{\"polygons\":" + room + "}")["polygons"], Json::parse(room));
 }
 
+TEST_F(AppTest, TheCatalogueListsTheNamesThatATextCanBe) {
+  const Json catalogue = Json::parse(ask("GET", "/api/v1/catalogue").body);
+  for (const Json& planner : catalogue["path_planners"]) {
+    if (planner["name"] != "a_star") continue;
+    for (const Json& option : planner["options"]) {
+      EXPECT_EQ(option.contains("choices"), option["type"] == "string") << option;
+      if (option["name"] != "ties") continue;
+      EXPECT_EQ(option["choices"], Json({"largest_g", "smallest_g"}));
+    }
+    return;
+  }
+  FAIL() << "the catalogue has no a_star";
+}
+
 TEST_F(AppTest, APictureAloneIsAMap) {
   const std::string picture("P5 2 2 255\n\xff\x00\xff\xff", 15);
   const Json map = json("POST", "/api/v1/maps?name=it%27s.pgm", picture);

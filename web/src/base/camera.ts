@@ -34,7 +34,7 @@ export class Camera {
   private watcher: ResizeObserver;
 
   constructor(readonly canvas: HTMLCanvasElement, public box: Box, private events: CameraEvents,
-    private margin = { left: 34, right: 20, top: 50, bottom: 40 }) {
+    private margin = { left: 34, right: 54, top: 50, bottom: 40 }) {
     this.ctx = canvas.getContext("2d")!;
     this.resize();
     this.watcher = new ResizeObserver(() => this.resize());

@@ -1,4 +1,5 @@
 // A button with a menu below it, as the ARIA practices describe one: arrows walk through it, Escape and a click beside it close it.
+import { announce } from "./announce";
 import { h, icon } from "./dom";
 
 export interface MenuItem {
@@ -7,6 +8,14 @@ export interface MenuItem {
   about: string;
   key?: string;
   act: () => void;
+  /** Why it cannot be chosen now; the menu says so, and its key announces it. */
+  refusal?: string | false;
+}
+
+/** Acts as somebody chose, by the menu or by a key, unless it cannot be chosen now. */
+export function perform(item: MenuItem | undefined): void {
+  if (item?.refusal) announce(`${item.name}: ${item.refusal}.`);
+  else item?.act();
 }
 
 export class MenuButton {
@@ -32,10 +41,18 @@ export class MenuButton {
     removeEventListener("pointerdown", this.away);
     if (!open) return;
     addEventListener("pointerdown", this.away);
-    this.list.replaceChildren(...this.items().map(({ name, about, key, act }) => h("li", { role: "none" },
-      h("button", { type: "button", role: "menuitem", tabindex: -1, onclick: () => { this.show(false); this.button.focus(); act(); } },
-        h("b", {}, name), h("span", {}, about), key ? h("kbd", {}, key) : null))));
+    this.list.replaceChildren(...this.items().map((item) => h("li", { role: "none" },
+      h("button", { type: "button", role: "menuitem", tabindex: -1, "aria-disabled": item.refusal ? "true" : null, onclick: () => this.choose(item) },
+        h("b", {}, item.name), h("span", {}, item.refusal || item.about), item.key ? h("kbd", {}, item.key) : null))));
     this.list.querySelector("button")?.focus();
+  }
+
+  private choose(item: MenuItem): void {
+    if (!item.refusal) {
+      this.show(false);
+      this.button.focus();
+    }
+    perform(item);
   }
 
   private walk(event: KeyboardEvent): void {

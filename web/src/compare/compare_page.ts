@@ -1,4 +1,4 @@
-// Two runs beside each other: the same time in both, and where their numbers differ.
+// Two runs or more beside each other: the same time in all, and where their numbers differ.
 import { fileAt, getJson, type RunRow } from "../api";
 import { h, icon } from "../base/dom";
 import { keys } from "../base/keys";
@@ -10,7 +10,7 @@ import type { RunLog } from "../log/run_log";
 import { stateWords } from "../live/states";
 import { Clock } from "../watch/clock";
 import { PlanView } from "../watch/plan_view";
-import { ghostOf } from "./ghost_layer";
+import { ghostsOf } from "./ghost_layer";
 import { differencesOf } from "./differences";
 import "./compare.css";
 
@@ -22,7 +22,7 @@ export class ComparePage {
   private sides: Side[];
   private clock: Clock;
   private play = h("button", { type: "button", class: "play", "aria-label": "Play or pause", title: "Play or pause (space)", onclick: () => this.clock.toggle() });
-  private slider = h("input", { type: "range", min: 0, step: "any", value: 0, "aria-label": "Time of both runs" });
+  private slider = h("input", { type: "range", min: 0, step: "any", value: 0, "aria-label": "Time of all runs" });
   private time = h("output", { class: "clock" });
   private overlaid = false;
   private modes: HTMLElement;
@@ -52,7 +52,7 @@ export class ComparePage {
     this.modes = h("div", { class: "segments", role: "group", "aria-label": "Layout" }, ...["Side by side", "Overlaid"].map((name, i) =>
       h("button", { type: "button", "aria-pressed": "false", onclick: () => this.overlay(i === 1) }, name)));
     this.views = h("div", { class: "compare-views" }, ...this.sides.map((side, i) => this.panel(side, i)));
-    this.element = h("div", { class: "page compare" }, h("div", { class: "page-head" }, h("h1", {}, "Compare runs"), this.sides.length === 2 && this.modes), this.views, bar, this.table());
+    this.element = h("div", { class: "page compare" }, h("div", { class: "page-head" }, h("h1", {}, "Compare runs"), this.sides.length > 1 && this.modes), this.views, bar, this.table());
     this.overlay(query.layout === "over");
     this.bindKeys();
     this.clock.seek(Number(query.t) || 0);
@@ -68,12 +68,12 @@ export class ComparePage {
     keys.drop(this);
   }
 
-  /** The second run over the plan of the first, or beside it. */
+  /** The other runs over the plan of the first, or beside it. */
   private overlay(on: boolean): void {
     this.overlaid = on;
     [...this.modes.children].forEach((one, i) => one.setAttribute("aria-pressed", String(on === (i === 1))));
-    const [first, second] = this.sides;
-    first?.view.lay(on && second ? ghostOf(second.run) : null);
+    const [first, ...others] = this.sides;
+    first?.view.lay(on && others.length > 0 ? ghostsOf(others.map(({ run }) => run)) : null);
     this.views.classList.toggle("overlaid", on);
     keepInAddress({ layout: on ? "over" : "" });
     this.invalidate();
@@ -86,12 +86,12 @@ export class ComparePage {
       h("div", { class: "stage" }, view.element), clock);
   }
 
-  /** The metrics of both, those that differ marked. */
+  /** The metrics of all, those that differ marked. */
   private table(): HTMLElement {
     const rows = differencesOf(this.sides.map(({ log, row }) => log.summary?.metrics ?? row.summary?.metrics ?? {}));
     const count = rows.filter(({ differs }) => differs).length;
     return h("section", { class: "panel compare-numbers" }, h("h2", {}, count === 0 ? "All numbers are the same" : `${count} of ${rows.length} numbers differ`),
-      h("table", {}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "metric"), ...this.sides.map(({ row }) => h("th", { scope: "col" }, nameOf(row))), h("th", { scope: "col" }, "difference"))),
+      h("table", {}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "metric"), ...this.sides.map(({ row }) => h("th", { scope: "col" }, nameOf(row))), h("th", { scope: "col" }, this.sides.length > 2 ? "last less first" : "difference"))),
         h("tbody", {}, ...rows.map(({ name, values, unit, differs, change }) => h("tr", { class: differs ? "differs" : "" }, h("th", { scope: "row" }, name),
           ...values.map((value) => h("td", {}, value, unit && h("small", {}, ` ${unit}`))), h("td", {}, change || (differs ? "differs" : "same")))))));
   }

@@ -1,6 +1,9 @@
 // The metrics of several runs, beside each other: which differ, and by how much.
 import { finite, metric, minus, type Num } from "../base/numbers";
 
+/** So many runs are compared at a time. */
+export const mostCompared = 4;
+
 export interface Difference {
   name: string;
   /** As the page shows them; a dash where a run has no such metric. */

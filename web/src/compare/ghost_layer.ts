@@ -1,10 +1,19 @@
-// Another run over the plan of one: where its robot drove until now, dashed, and where it is.
+// Other runs over the plan of one: where their robots drove until now, each with dashes of its own, and where they are.
 import { lastNotAfter } from "../log/track";
 import { theme } from "../base/theme";
 import type { Run } from "../log/run";
 import { disk, traceWay, type Layer } from "../watch/layer";
 
-export function ghostOf(run: Run): Layer {
+/** Of the second run, the third and so on; compare.css has the same. */
+const dashes = [[7, 4], [2, 3], [10, 3, 2, 3]];
+const colours = ["belief", "open", "reached"] as const;
+
+export function ghostsOf(runs: Run[]): Layer {
+  const ghosts = runs.map(ghostOf);
+  return { moving: (pen) => ghosts.forEach((one) => one.moving!(pen)) };
+}
+
+function ghostOf(run: Run, index: number): Layer {
   const { track, radius } = run;
   return {
     moving(pen) {
@@ -12,9 +21,9 @@ export function ghostOf(run: Run): Layer {
       if (track.length === 0) return;
       const t = Math.min(now.t, run.duration);
       const at = track.at(t);
-      ctx.strokeStyle = theme.belief;
+      ctx.strokeStyle = theme[colours[index % colours.length]!];
       ctx.lineWidth = camera.px(2.2);
-      ctx.setLineDash([camera.px(7), camera.px(4)]);
+      ctx.setLineDash(dashes[index % dashes.length]!.map((length) => camera.px(length)));
       ctx.beginPath();
       traceWay(pen, track.x, track.y, lastNotAfter(track.time, t) + 1);
       ctx.lineTo(at.x, at.y);

@@ -135,6 +135,7 @@ export class LivePage {
     this.timer = 0;
     const { log, complete } = this.log;
     const goesOn = !complete && !this.ended;
+    if (this.ended) log.file ??= { whole: async () => (await fileAt(`runs/${this.id}/log`)).whole() };
     this.element.dataset.samples = String((log.channels.get(topic.pose) ?? log.channels.get(topic.belief))?.count ?? 0);
     if (complete) this.head.replaceChildren(...title(log));
     else this.name.replaceWith(this.name = heading(log));

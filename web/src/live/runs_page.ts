@@ -1,4 +1,5 @@
 // The runs page: lists the missions of this server, newest first, with a form that starts another.
+import { mostCompared } from "../compare/differences";
 import { getJson, startRun, type FileRow, type RunsAnswer } from "../api";
 import { h } from "../base/dom";
 import { formatAddress } from "../base/url";
@@ -49,17 +50,17 @@ export class RunsPage {
     await startRun(scenario, seed).catch((error: Error) => { this.refusal.textContent = error.message; });
   }
 
-  /** Two are compared: a third takes the place of the first. */
+  /** Two are compared or more; where there is room for no other, it takes the place of the first. */
   private choose(id: string, on: boolean): void {
     if (on) this.chosen.add(id);
     else this.chosen.delete(id);
-    if (this.chosen.size > 2) this.chosen.delete([...this.chosen][0]!);
+    if (this.chosen.size > mostCompared) this.chosen.delete([...this.chosen][0]!);
     this.show(this.answer);
   }
 
   private showChoice(): void {
-    this.compare.disabled = this.chosen.size !== 2;
-    this.compare.title = this.compare.disabled ? "Choose two runs that left a log" : "Show both beside each other, and where their numbers differ";
+    this.compare.disabled = this.chosen.size < 2;
+    this.compare.title = this.compare.disabled ? "Choose two runs or more that left a log" : "Show them beside each other, and where their numbers differ";
   }
 
   /** The older one comes first. */

@@ -64,8 +64,8 @@ export class RunLog {
   ahead = 0;
   /** The log has been read as far as it goes, and has no end: its run was killed, or its file was cut. */
   cut = false;
-  /** The file, where there is one. */
-  file: Source | null = null;
+  /** The file, where there is one, to be saved. */
+  file: Pick<Source, "whole"> | null = null;
   /** Called when a part of a large file has been read: light topics that `grew`, or what was asked for. What shows the log sets it. */
   changed: (grew: boolean) => void = () => undefined;
   private chunks: Chunks | null = null;

@@ -17,13 +17,6 @@ export function valueOf(option: OptionRow, text: string): { value: number | stri
   return { refusal: `${option.name}: '${text}' is not valid; expected ${kind}${range}${option.unit ? ` ${option.unit}` : ""}` };
 }
 
-/** The names that an option of text takes, if its sentence ends with them: "...: octile, euclidean or chebyshev"; else none. */
-export function choicesOf(option: OptionRow): string[] {
-  const listed = option.type === "string" ? option.sentence.match(/: ((?:\w+, )*\w+ or \w+)$/)?.[1] : undefined;
-  const names = listed?.split(/, | or /) ?? [];
-  return names.includes(String(option.default)) ? names : [];
-}
-
 function field(option: OptionRow, given: Values, changed: (refusal: string) => void): HTMLElement {
   const now = given[option.name] ?? option.default;
   const keep = (value: number | boolean | string): void => {
@@ -37,9 +30,8 @@ function field(option: OptionRow, given: Values, changed: (refusal: string) => v
     box.addEventListener("change", () => keep(box.checked));
     return box;
   }
-  const choices = choicesOf(option);
-  if (choices.length > 0) {
-    const select = h("select", { id }, ...choices.map((name) => h("option", { value: name, selected: name === now }, choiceTitle(name))));
+  if (option.choices) {
+    const select = h("select", { id }, ...option.choices.map((name) => h("option", { value: name, selected: name === now }, choiceTitle(name))));
     select.addEventListener("change", () => keep(select.value));
     return select;
   }

@@ -4,7 +4,7 @@ import { send, type MapAnswer, type PlannerRow, type PlanRequest } from "../api"
 import { announce } from "../base/announce";
 import { h, iconButton } from "../base/dom";
 import { keys } from "../base/keys";
-import { MenuButton, type MenuItem } from "../base/menu";
+import { MenuButton, perform, type MenuItem } from "../base/menu";
 import type { Vec2 } from "../base/outline";
 import { onUnits } from "../base/units";
 import { keepInAddress } from "../base/url";
@@ -178,6 +178,7 @@ export class PlanPage {
     if (!first) return;
     const below = Math.max(50, this.bar.offsetTop + this.bar.offsetHeight + 8);
     const stacked = second !== undefined && second.element.offsetTop > first.element.offsetTop;
+    first.element.style.flexBasis = stacked ? `${below - 16}px` : "";  // so both maps are of one size
     first.camera.headroom(below);
     second?.camera.headroom(stacked ? 16 : below);
   }
@@ -382,7 +383,7 @@ export class PlanPage {
       ...cameraKeys(() => this.seats.map(({ pane }) => pane.camera)),
       ...(this.ground.kind === "grid" ? [{ key: "M", words: "draw a maze over the whole map", act: () => this.fill(true) }] : []),
       { key: "S", words: "save as a scenario", act: () => void this.saving.save() },
-      ...["s", "g", "J"].map((key, i) => ({ key, words: `save ${this.exports()[i]!.about}`, act: () => this.exports()[i]!.act() })),
+      ...["s", "g", "J"].map((key, i) => ({ key, words: `save ${this.exports()[i]!.about}`, act: () => perform(this.exports()[i]) })),
     ], this);
   }
 }

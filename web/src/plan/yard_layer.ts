@@ -3,13 +3,11 @@ import type { Camera } from "../base/camera";
 import type { Vec2 } from "../base/outline";
 import { theme } from "../base/theme";
 import { disk, label } from "../watch/layer";
+import { placeNames, shortName } from "../watch/names";
 import { drawHandle } from "./handle";
 import type { Item, Yard } from "./yard";
 
 type Ctx = CanvasRenderingContext2D;
-
-/** The scale in pixels per metre below which only the selected item is labelled. */
-const least_named = 22;
 
 function trace(ctx: Ctx, polygons: readonly Vec2[][]): void {
   ctx.beginPath();
@@ -46,7 +44,7 @@ function drawObstacle(ctx: Ctx, camera: Camera, yard: Yard, item: Item, selected
 
 /** Draws the box of a target, and a sign by which to grab it. */
 function drawTarget(ctx: Ctx, camera: Camera, yard: Yard, index: number, selected: boolean): void {
-  const { name, position: [x, y], size: [length, width], heading_rad } = yard.targets[index]!;
+  const { position: [x, y], size: [length, width], heading_rad } = yard.targets[index]!;
   ctx.save();
   ctx.translate(x, y);
   ctx.rotate(heading_rad);
@@ -63,13 +61,24 @@ function drawTarget(ctx: Ctx, camera: Camera, yard: Yard, index: number, selecte
   ctx.strokeStyle = selected ? theme.ink : theme.yard;
   ctx.lineWidth = selected ? 3 : 2;
   ctx.stroke();
-  ctx.font = `11.5px ${theme.sans}`;
-  ctx.textBaseline = "middle";
-  const left = at.x + 16 + ctx.measureText(name).width > camera.width;
-  ctx.textAlign = left ? "right" : "left";
-  if (selected || camera.scale > least_named) label(ctx, name, at.x + (left ? -12 : 12), at.y, theme.ink, theme.panel);
   ctx.restore();
   camera.toPlane(ctx);
+}
+
+/** Names of targets, each where it covers no other and no sign; the selected one has its place first. */
+function drawNames(ctx: Ctx, camera: Camera, yard: Yard, selected: number): void {
+  ctx.save();
+  camera.toScreen(ctx);
+  const named = yard.targets.map(({ name, position }) => ({ text: shortName(name), ...camera.screen(position[0], position[1]) }));
+  const order = [...named.keys()].sort((a, b) => Number(b === selected) - Number(a === selected));
+  const places = placeNames(ctx, camera, order.map((index) => named[index]!));
+  ctx.textAlign = "left";
+  ctx.textBaseline = "middle";
+  order.forEach((index, i) => {
+    const [{ text, x, y }, place] = [named[index]!, places[i]];
+    if (place) label(ctx, text, x + place.x, y + place.y, theme.ink, theme.panel);
+  });
+  ctx.restore();
 }
 
 /** Returns the distance from the middle of an item to the arm of its handle. */
@@ -80,6 +89,7 @@ export function drawYard(ctx: Ctx, camera: Camera, yard: Yard, selected: Item | 
   for (const item of yard.obstacles) if (!is(item)) drawObstacle(ctx, camera, yard, item, false);
   if (selected?.what === "thing" || selected?.what === "box") drawObstacle(ctx, camera, yard, selected, true);
   yard.targets.forEach((_, index) => drawTarget(ctx, camera, yard, index, is({ what: "target", index })));
+  drawNames(ctx, camera, yard, selected?.what === "target" ? selected.index : -1);
   if (!selected || selected.what === "robot" || yard.isRemoved(selected)) return;
   const colour = selected.what === "target" ? theme.water : theme.ink;
   drawHandle(ctx, camera, yard.middle(selected), yard.turn(selected), colour, false, beyond(yard, selected));

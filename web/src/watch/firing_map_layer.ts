@@ -7,7 +7,7 @@ import { firingMapOf } from "../log/tours";
 import type { Layer } from "./layer";
 
 /** A pixel a cell, black, as opaque as its share of the targets. */
-const shares = once(({ info: { width, height }, data }: OccupancyGrid): { sheet: HTMLCanvasElement; most: number } => {
+const shares = once(({ info: { width, height }, data }: OccupancyGrid): { sheet: HTMLCanvasElement } => {
   const sheet = Object.assign(document.createElement("canvas"), { width: Math.max(1, width), height: Math.max(1, height) });
   const image = new ImageData(sheet.width, sheet.height);
   let most = 1;
@@ -16,11 +16,12 @@ const shares = once(({ info: { width, height }, data }: OccupancyGrid): { sheet:
     for (let column = 0; column < width; ++column, ++i) image.data[4 * ((height - 1 - row) * width + column) + 3] = (255 * Math.max(0, data[i]!)) / most;
   }
   sheet.getContext("2d")!.putImageData(image, 0, 0);
-  return { sheet, most };
+  return { sheet };
 });
 
-/** The picture in a colour of the theme. */
-function tinted({ sheet }: { sheet: HTMLCanvasElement }, colour: string): HTMLCanvasElement {
+/** A pixel a cell in a colour of the theme, the upper row first. */
+export function firingPicture(grid: OccupancyGrid, colour: string): HTMLCanvasElement {
+  const { sheet } = shares(grid);
   const made = Object.assign(document.createElement("canvas"), { width: sheet.width, height: sheet.height });
   const ctx = made.getContext("2d")!;
   ctx.drawImage(sheet, 0, 0);
@@ -38,7 +39,7 @@ export function firingMap(run: Run): Layer | null {
   let [picture, colour] = [null as HTMLCanvasElement | null, ""];
   return {
     still({ ctx }) {
-      if (colour !== theme.water) [picture, colour] = [tinted(shares(grid), theme.water), theme.water];
+      if (colour !== theme.water) [picture, colour] = [firingPicture(grid, theme.water), theme.water];
       ctx.save();
       ctx.globalAlpha = 0.4;
       ctx.imageSmoothingEnabled = false;

@@ -13,6 +13,8 @@ export class LanePlot {
   private canvas = h("canvas", { role: "img" });
   private cursor = h("i", { class: "lane-cursor" });
   private words = h("p", { class: "lane-words" });
+  private pointed = false;
+  private t = 0;
   private range: [number, number] = [0, 1];
 
   constructor(private lanes: Lanes, private acts: { point: (t: number | null) => void; seek: (t: number) => void }) {
@@ -24,13 +26,29 @@ export class LanePlot {
       this.tell(event);
     });
     area.addEventListener("pointerleave", () => {
-      this.words.textContent = "";
+      this.pointed = false;
+      this.sayPresent();
       this.acts.point(null);
     });
     area.addEventListener("click", (event) => this.acts.seek(this.timeAt(event)));
   }
 
   renew(lanes: Lanes): void { this.lanes = lanes; }
+
+  /** What each colour means, and how many are in that state at the present time. */
+  private sayPresent(): void {
+    if (this.pointed) return;
+    const { lanes } = this.lanes;
+    const states = new Map(lanes.flatMap(({ stretches }) => stretches).map((one) => [one.words, one]));
+    const now = lanes.map((lane) => stretchAt(lane, this.t)?.words);
+    const text = [...states.keys()].map((words) => `${words} ${now.filter((one) => one === words).length}`).join();
+    if (text === this.words.dataset.text) return;
+    this.words.dataset.text = text;
+    this.words.replaceChildren(...[...states].map(([words, { colour, faint }]) => {
+      const count = now.filter((one) => one === words).length;
+      return h("span", { class: count > 0 ? "present" : null }, h("i", { class: "swatch", style: `background:var(--${colour});opacity:${faint ? 0.4 : 1}` }), words, lanes.length > 1 && h("b", {}, String(count)));
+    }));
+  }
 
   private get across(): number { return Math.max(1, this.canvas.clientWidth - left - right); }
 
@@ -42,7 +60,12 @@ export class LanePlot {
   private tell(event: MouseEvent): void {
     const lane = this.lanes.lanes[Math.floor((event.clientY - this.canvas.getBoundingClientRect().top) / thick)];
     const there = lane && stretchAt(lane, this.timeAt(event));
-    this.words.textContent = there ? `${lane.name}: ${there.words}` : "";
+    this.pointed = there !== undefined;
+    if (!there) {
+      this.sayPresent();
+      return;
+    }
+    this.words.textContent = this.words.dataset.text = `${lane!.name}: ${there.words}`;
   }
 
   draw(range: [number, number], width: number): void {
@@ -66,6 +89,8 @@ export class LanePlot {
   }
 
   show(t: number): void {
+    this.t = t;
+    this.sayPresent();
     const [from, to] = this.range;
     this.cursor.hidden = t < from || t > to;
     this.cursor.style.left = `${left + ((t - from) / (to - from)) * this.across}px`;

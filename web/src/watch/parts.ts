@@ -36,6 +36,7 @@ const signs: Record<string, (run: Run) => HTMLElement[] | null> = {
   "blocked flights": (run) => (blockedOf(run).size > 0 ? [line("blocked flights", "border-color:var(--unreachable);border-top-style:dashed")] : []),
   "stations": () => [swatch("stations", "background:var(--water)")],
   "targets": (run) => statuses.filter((status) => status === "waiting" || targetsOf(run).some((one) => one.status === status)).map((status) => entry(signElement(status), status)),
+  "names": () => [entry(h("i", { class: "letters-sign" }, "Aa"), "names")],
   "candidates": () => [swatch("candidates", "background:var(--open);border-radius:50%")],
   "robot": (run) => {
     const ways = mapped(run, /^way /);

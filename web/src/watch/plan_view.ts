@@ -183,8 +183,12 @@ export class PlanView {
     this.chooseAt(at);
   }
 
-  /** Selects what is at a place of the plane, as a click on the plan would. */
-  clickPlane(x: number, y: number): void { this.chooseAt(this.camera.screen(x, y)); }
+  /** Selects what is at a place of the plane, as a click on the plan would; it may never have been drawn. */
+  clickPlane(x: number, y: number, now: Now): void {
+    this.now = now;
+    if (this.run !== this.drawn) this.bringUpToDate();
+    this.chooseAt(this.camera.screen(x, y));
+  }
 
   private chooseAt(at: Point): void {
     const { target, shot, told } = this.find(at);

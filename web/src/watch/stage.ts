@@ -1,5 +1,6 @@
 // The stage: the plan and the view in space of the same instant, which of them is shown, its legend and its tools.
 import type { SceneAnswer } from "../api";
+import { announce } from "../base/announce";
 import { h, iconButton } from "../base/dom";
 import { MenuButton, type MenuItem } from "../base/menu";
 import { keepInAddress } from "../base/url";
@@ -20,6 +21,8 @@ export interface StageActs {
   exports: () => MenuItem[];
 }
 
+const measuring = "Measure in the plan: drag (r)";
+
 export class Stage {
   readonly element: HTMLElement;
   inSpace = false;
@@ -27,6 +30,7 @@ export class Stage {
   private plan: PlanView;
   private space: SpaceView | null = null;
   private stage = h("div", { class: "stage" });
+  private bar = h("div", { class: "stage-bar" });
   private switcher: HTMLElement;
   private legend: Legend;
   private followButton = iconButton("follow", "Follow the robot", () => this.setFollow(!this.following), "f");
@@ -43,11 +47,11 @@ export class Stage {
     this.switcher = h("div", { class: "segments", role: "group", "aria-label": "View" },
       h("button", { type: "button", "aria-pressed": "true", onclick: () => void this.show(false), title: "Plan view (v)" }, "Plan"),
       h("button", { type: "button", "aria-pressed": "false", onclick: () => void this.show(true), title: "View in space (v)" }, "3D"));
-    const bar = h("div", { class: "stage-bar" }, this.switcher, this.legend.element);
-    this.barWatcher = new ResizeObserver(() => { if (!this.legend.isOpen) this.plan.camera.headroom(Math.max(50, bar.offsetHeight + 20)); });
-    this.barWatcher.observe(bar);
+    this.bar.append(this.switcher, this.legend.element);
+    this.barWatcher = new ResizeObserver(() => { this.makeRoom(); });
+    this.barWatcher.observe(this.bar);
     this.menu = new MenuButton("save", "Export", acts.exports);
-    this.stage.append(this.plan.element, bar, h("div", { class: "stage-tools" }, this.legend.button, this.rulerButton, this.followButton, this.menu.element));
+    this.stage.append(this.plan.element, this.bar, h("div", { class: "stage-tools" }, this.legend.button, this.rulerButton, this.followButton, this.menu.element));
     this.element = h("section", { class: "panel stage-panel", "aria-label": "The run" }, this.stage);
   }
 
@@ -71,6 +75,15 @@ export class Stage {
   }
 
   private get view(): PlanView | SpaceView { return this.inSpace && this.space ? this.space : this.plan; }
+
+  /** Keeps room for the bar, which lies over the view; an open list of layers lies over it for a while only. */
+  private makeRoom(): void {
+    if (this.legend.isOpen) return;
+    const room = Math.max(50, this.bar.offsetHeight + 20);
+    this.plan.camera.headroom(room);
+    this.space?.headroom(room);
+  }
+
   get canvas(): HTMLCanvasElement { return this.view.canvas; }
 
   draw(now: Now): void {
@@ -89,11 +102,14 @@ export class Stage {
     keepInAddress({ view: space ? "3d" : "" });
     if (space && !this.space) {
       const { SpaceView: View } = await import("./space_view");
-      this.space ??= new View(this.run, this.acts.redraw, this.choice, (x, y) => this.plan.clickPlane(x, y));
+      this.space ??= new View(this.run, this.acts.redraw, this.choice, (x, y, now) => this.plan.clickPlane(x, y, now));
       this.space.follow = this.following;
       this.stage.prepend(this.space.element);
+      this.makeRoom();
     }
     this.plan.element.hidden = this.inSpace;
+    this.rulerButton.disabled = this.inSpace;
+    this.rulerButton.title = this.inSpace ? "Lengths are measured in the plan view" : measuring;
     if (this.space) this.space.element.hidden = !this.inSpace;
     this.acts.redraw();
   }
@@ -108,7 +124,10 @@ export class Stage {
   }
 
   measure(): void {
-    if (this.inSpace) return;
+    if (this.inSpace) {
+      announce("Lengths are measured in the plan view.");
+      return;
+    }
     this.plan.ruler.toggle();
     this.plan.camera.moved();
     this.rulerButton.setAttribute("aria-pressed", String(this.plan.ruler.on));

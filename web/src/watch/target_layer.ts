@@ -1,6 +1,5 @@
 // Targets: their boxes, the sign of their state, their names where there is room.
-import type { Camera } from "../base/camera";
-import { Path, type Ink } from "../base/ink";
+import { Path } from "../base/ink";
 import { fixed } from "../base/numbers";
 import { drawSign, statusColour } from "../base/signs";
 import { theme } from "../base/theme";
@@ -8,9 +7,7 @@ import type { Run } from "../log/run";
 import { topic } from "../log/topics";
 import { targetsOf, type TargetStory } from "../log/targets";
 import { disk, label, type Layer, type Pen } from "./layer";
-
-/** Where the name stands from the sign of its target, in pixels. */
-interface Name { text: string; x: number; y: number; target: TargetStory }
+import { nameFont, placeNames, shortName } from "./names";
 
 function boxOf({ last: { size, yaw } }: TargetStory): Path {
   const [length, width] = [size.x / 2, size.y / 2];
@@ -23,33 +20,12 @@ function boxOf({ last: { size, yaw } }: TargetStory): Path {
   return path;
 }
 
-/** Names beside their signs, each where it covers nothing that stands there already. */
-function placeNames(ctx: Ink, camera: Camera, targets: TargetStory[]): Name[] {
-  ctx.font = `11.5px ${theme.sans}`;
-  type Area = [number, number, number, number];
-  const signs = targets.map((one) => camera.screen(one.centre[0], one.centre[1]));
-  const taken: Area[] = signs.map(({ x, y }) => [x - 8, y - 8, x + 8, y + 8]);
-  const free = ([x0, y0, x1, y1]: Area): boolean => x0 > 2 && x1 < camera.width - 2 && y0 > 2 && y1 < camera.height - 2 &&
-    taken.every((other) => x0 > other[2] || x1 < other[0] || y0 > other[3] || y1 < other[1]);
-  return targets.flatMap((target, i) => {
-    const { x, y } = signs[i]!;
-    const text = target.name.length > 28 ? target.name.slice(0, 27) + "\u2026" : target.name;
-    const width = ctx.measureText(text).width;
-    for (const [left, middle] of [[x + 11, y], [x - 11 - width, y], [x - width / 2, y - 16], [x - width / 2, y + 16]] as const) {
-      const area: Area = [left - 2, middle - 7, left + width + 2, middle + 7];
-      if (!free(area)) continue;
-      taken.push(area);
-      return [{ text, x: left - x, y: middle - y, target }];
-    }
-    return [];
-  });
-}
-
 export function targets(run: Run): Layer | null {
   const all = targetsOf(run);
   if (all.length === 0) return null;
   const boxes = all.map(boxOf);
-  let names: Name[] = [];
+  const texts = all.map(({ name }) => shortName(name));
+  let names: ReturnType<typeof placeNames> = [];
 
   function drawTarget({ ctx, camera, now }: Pen, target: TargetStory, box: Path): void {
     const place = target.placeAt(now.t);
@@ -84,7 +60,7 @@ export function targets(run: Run): Layer | null {
   return {
     still({ ctx, camera }) {
       camera.toScreen(ctx);
-      names = placeNames(ctx, camera, all);
+      names = placeNames(ctx, camera, all.map(({ centre }, i) => ({ text: texts[i]!, ...camera.screen(centre[0], centre[1]) })));
     },
     moving(pen) {
       const { ctx, camera, now } = pen;
@@ -92,12 +68,12 @@ export function targets(run: Run): Layer | null {
       camera.toScreen(ctx);
       ctx.textAlign = "left";
       ctx.textBaseline = "middle";
-      for (const { text, x, y, target } of names) {
-        const place = target.placeAt(now.t);
-        if (!place || place[0] !== target.centre[0] || place[1] !== target.centre[1]) continue;
-        ctx.font = `${target === now.target ? 650 : 450} 11.5px ${theme.sans}`;
+      for (const [i, target] of all.entries()) {
+        const [name, place] = [names[i], target.placeAt(now.t)];
+        if (!name || !place || place[0] !== target.centre[0] || place[1] !== target.centre[1]) continue;
+        ctx.font = nameFont(target === now.target ? 650 : 450);
         const sign = camera.screen(...place);
-        label(ctx, text, sign.x + x, sign.y + y, theme.ink, theme.yard);
+        label(ctx, texts[i]!, sign.x + name.x, sign.y + name.y, theme.ink, theme.yard);
       }
     },
     find(at, { camera, now }) {

@@ -4,7 +4,7 @@ import { h } from "../base/dom";
 import { keepInAddress } from "../base/url";
 import { keys } from "../base/keys";
 import { clockText, finite } from "../base/numbers";
-import type { MenuItem } from "../base/menu";
+import { perform, type MenuItem } from "../base/menu";
 import { saveBlob, saveCanvas, saveText } from "../base/save";
 import { flightsOf, type Flight } from "../log/flights";
 import { Run } from "../log/run";
@@ -243,12 +243,13 @@ export class Watch {
   /** What can be saved: the view at this instant, a film of it, the run. */
   private exports(): MenuItem[] {
     const { log } = this;
+    const later = "when the run is over";
     return [
       { name: "PNG", about: "this view as a picture", key: "s", act: () => saveCanvas(this.stage.canvas, `${this.instant}.png`) },
       { name: "SVG", about: "the plan as shapes and text", key: "g", act: () => saveText(this.stage.svg(this.present), `${this.instant}.svg`, "image/svg+xml") },
       { name: hasEncoder() ? "WebM" : "Frames", about: "a film of this view", key: "m", act: () => this.saveFilm() },
-      ...(log.summary ? [{ name: "JSON", about: "how the run ended, its numbers", key: "J", act: () => saveText(JSON.stringify(log.summary, null, 1), "run.json") }] : []),
-      ...(log.file ? [{ name: "MCAP", about: "the log of the run", key: "j", act: () => void log.file!.whole().then((blob) => saveBlob(blob, "run.mcap")) }] : []),
+      { name: "JSON", about: "how the run ended, its numbers", key: "J", refusal: !log.summary && (this.run.goesOn ? later : "the log was cut short, before its end"), act: () => saveText(JSON.stringify(log.summary, null, 1), "run.json") },
+      { name: "MCAP", about: "the log of the run", key: "j", refusal: !log.file && later, act: () => void log.file!.whole().then((blob) => saveBlob(blob, "run.mcap")) },
     ];
   }
 
@@ -276,7 +277,7 @@ export class Watch {
       { key: "-", words: "zoom out", act: () => stage.zoom(false) },
       { key: "0", words: "show everything", act: () => stage.reset() },
       { key: "t", words: "next tab", act: () => this.tabs.next() },
-      ...this.exports().map(({ name, about, key, act }) => ({ key: key!, words: `save ${about} (${name})`, act })),
+      ...this.exports().map(({ name, about, key }, i) => ({ key: key!, words: `save ${about} (${name})`, act: () => perform(this.exports()[i]) })),
     ], this);
   }
 }

@@ -7,7 +7,7 @@ import { reasonsOf, type Choices, type Reason, type Reasons } from "./reasons";
 const most = 500;  // rows that are listed
 
 /** Shown below the decision that holds. */
-const choiceTable = ({ head, rows }: Choices): HTMLElement => h("table", { class: "choices" }, h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text || h("span", { class: "unseen" }, "rank"))))),
+const choiceTable = ({ head, rows }: Choices): HTMLElement => h("table", { class: "candidates" }, h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text || h("span", { class: "unseen" }, "rank"))))),
   h("tbody", {}, ...rows.map(({ cells, chosen }) => h("tr", chosen ? { class: "chosen" } : {}, ...cells.map((text, i) => h("td", {}, chosen && i === 0 ? `${text} \u2713` : text))))));
 
 export class WhyView {

@@ -38,6 +38,9 @@ const views = [
 /** What is wrong with a view in a small window; runs in the page. */
 function hidden() {
   const wrong = [];
+  for (const one of document.querySelectorAll(".targets, .compare-numbers, .why, .facts, .result")) {
+    if (one.checkVisibility() && one.scrollWidth > one.clientWidth + 1) wrong.push(`${one.className} is ${one.scrollWidth} wide, in ${one.clientWidth}`);
+  }
   if (document.documentElement.scrollWidth > innerWidth) wrong.push(`the page is ${document.documentElement.scrollWidth} wide`);
   for (const one of document.querySelectorAll("button, a[href], input, select, summary")) {
     if (one.disabled || !one.checkVisibility() || one.matches('[type="range"]')) continue;
@@ -51,10 +54,16 @@ function hidden() {
   return wrong;
 }
 
+/** A run that is over; returns its id. */
+async function coveredRoom({ url }) {
+  const { id } = await (await fetch(`${url}api/v1/runs`, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scenario: "cover/cover_room.yaml" }) })).json();
+  await until("its end", async () => (await (await fetch(`${url}api/v1/runs/${id}`)).json()).state === "done");
+  return id;
+}
+
 export const accessCases = ({ open, text, frames, server, folder }) => ({
   async "axe-core finds nothing in any view, on a live run or in an open menu, light, dark or in forced colours; each has one heading of its own"() {
-    const { id } = await (await fetch(`${server.url}api/v1/runs`, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scenario: "cover/cover_room.yaml" }) })).json();
-    await until("its end", async () => (await (await fetch(`${server.url}api/v1/runs/${id}`)).json()).state === "done");
+    const id = await coveredRoom(server);
     const page = await open();
     const found = [];
     const audit = async (name, part = "html", colours = false) => { for (const one of await findings(page, part, colours)) found.push(`${name}: ${one}`); };
@@ -66,6 +75,10 @@ export const accessCases = ({ open, text, frames, server, folder }) => ({
       await audit(`${name}, dark`, part, true);
       await page.emulateMedia({ forcedColors: "active" });
       await audit(`${name}, forced colours`, part, true);
+      found.push(...await page.locator(".button.primary:not(:disabled)").evaluateAll((all) => all.filter((one) => {
+        const { forcedColorAdjust, color, backgroundColor } = getComputedStyle(one);
+        return forcedColorAdjust !== "none" || color === backgroundColor;
+      }).map((one) => `${one.textContent} cannot be read in forced colours`)));
       await page.emulateMedia({ forcedColors: null });
       await page.evaluate(() => { document.documentElement.dataset.theme = "light"; });
     };
@@ -109,7 +122,9 @@ export const accessCases = ({ open, text, frames, server, folder }) => ({
   async "at twice the zoom and on a phone no view is wider than the window, and every control can be reached and is covered by nothing"() {
     const page = await open("", { reducedMotion: "reduce" });
     const found = [];
-    for (const [hash, selector] of views.filter(([, , part]) => !part || part === ".stage")) {
+    const id = await coveredRoom(server);
+    const narrow = views.filter(([, , part]) => !part || part === ".stage");
+    for (const [hash, selector] of [...narrow, ["#watch/runs/yard/run.mcap?t=9&tab=why", ".why li"], [`#compare?runs=${id},${id}`, ".compare-numbers tbody"]]) {
       await page.goto(`${server.url}${hash}`);
       await page.waitForSelector(selector);
       for (const [width, height] of [[640, 360], [390, 844]]) {

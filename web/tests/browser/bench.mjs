@@ -118,7 +118,7 @@ for (const [name, hash, selector] of [["guard", "tab=targets", ".tabbed"], ["gua
   await measureFrames(page, session, `scrubbing ${name}, ${hash}`);
   await page.context().close();
 }
-for (const [name, hash] of [["standing still", ""], ["following", "&follow=1"], ["standing still in 3D", "&view=3d"], ["following in 3D", "&view=3d&follow=1"]]) {
+for (const [name, hash] of [["standing still", ""], ["following", "&follow=1"], ["standing still in 3D", "&view=3d"], ["standing still in 3D with what was planned", "&view=3d&layers=firing+map:1,planned+tour:1"], ["following in 3D", "&view=3d&follow=1"]]) {
   const { page } = await open(`#watch/runs/yard/run.mcap?t=10${hash}`, hash.includes("3d") ? ".space-view canvas" : ".tabbed");
   const session = await page.context().newCDPSession(page);
   await session.send("Performance.enable", { timeDomain: "threadTicks" });

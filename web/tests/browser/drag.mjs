@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { launch } from "./browser.mjs";
 import { source } from "./server.mjs";
 
-const margin = { left: 34, right: 20, top: 50, bottom: 40 };  // as Camera has it
+const margin = { left: 34, right: 54, top: 50, bottom: 40 };  // as Camera has it
 
 /** Where a place in metres is on the screen while the whole box is shown, below what lies over its head. */
 export async function onScreen(page, [x0, y0, x1, y1], [x, y], selector = ".pane canvas", head = margin.top) {

@@ -48,6 +48,25 @@ export const exportCases = ({ open, text, frames }) => ({
     const [answer] = JSON.parse(await saved(page, () => choose("JSON")));
     assert.equal(answer.status, "done");
     assert.ok(answer.waypoints.length >= 2);
+    // Before an answer, and while a run goes on, there is nothing to save yet: the menu says when there will be.
+    const waits = await open();
+    await waits.routeWebSocket("**/api/v1/live", () => undefined);
+    await waits.goto("about:blank");
+    await waits.goto(page.url());
+    await waits.waitForSelector(".plan-page");
+    await waits.click('.stage-tools button[aria-label="Export"]');
+    const json = waits.locator(".menu [role=menuitem]", { hasText: "JSON" });
+    assert.equal(await json.getAttribute("aria-disabled"), "true");
+    assert.match(await json.textContent(), /when the answer is there/);
+    let files = 0;
+    waits.on("download", () => { ++files; });
+    await json.click({ force: true });  // as somebody would who tries
+    await waits.keyboard.press("Escape");
+    await waits.keyboard.press("J");
+    assert.match(await text(waits, ".announced"), /^JSON: when the answer is there/);
+    await frames(waits);
+    assert.equal(files, 0);
+    await waits.close();
     await page.close();
   },
 });

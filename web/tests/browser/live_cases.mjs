@@ -102,6 +102,9 @@ export const liveCases = ({ open, text, server, folder }) => ({
     const share = async () => await tip.isVisible() && /% of the targets can be hit from here/.test(await tip.textContent());
     for (let i = 1; i < 200 && !await share(); ++i) await page.mouse.move(frame.x + frame.width * (i * 0.618 % 1), frame.y + frame.height * (i * 0.382 % 1));
     assert.ok(await share(), "the firing map is under the pointer");
+    await page.click('.stage-tools button[aria-label="Export"]');
+    assert.match(await text(page, '.menu [aria-disabled="true"]'), /^JSONwhen the run is over/);
+    await page.keyboard.press("Escape");
     await page.click(".run-head .button");
     await page.waitForSelector('.live-page[data-state="cancelled"]');
     rmSync(join(folder, "yard/slow.yaml"));

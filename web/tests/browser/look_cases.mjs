@@ -41,6 +41,17 @@ export const lookCases = ({ open, text, frames, server, folder }) => ({
     await row("names").locator("input[type=checkbox]").click();
     await frames(page);
     assert.notEqual(await picture(".space-view canvas"), named, "names stand in space");
+    assert.ok(Number(await page.locator(".space-view").getAttribute("data-names")) === 0);
+    await row("names").locator("input[type=checkbox]").click();
+    await frames(page);
+    assert.ok(Number(await page.locator(".space-view").getAttribute("data-names")) >= 20, "nearly all have room");
+    // What is drawn in plan is drawn in space as well.
+    for (const name of ["firing map", "planned tour"]) {
+      const before = await picture(".space-view canvas");
+      await row(name).locator("input[type=checkbox]").click();
+      await frames(page);
+      assert.notEqual(await picture(".space-view canvas"), before, name);
+    }
     await page.close();
   },
 
@@ -70,6 +81,9 @@ export const lookCases = ({ open, text, frames, server, folder }) => ({
     await until("the whole run", () => page.locator(".plot-tools .button").isHidden());
     const lanes = page.locator(".lane-plot", { hasText: "Status of targets" });
     await lanes.scrollIntoViewIfNeeded();
+    await page.mouse.move(0, 0);
+    await until("the states", async () => /^waiting\d+reached\d+unreachable1$/.test(await lanes.locator(".lane-words").textContent()));
+    assert.equal(await text(page, ".lane-plot .lane-words"), "follows a path");
     const lane = await lanes.locator("canvas").boundingBox();
     await page.mouse.move(lane.x + lane.width - 25, lane.y + 3);
     await until("the state", async () => /^garfield: reached$/.test(await lanes.locator(".lane-words").textContent()));
@@ -109,6 +123,14 @@ export const lookCases = ({ open, text, frames, server, folder }) => ({
     await frames(page);
     const measured = await page.locator(".plan-view").getAttribute("data-measured");
     assert.match(measured, /^(4\.9\d|5\.0\d) m, \u0394x (2\.9\d|3\.0\d) m, \u0394y (3\.9\d|4\.0\d) m, 5[23]\.\d\u00b0$/);
+    await page.keyboard.press("v");
+    await page.waitForSelector(".space-view canvas");
+    await frames(page);
+    const ruler = page.locator(".stage-tools button[aria-label^=Measure]");
+    assert.ok(await ruler.isDisabled() && /in the plan view$/.test(await ruler.getAttribute("title")), "the ruler is of the plan, and says so");
+    const space = await page.locator(".space-view canvas").boundingBox();
+    await page.mouse.click(space.x + 0.51 * space.width, space.y + 0.45 * space.height);
+    await until("the house again", async () => await text(page, ".messages h2") === name && (await text(page, ".fields")).startsWith(`name${name}kind`));
     await page.close();
   },
 
@@ -120,7 +142,7 @@ export const lookCases = ({ open, text, frames, server, folder }) => ({
     const served = rows.filter((one) => one.startsWith("Stop "));
     assert.equal(served.length, metrics.stops, rows.join("\n"));
     assert.equal(served.reduce((sum, one) => sum + one.split("serves ")[1].split(", ").length, 0), metrics.reached);
-    assert.match(rows.at(-1), /^schroedi: unreachablenone of \d+ flights/);
+    assert.match(rows.at(-1), /^schroedi: unreachablenone of [\d,]+ flights/);
     assert.match(await text(page, ".why .about"), new RegExp(`^The plan takes ${metrics.planned_s.toFixed(1)} s\\. None takes less than ${metrics.lower_bound_s.toFixed(1)} s.* among tours of ${metrics.stops_offered} places`));
     await page.locator(".why li button").nth(1).click();
     await until("its time", () => page.locator(".why li").nth(1).evaluate((one) => one.hasAttribute("aria-current")));

@@ -59,8 +59,8 @@ const onMap = (page, x, y) => page.evaluate(([px, py]) => {
   const canvas = document.querySelector(".pane canvas");
   const { left, top, width, height } = canvas.getBoundingClientRect();
   const [w, h] = [64 * 0.25, 44 * 0.25];
-  const scale = Math.min((width - 54) / w, (height - 90) / h);
-  return [left + 34 + (width - 54) / 2 + scale * (px - w / 2), top + 50 + (height - 90) / 2 - scale * (py - h / 2)];
+  const scale = Math.min((width - 88) / w, (height - 90) / h);
+  return [left + 34 + (width - 88) / 2 + scale * (px - w / 2), top + 50 + (height - 90) / 2 - scale * (py - h / 2)];
 }, [x, y]);
 
 /** Compares what `g` saves with what `s` saves. */
@@ -126,9 +126,11 @@ const cases = {
     await page.waitForSelector(".plots figure");
     assert.match(await text(page, ".legend"), /believed, 2\u03c3.*range finder.*path/);
     await page.locator(".tabs button", { hasText: "Why" }).click();
-    await page.waitForSelector(".why li[aria-current] .choices .chosen");
-    assert.match(await text(page, ".choices thead"), /place.*to get there.*to see.*of the round that begins there, least is best/);
-    const values = (await page.locator(".choices td:last-child").allTextContents()).map(Number.parseFloat).filter(Number.isFinite);
+    await page.waitForSelector(".why li[aria-current] .candidates .chosen");
+    assert.match(await text(page, ".why .candidates thead"), /place.*to get there.*to see.*of the round that begins there, least is best/);
+    const columns = await page.locator(".why .candidates tr").evaluateAll((rows) => rows.slice(0, 2).map((row) => [...row.cells].map((one) => Math.round(one.getBoundingClientRect().left))));
+    assert.deepEqual(columns[0], columns[1], "each value stands below its head");
+    const values = (await page.locator(".why .candidates td:last-child").allTextContents()).map(Number.parseFloat).filter(Number.isFinite);
     assert.ok(values.length > 0 && values.every((value, i) => i === 0 || value >= values[i - 1]), `the best first: ${values}`);
     await page.locator(".tabs button", { hasText: "Plots" }).click();
     await page.waitForSelector(".plots figure");
@@ -139,6 +141,14 @@ const cases = {
     const frame = await page.locator(".plan-view canvas").boundingBox();
     await page.mouse.move(frame.x + frame.width / 2, frame.y + frame.height / 2);
     assert.match(await text(page, ".plan-view .tip"), /^believed \d+ mm and .* off\n2\u03c3: \d+ mm by/);
+    await page.keyboard.press("v");
+    await page.waitForSelector(".space-view canvas");
+    const space = () => page.evaluate(() => document.querySelector(".space-view canvas").toDataURL());
+    await frames(page);
+    const compared = await space();
+    await page.locator('.legend .layer[data-layer="candidates"] label').click();
+    await frames(page);
+    assert.notEqual(await space(), compared, "the places that it compares stand in space");
     await page.goto(`${server.url}#watch/runs/drive/run.mcap?t=13&view=3d&follow=1`);
     await page.waitForSelector(".space-view canvas");
     await until("the drive", async () => (await text(page, ".job")) === "drive");
@@ -179,6 +189,7 @@ const cases = {
     await page.waitForSelector(".live-page .verdict");
     assert.match(await text(page, ".verdict"), /Done/);
     assert.match(await text(page, ".legend"), /covered.*lap.*lane.*move.*planned.*out of reach/);
+    assert.equal((await saved(page, () => page.keyboard.press("j"))).subarray(1, 5).toString(), "MCAP", "a run that was live has its log");
     const at = async (seconds) => {
       await page.locator(".transport input[type=range]").evaluate((slider, t) => {
         slider.value = String(t);

@@ -36,6 +36,11 @@ export const planToolCases = ({ open, text, cell, answers }) => ({
     assert.equal(await page.locator('.result td.least[data-row="cost"]').count(), 0, "the costs are the same");
     const [above, below] = await page.locator(".pane").evaluateAll((all) => all.map((one) => one.getBoundingClientRect().top));
     assert.ok(below > above, "a wide map lies above the other");
+    const rooms = await page.locator(".pane").evaluateAll((all) => all.map((one) => one.offsetHeight));
+    const bar = await page.evaluate(() => document.querySelector(".stage-bar").offsetTop + document.querySelector(".stage-bar").offsetHeight + 8);
+    assert.ok(Math.abs(rooms[0] - rooms[1] - (Math.max(50, bar) - 16)) <= 2, `both maps are of one size: ${rooms}, below a bar of ${bar}`);
+    const [buttons, canvas] = await page.evaluate(() => [".pane .camera", ".pane canvas"].map((one) => document.querySelector(one).getBoundingClientRect()).map(({ left, right }) => ({ left, right })));
+    assert.ok(buttons.left >= canvas.right - 54, "the buttons lie beside the map");
     await page.close();
   },
 });

@@ -79,6 +79,23 @@ export const runsCases = ({ open, text, output }) => ({
     await page.keyboard.press("o");
     await page.setViewportSize({ width: 390, height: 844 });
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "the page is wider than the window");
+    // More than two: a third run, over the plan of the first as well.
+    const { id: third } = await (await fetch(`${server.url}api/v1/runs`, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scenario: "cover/cover_room.yaml", seed: 3 }) })).json();
+    await until("its end", async () => (await (await fetch(`${server.url}api/v1/runs/${third}`)).json()).state === "done");
+    await page.goto(`${server.url}#live`);
+    await until("three runs", async () => await page.locator(".run-row input").count() === 3);
+    for (const box of await page.locator(".run-row input").all()) await box.check();
+    await page.click(".page-head .button");
+    await until("three names", async () => (await page.locator(".compare-views h2 a").allTextContents()).join() === "cover_room, seed 1,cover_room, seed 2,cover_room, seed 3");
+    assert.equal(await page.locator(".compare-numbers thead th").count(), 5);
+    await page.evaluate(() => document.activeElement.blur());
+    await page.keyboard.press("End");
+    const ink = () => page.evaluate(() => document.querySelector(".compare-views canvas").toDataURL());
+    await until("the end", async () => (await page.locator(".compare-at").allTextContents()).some((one) => one.includes(", ended")));
+    const alone = await ink();
+    await page.keyboard.press("o");
+    await until("one plan", () => page.locator(".compare-views .stage").nth(2).isHidden());
+    await until("the others in it", async () => await ink() !== alone);
     await page.goto(`${server.url}#compare?runs=absent,${first.id}`);
     await page.waitForSelector(".refusal");
     assert.match(await text(page, ".refusal"), /there is no such run/);

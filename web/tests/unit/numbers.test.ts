@@ -28,6 +28,7 @@ describe("numbers for people", () => {
   it("rounds and sets the text of the tool, and leaves names alone", () => {
     expect(typeset("caught at 26.087855297157624 s, on 0.3 m2, at most 0.5 m/s2")).toBe("caught at 26.0879 s, on 0.3 m\u00b2, at most 0.5 m/s\u00b2");
     expect(typeset("2 places per m2; up to 12 m3")).toBe("2 places per m\u00b2; up to 12 m\u00b3");
+    expect(typeset("none of 9485238 flights from 9576 places, from (0.18, -6.21) or -3")).toBe("none of 9,485,238 flights from 9,576 places, from (0.18, \u22126.21) or \u22123");
     for (const same of ["map m2.yaml of room_m2", "0.0909", "at 1234567 and 1.2.3456789", "seed 123456789"]) expect(typeset(same)).toBe(same);
   });
 

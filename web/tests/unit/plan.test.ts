@@ -1,7 +1,7 @@
 // @vitest-environment jsdom
 import { describe, expect, it, vi } from "vitest";
 import type { Edit, OptionRow } from "../../src/api";
-import { choicesOf, optionForm, valueOf, type Values } from "../../src/plan/form";
+import { optionForm, valueOf, type Values } from "../../src/plan/form";
 import { eroded } from "../../src/plan/ends";
 import { free, GridGround, groundOf, occupied, PolygonGround } from "../../src/plan/ground";
 import { newName, suggestedName } from "../../src/plan/names";
@@ -125,10 +125,16 @@ describe("the form of options", () => {
     expect(valueOf(options[1]!, "2.5")).toHaveProperty("refusal");
     expect(valueOf(options[1]!, "")).toHaveProperty("refusal");
     expect(valueOf(options[3]!, "b")).toEqual({ value: "b" });
-    const named = { name: "heuristic", type: "string" as const, unit: "", default: "octile", sentence: "the estimate of what is left: octile, euclidean or chebyshev" };
-    expect(choicesOf(named)).toEqual(["octile", "euclidean", "chebyshev"]);
-    expect(choicesOf({ ...named, sentence: "a file: text or image" })).toEqual([]);
-    expect(choicesOf(options[0]!)).toEqual([]);
+  });
+
+  it("lists the names that a text can be", () => {
+    const named: OptionRow = { name: "heuristic", type: "string", unit: "", default: "octile", sentence: "the estimate", choices: ["octile", "euclidean", "chebyshev"] };
+    const given: Values = {};
+    const select = optionForm([named], given, () => undefined).querySelector("select")!;
+    expect([...select.options].map(({ value }) => value)).toEqual(named.choices);
+    select.value = "euclidean";
+    select.dispatchEvent(new Event("change"));
+    expect(given).toEqual({ heuristic: "euclidean" });
   });
 
   it("keeps what differs from the defaults", () => {

@@ -68,5 +68,29 @@ TEST(AStar, NamesWhatItTakes) {
   EXPECT_EQ(ties.error().where, "ties");
 }
 
+TEST(AStar, TakesEachNameItListsAsAChoice) {
+  AStarOptions options;
+  std::size_t named = 0;
+  for (const Option& option : describe(options)) {
+    auto* const* text = std::get_if<std::string*>(&option.value);
+    ASSERT_EQ(text != nullptr, !option.choices.empty()) << option.name;
+    if (text == nullptr) continue;
+    EXPECT_EQ(**text, option.choices.front()) << "the default comes first";
+    Rng rng(2);
+    Workspace workspace;
+    const auto ground = std::make_shared<const GridMap>(*GridMap::of(random_grid(rng, 8), GridModel::cells));
+    const Problem problem{ground, {}, {}};
+    const std::string usual = **text;
+    for (const std::string& choice : option.choices) {
+      **text = choice;
+      const auto plan = a_star(problem, options, {}, workspace);  // which may end at a wall
+      EXPECT_TRUE(plan || plan.error().where != option.name) << option.name << " " << choice;
+      ++named;
+    }
+    **text = usual;
+  }
+  EXPECT_EQ(named, 5U);
+}
+
 }  // namespace
 }  // namespace outrider
