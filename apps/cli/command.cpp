@@ -75,15 +75,6 @@ ArgumentText text_of(const CLI::Option& option) {
   return text;
 }
 
-CommandText text_of(const CLI::App& app) {
-  CommandText text{app.get_name(), app.get_description(), app.get_footer(), {}, {}};
-  for (const CLI::Option* option : app.get_options()) text.arguments.push_back(text_of(*option));
-  for (const CLI::App* command : app.get_subcommands({})) {
-    if (!command->get_group().empty()) text.commands.push_back(text_of(*command));
-  }
-  return text;
-}
-
 }  // namespace
 
 Parameter& Parameter::type(const std::string& name) {
@@ -111,6 +102,11 @@ Parameter& Parameter::between(double low, double high) {
   return *this;
 }
 
+Parameter& Parameter::one_of(const std::vector<std::string>& choices) {
+  command_->choices_[option_->get_name()] = choices;
+  return *this;
+}
+
 Parameter& Parameter::separated_by(char delimiter) {
   option_->delimiter(delimiter);
   return *this;
@@ -134,12 +130,12 @@ Command::Command(const std::string& name, const std::string& sentence, const std
   require_command();
 }
 
-Command::Command(CLI::App& app) : app_(&app) {}
+Command::Command(CLI::App& app, const Command& parent) : app_(&app), parent_(&parent) {}
 
 Command::~Command() = default;
 
 Command& Command::add(const std::string& name, const std::string& sentence) {
-  commands_.push_back(std::unique_ptr<Command>(new Command(*app_->add_subcommand(name, sentence))));
+  commands_.push_back(std::unique_ptr<Command>(new Command(*app_->add_subcommand(name, sentence), *this)));
   return *commands_.back();
 }
 
@@ -151,15 +147,15 @@ Command& Command::hidden() {
 void Command::require_command() { app_->require_subcommand(1); }
 
 Parameter Command::flag(const std::string& name, bool* place, const std::string& sentence) {
-  return Parameter(*app_->add_flag(name, *place, sentence));
+  return Parameter(*this, *app_->add_flag(name, *place, sentence));
 }
 
 Parameter Command::flag(const std::string& name, const std::string& sentence) {
-  return Parameter(*app_->add_flag(name, sentence));
+  return Parameter(*this, *app_->add_flag(name, sentence));
 }
 
 Parameter Command::option(const std::string& name, Place place, const std::string& sentence) {
-  return Parameter(add_option(*app_, name, place, sentence));
+  return Parameter(*this, add_option(*app_, name, place, sentence));
 }
 
 Parameter Command::option(const std::string& name, const std::string& sentence) {
@@ -170,7 +166,7 @@ Parameter Command::positional(const std::string& name, Place place, const std::s
   return option(name, place, sentence);
 }
 
-Parameter Command::parameter(const std::string& name) { return Parameter(*app_->get_option(name)); }
+Parameter Command::parameter(const std::string& name) { return Parameter(*this, *app_->get_option(name)); }
 
 void Command::footer(const std::string& text) { app_->footer(text); }
 
@@ -193,11 +189,20 @@ std::vector<std::string> Command::all_given() const {
   return names;
 }
 
-CommandText Command::text_of_tool() const {
-  const CLI::App* tool = app_;
-  while (tool->get_parent() != nullptr) tool = tool->get_parent();
-  return text_of(*tool);
+CommandText Command::text() const {
+  CommandText text{app_->get_name(), app_->get_description(), app_->get_footer(), {}, {}};
+  for (const CLI::Option* option : app_->get_options()) {
+    text.arguments.push_back(text_of(*option));
+    if (const auto known = choices_.find(option->get_name()); known != choices_.end())
+      text.arguments.back().choices = known->second;
+  }
+  for (const auto& command : commands_) {
+    if (!command->app_->get_group().empty()) text.commands.push_back(command->text());
+  }
+  return text;
 }
+
+CommandText Command::text_of_tool() const { return parent_ == nullptr ? text() : parent_->text_of_tool(); }
 
 const Command& Command::chosen() const {
   const auto parsed = [](const auto& command) { return command->app_->parsed(); };

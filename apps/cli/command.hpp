@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <variant>
@@ -31,6 +32,8 @@ namespace outrider::cli {
 using Place = std::variant<std::monostate, int*, std::int64_t*, std::uint64_t*, double*, std::string*,
                            std::vector<std::string>*>;
 
+class Command;
+
 /// Describes an argument of a command. Each function returns the argument itself.
 class Parameter {
  public:
@@ -42,6 +45,8 @@ class Parameter {
   /// Refuses numbers outside the bounds; the help names the bounds.
   Parameter& between(int low, int high);
   Parameter& between(double low, double high);
+  /// Names the values for completion, if it takes one of few. Does not refuse others.
+  Parameter& one_of(const std::vector<std::string>& choices);
   /// Splits the value into several at this delimiter.
   Parameter& separated_by(char delimiter);
   /// Allows the argument to be repeated, each time with one value; Command::values() returns all of them.
@@ -51,7 +56,8 @@ class Parameter {
 
  private:
   friend class Command;
-  explicit Parameter(CLI::Option& option) : option_(&option) {}
+  Parameter(Command& command, CLI::Option& option) : command_(&command), option_(&option) {}
+  Command* command_;
   CLI::Option* option_;
 };
 
@@ -60,7 +66,8 @@ struct ArgumentText {
   std::vector<std::string> names;  ///< with their dashes: "-h", "--help"; of a positional argument its name
   std::string value;               ///< the placeholder of its value; empty: it takes none
   std::string sentence;
-  std::string heading;  ///< under which it is listed
+  std::string heading;               ///< under which it is listed
+  std::vector<std::string> choices;  ///< its values, if it takes one of few
   bool is_positional = false;
   bool is_required = false;
 };
@@ -123,12 +130,16 @@ class Command {
   Outcome<int> run(std::vector<std::string> words);
 
  private:
-  explicit Command(CLI::App& app);
+  friend class Parameter;
+  Command(CLI::App& app, const Command& parent);
   [[nodiscard]] const Command& chosen() const;
+  [[nodiscard]] CommandText text() const;
 
   std::unique_ptr<CLI::App> tool_;  ///< set for the tool only, null for its commands
   CLI::App* app_;
+  const Command* parent_ = nullptr;
   std::vector<std::unique_ptr<Command>> commands_;
+  std::map<std::string, std::vector<std::string>> choices_;  ///< by the name of the argument
   Job job_;
 };
 

@@ -31,6 +31,7 @@ std::vector<Named> all_commands(const CommandText& tool) {
 }
 
 bool takes_file(const ArgumentText& argument) {
+  if (!argument.choices.empty()) return false;
   return argument.value == "FILE" || argument.value == "DIR" || argument.value == "TEXT";
 }
 
@@ -90,16 +91,26 @@ std::string bash_case(const Named& named) {
   std::string words;
   for (const CommandText& sub : named.command->commands) words += sub.name + " ";
   words += flags_of(*named.command, [](const ArgumentText&) { return true; });
+  std::string choices;
+  for (const ArgumentText& argument : named.command->arguments) {
+    const std::string values = fmt::format("{}", fmt::join(argument.choices, " "));
+    if (argument.is_positional && !values.empty()) words += " " + values;
+    if (!argument.is_positional && !values.empty())
+      choices += fmt::format("[{}]=\"{}\" ", argument.names.back(), values);
+  }
   const std::string paths = flags_of(*named.command, takes_file);
   const std::string values =
       flags_of(*named.command, [](const ArgumentText& a) { return !a.value.empty() && !takes_file(a); });
   return fmt::format(
-      "    \"{}\")\n      words=\"{}\"\n      paths=\"{}\"\n      values=\"{}\"\n      files={} ;;\n",
-      fmt::join(named.words, " "), words, paths, values, takes_files(*named.command) ? 1 : 0);
+      "    \"{}\")\n      words=\"{}\"\n      paths=\"{}\"\n      values=\"{}\"\n      choices=({})\n      "
+      "files={} ;;\n",
+      fmt::join(named.words, " "), words, paths, values, choices, takes_files(*named.command) ? 1 : 0);
 }
 
 std::string zsh_argument(const ArgumentText& argument) {
-  const std::string action = takes_file(argument) ? "_files" : " ";
+  const std::string action = !argument.choices.empty() ? fmt::format("({})", fmt::join(argument.choices, " "))
+                             : takes_file(argument)    ? "_files"
+                                                       : " ";
   const std::string sentence = zsh_escaped(argument.sentence);
   if (argument.is_positional) return posix_quoted(fmt::format("*:{}:{}", sentence, action));
   const std::string value =
@@ -153,7 +164,11 @@ std::string fish_argument(const ArgumentText& argument) {
   std::string flags;
   for (const std::string& name : argument.names)
     flags += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-  const std::string value = argument.value.empty() ? "" : takes_file(argument) ? " -r -F" : " -x";
+  const std::string value = argument.value.empty() ? ""
+                            : takes_file(argument) ? " -r -F"
+                            : argument.choices.empty()
+                                ? " -x"
+                                : fmt::format(" -x -a '{}'", fmt::join(argument.choices, " "));
   return fmt::format("{}{} -d {}", flags, value, fish_quoted(argument.sentence));
 }
 
@@ -169,6 +184,7 @@ std::string bash_completion(const CommandText& tool) {
   return fmt::format(R"(# bash completion for outrider, written by 'outrider completion bash'
 _outrider() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} command= words= paths= values= files=0
+  local -A choices=()
   if [[ $COMP_CWORD -gt 1 && ${{COMP_WORDS[1]}} != -* ]]; then
     command=${{COMP_WORDS[1]}}
     case $command in
@@ -178,7 +194,9 @@ _outrider() {{
   case $command in
 {}  esac
   COMPREPLY=()
-  if [[ " $values " == *" $previous "* ]]; then
+  if [[ -n $previous && -n ${{choices[$previous]:-}} ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "${{choices[$previous]}}" -- "$current")
+  elif [[ " $values " == *" $previous "* ]]; then
     return
   elif [[ " $paths " == *" $previous "* || ( $files -eq 1 && $current != -* ) ]]; then
     compopt -o filenames
@@ -209,6 +227,8 @@ std::string fish_completion(const CommandText& tool) {
       text += fmt::format("{} -a {} -d {}\n", when, sub.name, fish_quoted(sub.sentence));
     for (const ArgumentText& argument : named.command->arguments) {
       if (!argument.is_positional) text += when + fish_argument(argument) + "\n";
+      if (argument.is_positional && !argument.choices.empty())
+        text += fmt::format("{} -a '{}'\n", when, fmt::join(argument.choices, " "));
     }
   }
   return text;

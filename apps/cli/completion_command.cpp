@@ -65,7 +65,10 @@ int print_manual_page(const Command& command, const std::string& name, const std
 void add_completion(Command& tool) {
   Command& completion = tool.add("completion", "a script with which your shell completes commands and flags");
   auto shell = std::make_shared<std::string>();
-  completion.positional("shell", shell.get(), "bash, zsh or fish").required().type("SHELL");
+  completion.positional("shell", shell.get(), "bash, zsh or fish")
+      .required()
+      .type("SHELL")
+      .one_of({"bash", "zsh", "fish"});
   completion.does([shell](const Command& command) { return complete(command, *shell); });
   completion.footer("\nExample: source <(outrider completion bash)");
 
@@ -73,7 +76,8 @@ void add_completion(Command& tool) {
   auto name = std::make_shared<std::string>();
   manual.positional("command", name.get(), "whose page; of the tool unless given");
   auto folder = std::make_shared<std::string>();
-  manual.option("--out", folder.get(), "folder for every page and the scripts for the shells, in place of one page");
+  manual.option("--out", folder.get(),
+                "folder for every page and the scripts for the shells, in place of one page");
   manual.does([name, folder](const Command& command) { return print_manual_page(command, *name, *folder); });
 }
 

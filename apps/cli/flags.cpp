@@ -48,7 +48,7 @@ void add_flags(Command& command, const std::vector<OptionGroup>& groups) {
       const std::string help =
           is_switch || value.empty() ? option.sentence : fmt::format("{} [{}]", option.sentence, value);
       Parameter added = is_switch ? command.flag(flag, help) : command.option(flag, help);
-      if (!is_switch) added.type(placeholder(option));
+      if (!is_switch) added.type(placeholder(option)).one_of(option.choices);
       added.group(sentence_case(group.sentence));
     }
   }

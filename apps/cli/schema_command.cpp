@@ -90,9 +90,10 @@ void add_schema(Command& tool, const std::vector<Job>& jobs) {
       .option("--as", form.get(),
               "schema (JSON schema), scenario (a file with every key, to start from) or markdown "
               "(tables) [schema]")
-      .type("TEXT");
+      .type("TEXT")
+      .one_of({"schema", "scenario", "markdown"});
   auto job = std::make_shared<std::string>("guard");
-  schema.option("--job", job.get(), names_of_jobs(jobs) + " [guard]").type("TEXT");
+  schema.option("--job", job.get(), names_of_jobs(jobs) + " [guard]").type("TEXT").one_of(names_of(jobs));
   schema.does([form, job, jobs](const Command&) { return execute(jobs, *form, *job); });
   schema.footer("\nExample: outrider schema --as scenario > mission.yaml");
 }

@@ -51,6 +51,11 @@ Option file_option(std::string name, std::string sentence, std::string* path) {
   return {std::move(name), "", 0.0, 0.0, std::move(sentence), path, true};
 }
 
+Option choice_option(std::string name, std::string sentence, std::string* value,
+                     std::vector<std::string> choices) {
+  return {std::move(name), "", 0.0, 0.0, std::move(sentence), value, false, std::move(choices)};
+}
+
 Status assign(const Option& option, std::string_view text) {
   const auto number = [&](double* value) -> Status {
     auto parsed = parse<double>(option, text, "a number");

@@ -51,6 +51,7 @@ Json option_schema(const Option& option) {
     schema["minimum"] = whole(option.low);
     schema["maximum"] = whole(option.high);
   }
+  if (!option.choices.empty()) schema["enum"] = option.choices;
   schema["default"] = value_json(option);
   return schema;
 }

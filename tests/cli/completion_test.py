@@ -1,5 +1,6 @@
 """Completion of the shells, and the pages for man: both name every command and every flag that the help names."""
 import functools
+import json
 import re
 import shutil
 import subprocess
@@ -58,6 +59,13 @@ class Completion(ToolTest):
         self.assertEqual(self.bash("run", "yo"), {"yonder.yaml"})
         self.assertEqual(self.bash("plan", "--map", "yo"), {"yonder.yaml"})
         self.assertEqual(self.bash("plan", "--radius", "yo"), set())
+
+    def test_bash_completes_values_that_are_one_of_few(self):
+        planners = set(json.loads(self.run_tool("schema", "--job", "pursue").stdout)["properties"]["planner"]["enum"])
+        self.assertGreater(len(planners), 3)
+        self.assertEqual(self.bash("pursue", "--planner", ""), planners)
+        self.assertEqual(self.bash("schema", "--as", "s"), {"schema", "scenario"})
+        self.assertEqual(self.bash("completion", "z"), {"zsh"})
 
     @unittest.skipUnless(shutil.which("fish"), "fish is not installed")
     def test_fish_completes_what_the_help_lists(self):

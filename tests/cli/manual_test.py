@@ -74,6 +74,12 @@ class Manual(ToolTest):
         version = re.search(r"project\(outrider VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text()).group(1)
         self.assertEqual(self.text("--version").strip(), version)
 
+    def test_every_file_that_names_the_version_names_this_one(self):
+        version = self.run_tool("--version").stdout.strip()
+        for file, line in (("CITATION.cff", f"version: {version}\n"), ("package.xml", f"<version>{version}</version>"),
+                           ("web/package.json", f'"version": "{version}"'), ("CHANGELOG.md", f"\n## [{version}] - ")):
+            self.assertIn(line, (SOURCE / file).read_text(), file)
+
     def test_list(self):
         catalogue = json.loads(self.text("list", "--json"))
         self.assertEqual([job["name"] for job in catalogue["jobs"]], ["cover", "drive", "explore", "guard", "plan", "pursue", "slam"])

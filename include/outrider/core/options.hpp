@@ -34,6 +34,10 @@ struct Option {
 /// Makes an option whose value is the path of a file to read.
 Option file_option(std::string name, std::string sentence, std::string* path);
 
+/// Makes an option whose value is one of these names.
+Option choice_option(std::string name, std::string sentence, std::string* value,
+                     std::vector<std::string> choices);
+
 /// A named set of options: a section of a scenario file and the prefix of its flags.
 struct OptionGroup {
   std::string name;
@@ -60,16 +64,22 @@ std::string nearest_name(std::string_view unknown, const std::vector<std::string
 tl::unexpected<Fault> no_such_row(std::string_view kind, std::string_view unknown,
                                   const std::vector<std::string>& known, std::string where);
 
+/// Returns the names of the entries of a catalogue, in its order.
+template <class Row>
+std::vector<std::string> names_of(const std::vector<Row>& rows) {
+  std::vector<std::string> names;
+  for (const Row& row : rows) names.emplace_back(row.name);
+  return names;
+}
+
 /// Returns the entry of a catalogue with that name. Fault: bad_input if there is none.
 template <class Row>
 Outcome<Row> find_row(const std::vector<Row>& rows, std::string_view kind, std::string_view name,
                       std::string where) {
-  std::vector<std::string> known;
   for (const Row& row : rows) {
     if (row.name == name) return row;
-    known.emplace_back(row.name);
   }
-  return no_such_row(kind, name, known, std::move(where));
+  return no_such_row(kind, name, names_of(rows), std::move(where));
 }
 
 }  // namespace outrider

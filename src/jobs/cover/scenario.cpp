@@ -6,6 +6,7 @@
 #include "outrider/io/cover_area.hpp"
 #include "outrider/io/text.hpp"
 #include "outrider/io/values.hpp"
+#include "outrider/jobs/cover/plan.hpp"
 
 namespace outrider {
 namespace {
@@ -50,7 +51,8 @@ std::vector<OptionGroup> describe(CoverScenario& scenario) {
         {"headland", "", 0.0, static_cast<double>(most_headland),
          "laps along every border, in which the robot with a turning radius turns; 0: as many as turns need",
          &problem.headland},
-        {"method", "", 0, 0, "a cover method of 'outrider list'", &scenario.method},
+        choice_option("method", "a cover method of 'outrider list'", &scenario.method,
+                      names_of(cover_methods())),
         {"start", "", 0, 0,
          "x,y,heading of the robot at first, in the coordinates of the area and degrees; empty: where its "
          "track begins",

@@ -6,6 +6,7 @@
 #include "outrider/io/sdf.hpp"
 #include "outrider/io/text.hpp"
 #include "outrider/io/values.hpp"
+#include "outrider/path/catalog.hpp"
 #include "tag_warnings.hpp"
 
 namespace outrider {
@@ -160,8 +161,8 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
         {"waypoints", "", 0, 0, "x,y,heading of each, with blanks between; a ! behind one: pass by it",
          &scenario.waypoints},
         {"goal", "", 0, 0, "x,y,heading, in place of waypoints", &scenario.goal},
-        {"planner", "", 0, 0, "a path planner of 'outrider list', for the way to the goal",
-         &scenario.planner},
+        choice_option("planner", "a path planner of 'outrider list', for the way to the goal",
+                      &scenario.planner, names_of(path_planners())),
         {"tags", "", 0, 0, "id=x,y,facing[,height] of each tag, with blanks between", &scenario.tags},
         {"map_tags", "", 0, 0, "the same of the map that the robot has, if the world differs; empty: as tags",
          &scenario.map_tags},

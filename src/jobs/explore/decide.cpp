@@ -109,11 +109,20 @@ std::string_view to_string(DecisionKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+std::vector<std::string> planners_on_cells() {
+  std::vector<std::string> names;
+  for (const PathPlanner& planner : path_planners()) {
+    if (std::ranges::count(planner.models, GridModel::cells) > 0) names.emplace_back(planner.name);
+  }
+  return names;
+}
+
 std::vector<Option> describe(ExploreOptions& options) {
   std::vector<Option> all = {
-      {"strategy", "", 0, 0, "how the next view is chosen: tour, information_gain or nearest",
-       &options.strategy},
-      {"planner", "", 0, 0, "path planner for the ways, one that takes cells", &options.planner},
+      choice_option("strategy", "how the next view is chosen: tour, information_gain or nearest",
+                    &options.strategy, names_of(explore_strategies())),
+      choice_option("planner", "path planner for the ways, one that takes cells", &options.planner,
+                    planners_on_cells()),
       {"view", "m", 0.1, 1000.0, "largest distance from which the unknown is to be seen", &options.view_m},
       {"least_gain", "m2", 0.0, 100.0, "a frontier that hides less is refused", &options.least_gain_m2},
       {"momentum", "s", 0.0, 1000.0, "how much faster another choice must be to change the mind",

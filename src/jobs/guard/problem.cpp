@@ -1,10 +1,13 @@
 #include "outrider/jobs/guard/problem.hpp"
 
+#include "outrider/jobs/guard/catalog.hpp"
+
 namespace outrider {
 
 std::vector<Option> describe(GuardOptions& options) {
   return {
-      {"planner", "", 0, 0, "how the mission is planned; a name of 'outrider list'", &options.planner},
+      choice_option("planner", "how the mission is planned; a name of 'outrider list'", &options.planner,
+                    names_of(guard_planners())),
       {"resolution", "m", 0.005, 10.0, "spacing of the places where the robot may stand",
        &options.resolution_m},
       {"margin", "m", 0.0, 1.0, "clearance that a planned flight keeps from every solid", &options.margin_m},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "outrider/io/text.hpp"
+#include "outrider/path/catalog.hpp"
 
 namespace outrider {
 namespace {
@@ -20,8 +21,9 @@ OptionGroup describe_question(PlanScenario& scenario) {
         &scenario.to},
        {"query", "", 0, 0, "instead, a query of a polygon environment: all, or a number from 1",
         &scenario.query},
-       {"planner", "", 0, 0, "name from 'outrider list'; visibility_graph_reduced on polygons unless given",
-        &scenario.planner},
+       choice_option("planner",
+                     "name from 'outrider list'; visibility_graph_reduced on polygons unless given",
+                     &scenario.planner, names_of(path_planners())),
        {"compare", "", 0, 0, "asks every planner that takes the map", &scenario.compare},
        {"model", "", 0, 0,
         "vertices of the paths on a grid: cells (their centres) or corners; corners on polygons unless given",

@@ -15,13 +15,14 @@ const std::vector<std::string> tie_rules{"largest_g", "smallest_g"};
 }  // namespace
 
 std::vector<Option> describe(AStarOptions& options) {
-  return {{"weight", "", 1.0, 100.0,
-           "weight of the estimate; above 1 the search is faster and the path at most so many times longer",
-           &options.weight},
-          {"heuristic", "", 0, 0, "the estimate of the length that is left: octile, euclidean or chebyshev",
-           &options.heuristic, false, heuristics},
-          {"ties", "", 0, 0, "which of equal estimates comes first: largest_g or smallest_g", &options.ties,
-           false, tie_rules}};
+  return {
+      {"weight", "", 1.0, 100.0,
+       "weight of the estimate; above 1 the search is faster and the path at most so many times longer",
+       &options.weight},
+      choice_option("heuristic", "the estimate of the length that is left: octile, euclidean or chebyshev",
+                    &options.heuristic, heuristics),
+      choice_option("ties", "which of equal estimates comes first: largest_g or smallest_g", &options.ties,
+                    tie_rules)};
 }
 
 Outcome<Plan> a_star(const Problem& problem, const AStarOptions& options, const Budget& budget,
