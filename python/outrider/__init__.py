@@ -14,10 +14,14 @@ a class in this module, with its sentence and where it is.
 
 from ._faults import (BadInput, BudgetExhausted, Cancelled, CannotWrite, Fault, GoalBlocked, NoPath, NoShot,
                       OutsideMap, StartBlocked)
-from ._outrider import (GridMap, PathPlanner, Plan, Run, __version__, check, jobs, path_planners, read_log, run)
+from ._outrider import (CoverPlan, CoverPlanner, CoverProblem, CoverProof, GridMap, PathPlanner, Plan, PursuitPlan,
+                        PursuitPlanner, PursuitProblem, Run, __version__, check, cover_methods, explore_strategies,
+                        guard_planners, jobs, path_planners, prove, pursuit_planners, read_log, run)
 
 __all__ = [
-    "BadInput", "BudgetExhausted", "Cancelled", "CannotWrite", "Fault", "GoalBlocked", "GridMap", "NoPath", "NoShot",
-    "OutsideMap", "PathPlanner", "Plan", "Run", "StartBlocked", "__version__", "check", "jobs", "path_planners",
+    "BadInput", "BudgetExhausted", "Cancelled", "CannotWrite", "CoverPlan", "CoverPlanner", "CoverProblem",
+    "CoverProof", "Fault", "GoalBlocked", "GridMap", "NoPath", "NoShot", "OutsideMap", "PathPlanner", "Plan",
+    "PursuitPlan", "PursuitPlanner", "PursuitProblem", "Run", "StartBlocked", "__version__", "check",
+    "cover_methods", "explore_strategies", "guard_planners", "jobs", "path_planners", "prove", "pursuit_planners",
     "read_log", "run",
 ]
