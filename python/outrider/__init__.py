@@ -14,14 +14,17 @@ a class in this module, with its sentence and where it is.
 
 from ._faults import (BadInput, BudgetExhausted, Cancelled, CannotWrite, Fault, GoalBlocked, NoPath, NoShot,
                       OutsideMap, StartBlocked)
-from ._outrider import (CoverPlan, CoverPlanner, CoverProblem, CoverProof, GridMap, PathPlanner, Plan, PursuitPlan,
-                        PursuitPlanner, PursuitProblem, Run, __version__, check, cover_methods, explore_strategies,
-                        guard_planners, jobs, path_planners, prove, pursuit_planners, read_log, run)
+from ._outrider import (CoverPlan, CoverPlanner, CoverProblem, CoverProof, FrontierMap, GridMap, LandmarkSlam,
+                        LaserScan, LaserSlam, OccupancyGrid, PathPlanner, Plan, PoseGraph, PoseGraph3,
+                        PoseGraphSolution, PoseGraphSolution3, PursuitPlan, PursuitPlanner, PursuitProblem, Run,
+                        __version__, check, cover_methods, explore_strategies, guard_planners, jobs, path_planners,
+                        prove, pursuit_planners, read_log, run)
 
 __all__ = [
     "BadInput", "BudgetExhausted", "Cancelled", "CannotWrite", "CoverPlan", "CoverPlanner", "CoverProblem",
-    "CoverProof", "Fault", "GoalBlocked", "GridMap", "NoPath", "NoShot", "OutsideMap", "PathPlanner", "Plan",
-    "PursuitPlan", "PursuitPlanner", "PursuitProblem", "Run", "StartBlocked", "__version__", "check",
-    "cover_methods", "explore_strategies", "guard_planners", "jobs", "path_planners", "prove", "pursuit_planners",
-    "read_log", "run",
+    "CoverProof", "Fault", "FrontierMap", "GoalBlocked", "GridMap", "LandmarkSlam", "LaserScan", "LaserSlam",
+    "NoPath", "NoShot", "OccupancyGrid", "OutsideMap", "PathPlanner", "Plan", "PoseGraph", "PoseGraph3",
+    "PoseGraphSolution", "PoseGraphSolution3", "PursuitPlan", "PursuitPlanner", "PursuitProblem", "Run",
+    "StartBlocked", "__version__", "check", "cover_methods", "explore_strategies", "guard_planners", "jobs",
+    "path_planners", "prove", "pursuit_planners", "read_log", "run",
 ]

@@ -317,5 +317,222 @@ class CoverProof:
 def prove(plan: CoverPlan, problem: CoverProblem) -> CoverProof:
     """What is proven of a track; raises BadInput if it is no track of the problem."""
 
+class OccupancyGrid:
+    """A map of free (0), occupied (1) and unknown (2) cells, read-only; row 0 has the lowest y."""
+
+    def __init__(
+        self, cells: npt.NDArray[np.bool_] | npt.NDArray[np.uint8], *, resolution: float = 0.05, origin: Point = (0.0, 0.0)
+    ) -> None: ...
+    @property
+    def cells(self) -> npt.NDArray[np.uint8]:
+        """A view."""
+    @property
+    def resolution(self) -> float: ...
+    @property
+    def origin(self) -> tuple[float, float]: ...
+    def ground(self) -> GridMap:
+        """Ground for path planners, where what is not free is blocked."""
+
+class Frontier(TypedDict):
+    id: int
+    points: npt.NDArray[np.float64]
+    centroid: tuple[float, float]
+    group: int
+
+class FrontierMap:
+    """The frontiers between free and unknown cells of a growing map, for a robot of that radius."""
+
+    def __init__(self, radius: float, **options: Value) -> None: ...
+    def update(self, grid: OccupancyGrid) -> None:
+        """Takes the map as it is now; frontiers keep their ids."""
+    @property
+    def frontiers(self) -> list[Frontier]:
+        """By id; `points` are the centres of its cells, `group` is equal for those that hang together."""
+    @property
+    def ground(self) -> GridMap:
+        """Where the robot may stand: known free cells, far enough from what is occupied."""
+
+class PoseGraphSolution:
+    """The most likely poses of a graph."""
+
+    @property
+    def poses(self) -> npt.NDArray[np.float64]:
+        """Shape (n, 3): x, y, heading in rad; in space (n, 4, 4)."""
+    @property
+    def cost(self) -> float: ...
+    @property
+    def start_cost(self) -> float: ...
+    @property
+    def status(self) -> str:
+        """converged or not_converged. PoseGraph.lower_bound() says how near the least cost is."""
+    @property
+    def start(self) -> str:
+        """Of the best descent."""
+    @property
+    def iterations(self) -> int: ...
+    @property
+    def refused(self) -> list[int]:
+        """Edges that robust "gnc" refused."""
+
+class PoseGraphSolution3(PoseGraphSolution): ...
+
+class PoseGraph:
+    """Poses in the plane (x, y, heading in rad) and measurements between them. The first pose stays where it is."""
+
+    def __init__(self) -> None: ...
+    @staticmethod
+    def load(path: str | PathLike[str]) -> PoseGraph:
+        """Reads g2o or TORO."""
+    def add_pose(self, pose: Pose) -> int:
+        """Returns its number, which counts from 0."""
+    def add_edge(
+        self, from_pose: int, to_pose: int, measured: Pose, information: Sequence[Sequence[float]] | npt.NDArray[np.float64]
+    ) -> None:
+        """Adds a measured pose of one in the frame of the other, with its information matrix."""
+    @property
+    def poses(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def edges(self) -> npt.NDArray[np.int64]:
+        """The two poses of each edge; shape (m, 2)."""
+    @property
+    def degrees_of_freedom(self) -> float: ...
+    def cost(self, poses: npt.NDArray[np.float64]) -> float: ...
+    def optimise(self, *, most_iterations: int | None = None, **options: Value) -> PoseGraphSolution:
+        """Options as in scenarios: start, kernel, kernel_width, robust, ... Ctrl-C ends it."""
+    def lower_bound(self, poses: npt.NDArray[np.float64]) -> float:
+        """Proven: no poses cost less. Good at poses of low cost."""
+    def covariances(self, poses: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """Of each pose given the first; shape (n, 3, 3)."""
+    def g2o(self, poses: npt.NDArray[np.float64]) -> str:
+        """The graph as g2o text."""
+
+class PoseGraph3:
+    """Poses in space (matrices of 4 x 4) and measurements between them. The first pose stays where it is."""
+
+    def __init__(self) -> None: ...
+    @staticmethod
+    def load(path: str | PathLike[str]) -> PoseGraph3: ...
+    def add_pose(self, pose: npt.NDArray[np.float64]) -> int: ...
+    def add_edge(
+        self, from_pose: int, to_pose: int, measured: npt.NDArray[np.float64], information: npt.NDArray[np.float64]
+    ) -> None:
+        """The information is of position and rotation, 6 x 6."""
+    @property
+    def poses(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def edges(self) -> npt.NDArray[np.int64]: ...
+    @property
+    def degrees_of_freedom(self) -> float: ...
+    def cost(self, poses: npt.NDArray[np.float64]) -> float: ...
+    def optimise(self, *, most_iterations: int | None = None, **options: Value) -> PoseGraphSolution3: ...
+    def lower_bound(self, poses: npt.NDArray[np.float64]) -> float: ...
+    def covariances(self, poses: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]: ...
+    def g2o(self, poses: npt.NDArray[np.float64]) -> str: ...
+
+class LaserScan:
+    """One revolution of a planar laser range finder: ranges in m, bearings in rad."""
+
+    def __init__(
+        self,
+        ranges: Sequence[float] | npt.NDArray[np.floating[Any]],
+        *,
+        first: float,
+        step: float,
+        least: float,
+        most: float,
+        time: float = 0.0,
+    ) -> None:
+        """Ranges above `most` or infinite: free up to there; below `least` or NaN: no reading."""
+    @property
+    def ranges(self) -> npt.NDArray[np.float32]: ...
+    @property
+    def first(self) -> float: ...
+    @property
+    def step(self) -> float: ...
+    @property
+    def least(self) -> float: ...
+    @property
+    def most(self) -> float: ...
+    @property
+    def time(self) -> float: ...
+
+class LaserStep(TypedDict):
+    pose: npt.NDArray[np.float64]
+    matched: bool
+    lost: bool
+    closed_loop: bool
+
+class LaserSlam:
+    """Localisation and mapping with a laser range finder. One thread at a time; others are refused.
+
+    Options as in scenarios; those of the map begin with map_, such as map_resolution.
+    """
+
+    def __init__(self, start: Pose = (0.0, 0.0, 0.0), **options: Value) -> None: ...
+    def advance(self, motion: Pose, scan: LaserScan) -> LaserStep:
+        """Takes the motion since the last scan, by odometry in the frame of the robot then, and the scan after it."""
+    def settle(self) -> None:
+        """Optimises all poses and draws the map anew."""
+    @property
+    def pose(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def covariance(self) -> npt.NDArray[np.float64]:
+        """Of x, y and heading of the last kept scan; shape (3, 3)."""
+    @property
+    def trajectory(self) -> npt.NDArray[np.float64]:
+        """The start and the pose after each step; shape (n, 3)."""
+    @property
+    def map(self) -> OccupancyGrid:
+        """A copy of the map as it is now."""
+    @property
+    def graph(self) -> PoseGraph: ...
+    @property
+    def loops(self) -> int: ...
+
+class LandmarkStep(TypedDict):
+    used: int
+    refused: int
+    waiting: int
+    added: list[int]
+    removed: list[int]
+    lost: bool
+
+class LandmarkEstimates(TypedDict):
+    id: npt.NDArray[np.int64]
+    position: npt.NDArray[np.float64]
+    covariance: npt.NDArray[np.float64]
+    sightings: npt.NDArray[np.int64]
+
+class LandmarkSlam:
+    """Localisation and mapping with landmarks. One thread at a time; others are refused. Options as in scenarios."""
+
+    def __init__(self, start: Pose = (0.0, 0.0, 0.0), **options: Value) -> None: ...
+    @staticmethod
+    def load(state: str) -> LandmarkSlam:
+        """Goes on from the text of `state`."""
+    def advance(
+        self,
+        odometry: Pose,
+        covariance: npt.NDArray[np.float64],
+        *,
+        positions: Points,
+        covariances: npt.NDArray[np.float64],
+        ids: Sequence[int] | npt.NDArray[np.integer[Any]] | None = None,
+    ) -> LandmarkStep:
+        """Takes a motion with its covariance (3, 3), and the landmarks seen after it in the frame of the robot."""
+    def settle(self) -> None: ...
+    @property
+    def pose(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def covariance(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def trajectory(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def landmarks(self) -> LandmarkEstimates: ...
+    @property
+    def cost(self) -> float: ...
+    @property
+    def state(self) -> str: ...
+
 def read_log(path: str | PathLike[str], *, topics: Sequence[str] = ...) -> dict[str, npt.NDArray[np.void]]:
     """The messages of a log (MCAP, ROS 1 bag, ROS 2 db3) as Run.log has them. Warns if the end of the file is missing."""

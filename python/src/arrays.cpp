@@ -209,6 +209,24 @@ py::array_t<double> array_of_shape(const std::vector<py::ssize_t>& shape, const 
   return result;
 }
 
+std::vector<std::int64_t> integers_of_row(const py::handle& value, const char* name) {
+  const Integers numbers = integers_of(value, name);
+  if (numbers.ndim() != 1) {
+    refuse(fmt::format("its shape is {}; give integers of shape (n)", shape_text(numbers)), name);
+  }
+  return {numbers.data(), numbers.data() + numbers.size()};
+}
+
+std::vector<float> ranges_of(const py::handle& value, const char* name) {
+  const Numbers numbers = numbers_of(value, name);
+  if (numbers.ndim() != 1)
+    refuse(fmt::format("its shape is {}; give ranges of shape (n)", shape_text(numbers)), name);
+  std::vector<float> ranges;
+  ranges.reserve(static_cast<std::size_t>(numbers.size()));
+  for (py::ssize_t i = 0; i < numbers.size(); ++i) ranges.push_back(static_cast<float>(numbers.data()[i]));
+  return ranges;
+}
+
 py::array view_of(const Grid<std::uint8_t>& grid, const py::object& owner) {
   py::array_t<std::uint8_t> view(
       {static_cast<py::ssize_t>(grid.frame.height), static_cast<py::ssize_t>(grid.frame.width)},

@@ -41,6 +41,11 @@ std::vector<double> numbers_of_shape(const pybind11::handle& value,
 /// Returns an array of that shape with the numbers.
 pybind11::array_t<double> array_of_shape(const std::vector<pybind11::ssize_t>& shape, const double* numbers);
 
+/// Returns the integers of an array of shape (n).
+std::vector<std::int64_t> integers_of_row(const pybind11::handle& value, const char* name);
+/// Returns the ranges of an array of shape (n), m; they may be infinite or no numbers.
+std::vector<float> ranges_of(const pybind11::handle& value, const char* name);
+
 /// Returns a read-only view of a grid of bytes, of shape (rows, columns); `owner` stays alive with it.
 pybind11::array view_of(const Grid<std::uint8_t>& grid, const pybind11::object& owner);
 

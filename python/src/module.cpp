@@ -8,7 +8,10 @@ PYBIND11_MODULE(_outrider, module) {
   outrider::python::bind_catalogues(module);
   outrider::python::bind_cover(module);
   outrider::python::bind_log(module);
+  outrider::python::bind_occupancy(module);
   outrider::python::bind_path(module);
+  outrider::python::bind_pose_graph(module);
   outrider::python::bind_pursuit(module);
   outrider::python::bind_run(module);
+  outrider::python::bind_slam(module);
 }
