@@ -1,6 +1,6 @@
 from collections.abc import Iterable, Sequence
 from os import PathLike
-from typing import Any, TypedDict, overload
+from typing import Any, Protocol, TypedDict, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -533,6 +533,142 @@ class LandmarkSlam:
     def cost(self) -> float: ...
     @property
     def state(self) -> str: ...
+
+class Observation:
+    """What a robot senses: the time in s, the pose by odometry since the start, and what its devices add."""
+
+    def __init__(
+        self,
+        *,
+        time: float,
+        odometry: Pose,
+        scan: LaserScan | None = None,
+        touching: bool = False,
+        touch: float | None = None,
+    ) -> None:
+        """`touching`: it touched something since the last observation; `touch`: the bearing of that in rad, if known."""
+    @property
+    def time(self) -> float: ...
+    @property
+    def odometry(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def scan(self) -> LaserScan | None: ...
+    @property
+    def touching(self) -> bool: ...
+
+class DriveTwist:
+    """Drive with a constant twist until a time, then sense again: m/s ahead and to the left, rad/s, s."""
+
+    def __init__(self, *, ahead: float, left: float = 0.0, turn: float = 0.0, until: float) -> None: ...
+    @property
+    def ahead(self) -> float: ...
+    @property
+    def left(self) -> float: ...
+    @property
+    def turn(self) -> float: ...
+    @property
+    def until(self) -> float: ...
+
+class FollowPiece:
+    """Turn towards a leg or an arc, pause, and drive along it from rest to rest."""
+
+    @property
+    def from_point(self) -> tuple[float, float]: ...
+    @property
+    def to_point(self) -> tuple[float, float]: ...
+    @property
+    def turn(self) -> float:
+        """Of the arc, rad; 0 for a leg."""
+    @property
+    def backward(self) -> bool: ...
+    @property
+    def pause(self) -> float: ...
+
+class Wait:
+    """Stand still until a time, s."""
+
+    def __init__(self, *, until: float) -> None: ...
+    @property
+    def until(self) -> float: ...
+
+Command = DriveTwist | FollowPiece | Wait
+
+class Robot(Protocol):
+    """What carries a mission out: any class with these two methods."""
+
+    def sense(self) -> Observation: ...
+    def act(self, command: Any, /) -> None:
+        """Carries the command out and returns when it is done."""
+
+class Mission(Protocol):
+    """What answers each observation with a command: any class with this method; None ends the mission."""
+
+    def step(self, observation: Observation, /) -> Command | None: ...
+
+class CoverMission:
+    """Drives the track of a plan, piece by piece."""
+
+    def __init__(self, plan: CoverPlan, *, pause: float = 0.0) -> None: ...
+    def step(self, observation: Observation) -> FollowPiece | None: ...
+
+class ExploreMission:
+    """Maps a building that nobody knows, and comes home.
+
+    Its robot senses scans and takes DriveTwist. Options as in scenarios: strategy, planner, ..., robot_radius, ...,
+    slam_reach, ..., map_resolution, ...
+    """
+
+    def __init__(self, start: Pose = (0.0, 0.0, 0.0), **options: Value) -> None: ...
+    def step(self, observation: Observation) -> DriveTwist | None: ...
+    @property
+    def pose(self) -> npt.NDArray[np.float64]:
+        """Where it believes to be."""
+    @property
+    def stop_reason(self) -> str:
+        """complete, left_over, budget, leak, stuck, lost or blind; empty while it explores."""
+    @property
+    def reason(self) -> str: ...
+    @property
+    def home(self) -> bool: ...
+    @property
+    def map(self) -> OccupancyGrid:
+        """A copy."""
+
+def run_mission(mission: Mission, robot: Robot, *, most_steps: int | None = None) -> int:
+    """Senses, steps and acts until the mission is over, and returns the number of commands.
+
+    Raises RobotFailed, with the exception as its `__cause__`, where the robot or a mission in Python raises one.
+    """
+
+class Solids(TypedDict):
+    name: list[str]
+    kind: list[str]
+    bounds: npt.NDArray[np.float64]
+
+class Outline(TypedDict):
+    corners: npt.NDArray[np.float64]
+    radius: float
+
+class World:
+    """The solids of a yard or a building, and its bounds."""
+
+    @staticmethod
+    def load(path: str | PathLike[str]) -> World:
+        """Reads SDF, a map of map_server, an image or slices; warns of what it repaired or left out."""
+    @property
+    def name(self) -> str: ...
+    @property
+    def bounds(self) -> npt.NDArray[np.float64]:
+        """The lowest and the highest corner; shape (2, 2)."""
+    @property
+    def solids(self) -> Solids:
+        """Boxes around them have the shape (n, 2, 3)."""
+    def outlines(self, *, height: float = 0.2) -> list[Outline]:
+        """What stands in the way of a robot of that height: convex corners, grown by a radius."""
+    def clearances(self, points: Points, *, height: float = 0.2, most: float = 10.0) -> npt.NDArray[np.float64]:
+        """The distance of each point to the nearest obstacle or edge, at most `most`; negative inside."""
+    def grid(self, radius: float, *, resolution: float = 0.1, height: float = 0.2) -> GridMap:
+        """The ground of a disk of that radius."""
 
 def read_log(path: str | PathLike[str], *, topics: Sequence[str] = ...) -> dict[str, npt.NDArray[np.void]]:
     """The messages of a log (MCAP, ROS 1 bag, ROS 2 db3) as Run.log has them. Warns if the end of the file is missing."""

@@ -14,4 +14,6 @@ PYBIND11_MODULE(_outrider, module) {
   outrider::python::bind_pursuit(module);
   outrider::python::bind_run(module);
   outrider::python::bind_slam(module);
+  outrider::python::bind_robot(module);
+  outrider::python::bind_world(module);
 }
