@@ -112,7 +112,7 @@ void bind_occupancy(py::module_& module) {
   py::class_<Frontiers>(module, "FrontierMap",
                         "The frontiers between free and unknown cells of a growing map.")
       .def(py::init<double, const py::kwargs&>(), py::arg("radius"))
-      .def("update", &Frontiers::update, py::arg("grid"))
+      .def("update", &Frontiers::update, py::arg("grid").none(false))
       .def_property_readonly("frontiers", &Frontiers::frontiers)
       .def_property_readonly("ground", &Frontiers::ground);
 }
