@@ -112,10 +112,12 @@ check-packages: packages  ## install the packages in a fresh Debian, use them th
 	@scripts/check-packages build/packages
 
 bench:  ## run the benchmarks
-	$(INSTALL) build bench page browser
+	$(INSTALL) build bench page browser python
 	$(CONFIGURE) release build -DOUTRIDER_BUILD_BENCH=ON -DOUTRIDER_WITH_CERES=AUTO $(FIRST)
 	@ninja -C build -j $(JOBS) bench/all
 	@for program in build/bench/bench_*; do $$program || exit 1; done
+	@if [ -e build/bench/call_bench ]; then ninja -C build -j $(JOBS) outrider_python && \
+	  PYTHONPATH=build/python /usr/bin/python3 bench/python_calls.py build/bench/call_bench; fi
 	@ninja -C build -j $(JOBS) outrider
 	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) node web/tests/run.mjs tests/browser/bench.mjs || [ $$? -eq 77 ]
 

@@ -13,11 +13,20 @@ a class in this module, with its sentence and where it is.
 """
 
 from ._faults import (BadInput, BudgetExhausted, Cancelled, CannotWrite, Fault, GoalBlocked, NoPath, NoShot,
-                      OutsideMap, StartBlocked)
-from ._outrider import (GridMap, PathPlanner, Plan, Run, __version__, check, jobs, path_planners, read_log, run)
+                      OutsideMap, RobotFailed, StartBlocked)
+from ._outrider import (CoverMission, CoverPlan, CoverPlanner, CoverProblem, CoverProof, DriveTwist, ExploreMission,
+                        FollowPiece, FrontierMap, GridMap, LandmarkSlam, LaserScan, LaserSlam, Observation,
+                        OccupancyGrid, PathPlanner, Plan, PoseGraph, PoseGraph3, PoseGraphSolution,
+                        PoseGraphSolution3, PursuitPlan, PursuitPlanner, PursuitProblem, Run, Wait, World,
+                        __version__, check, cover_methods, explore_strategies, guard_planners, jobs, path_planners,
+                        prove, pursuit_planners, read_log, run, run_mission)
 
 __all__ = [
-    "BadInput", "BudgetExhausted", "Cancelled", "CannotWrite", "Fault", "GoalBlocked", "GridMap", "NoPath", "NoShot",
-    "OutsideMap", "PathPlanner", "Plan", "Run", "StartBlocked", "__version__", "check", "jobs", "path_planners",
-    "read_log", "run",
+    "BadInput", "BudgetExhausted", "Cancelled", "CannotWrite", "CoverMission", "CoverPlan", "CoverPlanner",
+    "CoverProblem", "CoverProof", "DriveTwist", "ExploreMission", "Fault", "FollowPiece", "FrontierMap",
+    "GoalBlocked", "GridMap", "LandmarkSlam", "LaserScan", "LaserSlam", "NoPath", "NoShot", "Observation",
+    "OccupancyGrid", "OutsideMap", "PathPlanner", "Plan", "PoseGraph", "PoseGraph3", "PoseGraphSolution",
+    "PoseGraphSolution3", "PursuitPlan", "PursuitPlanner", "PursuitProblem", "RobotFailed", "Run", "StartBlocked",
+    "Wait", "World", "__version__", "check", "cover_methods", "explore_strategies", "guard_planners", "jobs",
+    "path_planners", "prove", "pursuit_planners", "read_log", "run", "run_mission",
 ]

@@ -68,6 +68,12 @@ class CannotWrite(Fault, OSError):
     code = "cannot_write"
 
 
+class RobotFailed(Fault):
+    """A robot or a mission written in Python failed; `__cause__` is its exception, if it raised one."""
+
+    code = "robot_failed"
+
+
 _CLASSES = {kind.code: kind for kind in (StartBlocked, GoalBlocked, OutsideMap, NoPath, NoShot, BudgetExhausted,
                                          Cancelled, BadInput, CannotWrite)}
 

@@ -5,8 +5,16 @@
 
 namespace outrider::python {
 
+void bind_catalogues(pybind11::module_& module);
+void bind_cover(pybind11::module_& module);
 void bind_log(pybind11::module_& module);
+void bind_occupancy(pybind11::module_& module);
 void bind_path(pybind11::module_& module);
+void bind_pose_graph(pybind11::module_& module);
+void bind_pursuit(pybind11::module_& module);
+void bind_robot(pybind11::module_& module);
 void bind_run(pybind11::module_& module);
+void bind_slam(pybind11::module_& module);
+void bind_world(pybind11::module_& module);
 
 }  // namespace outrider::python

@@ -5,7 +5,15 @@
 PYBIND11_MODULE(_outrider, module) {
   module.attr("__version__") = OUTRIDER_VERSION;
   outrider::python::bind_faults();
+  outrider::python::bind_catalogues(module);
+  outrider::python::bind_cover(module);
   outrider::python::bind_log(module);
+  outrider::python::bind_occupancy(module);
   outrider::python::bind_path(module);
+  outrider::python::bind_pose_graph(module);
+  outrider::python::bind_pursuit(module);
   outrider::python::bind_run(module);
+  outrider::python::bind_slam(module);
+  outrider::python::bind_robot(module);
+  outrider::python::bind_world(module);
 }

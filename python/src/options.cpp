@@ -24,6 +24,20 @@ void set_option(const std::vector<Option>& options, const std::string& name, con
   throw FaultError{no_such_row("option", name, known, name).value()};
 }
 
+void set_options(const std::vector<Option>& options, const py::kwargs& values) {
+  for (const auto& [key, value] : values) set_option(options, py::str(key), value);
+}
+
+std::vector<Option> prefixed(const std::string& prefix, std::vector<Option> options) {
+  for (Option& option : options) option.name.insert(0, prefix);
+  return options;
+}
+
+std::vector<Option> joined(std::vector<Option> options, std::vector<Option> more) {
+  options.insert(options.end(), more.begin(), more.end());
+  return options;
+}
+
 py::dict options_dict(const std::vector<Option>& options) {
   py::dict result;
   for (const Option& option : options) {

@@ -16,6 +16,12 @@ std::string option_text(const pybind11::handle& value);
 std::string path_text(const pybind11::handle& value);
 /// Sets an option by its name; raises BadInput for an unknown name or a value that it does not take.
 void set_option(const std::vector<Option>& options, const std::string& name, const pybind11::handle& value);
+/// Sets options by their names.
+void set_options(const std::vector<Option>& options, const pybind11::kwargs& values);
+/// Returns the options with their names behind the prefix, such as "tool_width".
+std::vector<Option> prefixed(const std::string& prefix, std::vector<Option> options);
+/// Returns all options of both lists.
+std::vector<Option> joined(std::vector<Option> options, std::vector<Option> more);
 /// Returns the present values by name; angles in degrees.
 pybind11::dict options_dict(const std::vector<Option>& options);
 

@@ -6,7 +6,6 @@
 
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,9 +13,11 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "faults.hpp"
+#include "interruptible.hpp"
 #include "options.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
+#include "turn.hpp"
 
 namespace outrider::python {
 
@@ -61,7 +62,7 @@ class Planner {
 
   [[nodiscard]] const PathPlanner& row() const { return row_; }
   void set(const std::string& key, const py::handle& value) {
-    const auto turn = take_turn();
+    const auto turn = turn_.take("planner");
     set_option(configured_.options, key, value);
   }
   py::dict options() { return options_dict(configured_.options); }
@@ -69,7 +70,7 @@ class Planner {
   Plan plan(const SharedMap& map, const py::handle& start, const py::handle& goal,
             std::optional<std::uint64_t> most_expansions, Trace* trace) {
     const Problem problem{map, point_of(start, "start"), point_of(goal, "goal")};
-    const auto turn = take_turn();
+    const auto turn = turn_.take("planner");
     const py::gil_scoped_release others_may_run;
     workspace_.trace = trace;
     auto plan = configured_.plan(problem, budget_of(most_expansions), workspace_);
@@ -87,7 +88,7 @@ class Planner {
     }
     py::array_t<double> result(static_cast<py::ssize_t>(from.size()));
     double* const costs = result.mutable_data();
-    const auto turn = take_turn();
+    const auto turn = turn_.take("planner");
     const py::gil_scoped_release others_may_run;
     Problem problem{map, {}, {}};
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -104,23 +105,10 @@ class Planner {
   }
 
  private:
-  /// A planner serves one thread at a time, since its memory is one.
-  std::unique_lock<std::mutex> take_turn() {
-    std::unique_lock turn(busy_, std::try_to_lock);
-    if (turn.owns_lock()) return turn;
-    throw FaultError{
-        {FaultCode::bad_input, "another thread uses this planner; give each thread its own", ""}};
-  }
-  static Budget budget_of(std::optional<std::uint64_t> most_expansions) {
-    Budget budget;
-    if (most_expansions) budget.expansions = *most_expansions;
-    return budget;
-  }
-
   PathPlanner row_;
   ConfiguredPlanner configured_;
   Workspace workspace_;
-  std::mutex busy_;
+  Turn turn_;
 };
 
 py::tuple plan_with_trace(Planner& planner, const SharedMap& map, const py::handle& start,
@@ -197,14 +185,6 @@ void bind_path(py::module_& module) {
       .def("trace", &plan_with_trace, py::arg("map"), py::arg("start"), py::arg("goal"), py::kw_only(),
            py::arg("most_expansions") = py::none())
       .def("costs", &Planner::costs, py::arg("map"), py::arg("starts"), py::arg("goals"));
-  module.def(
-      "path_planners",
-      [] {
-        std::vector<std::string> names;
-        for (const PathPlanner& row : path_planners()) names.emplace_back(row.name);
-        return names;
-      },
-      "Returns the names of the path planners.");
 }
 
 }  // namespace outrider::python

@@ -3,8 +3,6 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <chrono>
-#include <future>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -14,6 +12,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "faults.hpp"
+#include "interruptible.hpp"
 #include "log.hpp"
 #include "options.hpp"
 #include "outrider/core/overload.hpp"
@@ -31,27 +30,6 @@ struct FinishedRun {
   Run run;
   std::string scenario;  ///< its text, with all options
 };
-
-/// Runs the work on a thread of its own, without the lock of the interpreter, until it ends or Ctrl-C asks it
-/// to stop.
-template <class Work>
-auto interruptible(Work work) {
-  std::stop_source stop;
-  auto result = std::async(std::launch::async, work, stop.get_token());
-  while (true) {
-    {
-      const py::gil_scoped_release others_may_run;
-      if (result.wait_for(std::chrono::milliseconds(20)) == std::future_status::ready) return result.get();
-    }
-    if (PyErr_CheckSignals() == 0) continue;
-    stop.request_stop();
-    {
-      const py::gil_scoped_release others_may_run;
-      result.wait();
-    }
-    throw py::error_already_set();
-  }
-}
 
 std::shared_ptr<FinishedRun> run_scenario(const py::handle& scenario_path, std::optional<std::int64_t> seed,
                                           const py::dict& set) {
@@ -138,14 +116,6 @@ void bind_run(py::module_& module) {
       .def("save", &save, py::arg("folder"));
   module.def("run", &run_scenario, py::arg("scenario"), py::kw_only(), py::arg("seed") = py::none(),
              py::arg("set") = py::dict(), "Runs the job of a scenario file, with options set by key.");
-  module.def(
-      "jobs",
-      [] {
-        py::dict result;
-        for (const Job& job : jobs()) result[py::str(std::string(job.name))] = std::string(job.sentence);
-        return result;
-      },
-      "Returns the jobs, with a sentence for each.");
 }
 
 }  // namespace outrider::python

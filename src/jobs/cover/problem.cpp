@@ -294,6 +294,39 @@ Status connect(CoverageArea& made, const CoverProblem& problem) {
 
 }  // namespace
 
+std::vector<Option> describe(CoverTool& tool) {
+  return {
+      {"shape", "", 0, 0,
+       "disk: the robot itself; bar: a rectangle fixed to it, as a mower deck or spray boom", &tool.shape},
+      {"width", "m", 0.0, 2.0 * most_polygon_radius_m,
+       "of a bar, across the heading; 0: as wide as the robot", &tool.width_m},
+      {"length", "m", 0.0, most_polygon_radius_m, "of a bar, along the heading", &tool.length_m},
+      {"forward", "m", -most_polygon_radius_m, most_polygon_radius_m,
+       "of the middle of a bar, ahead of the robot's centre; negative: behind it", &tool.forward_m}};
+}
+
+std::vector<Option> describe(CoverProblem& problem) {
+  return {
+      {"transfers", "", 0, 0, "several areas: the robot may drive between them, over all that is no hole",
+       &problem.transfers},
+      {"width", "m", 2.0 * least_polygon_radius_m, 2.0 * most_polygon_radius_m,
+       "of the robot, a disk, and of the strip it covers unless it carries a bar", &problem.width_m},
+      {"overlap", "", 0.0, most_overlap, "part of the width that neighbouring strips share",
+       &problem.overlap},
+      {"tracking_error", "m", 0.0, most_polygon_radius_m, "largest distance of the robot from its track",
+       &problem.tracking_error_m},
+      {"uncovered", "", 0.0, 0.5,
+       "part of the area that may stay uncovered where only a detour would cover it", &problem.uncovered},
+      {"turning_radius", "m", 0.0, most_polygon_radius_m,
+       "of the tightest curve that the robot can drive; 0: it turns in place", &problem.turning_radius_m},
+      {"reverse", "", 0, 0,
+       "the robot with a turning radius may drive backwards: Reeds-Shepp turns, else Dubins turns",
+       &problem.reverse},
+      {"headland", "", 0.0, static_cast<double>(most_headland),
+       "laps along every border, in which the robot with a turning radius turns; 0: as many as turns need",
+       &problem.headland}};
+}
+
 std::optional<Bar> CoverProblem::bar() const {
   if (tool.shape != "bar") return std::nullopt;
   return Bar{tool.width_m != 0.0 ? tool.width_m : width_m, tool.length_m, tool.forward_m};

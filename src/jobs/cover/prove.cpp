@@ -169,4 +169,11 @@ Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, co
   return proof;
 }
 
+Outcome<CoverProof> prove_anew(CoverPlan plan, const CoverProblem& problem, const Budget& budget) {
+  auto ground = cover_ground(problem);
+  if (!ground) return pass_on(ground);
+  plan.ground = std::move(*ground);
+  return prove(plan, problem, budget);
+}
+
 }  // namespace outrider

@@ -27,51 +27,24 @@ Status check_names(const CoverScenario& scenario) {
 }  // namespace
 
 std::vector<OptionGroup> describe(CoverScenario& scenario) {
-  CoverProblem& problem = scenario.problem;
+  std::vector<Option> top{file_option("area", "file of the polygon to cover", &scenario.area),
+                          {"units", "", 0, 0, "of its numbers: auto, degrees or metres", &scenario.units}};
+  for (Option& option : describe(scenario.problem)) top.push_back(std::move(option));
+  const std::vector<Option> rest{
+      choice_option("method", "a cover method of 'outrider list'", &scenario.method,
+                    names_of(cover_methods())),
+      {"start", "", 0, 0,
+       "x,y,heading of the robot at first, in the coordinates of the area and degrees; empty: where its "
+       "track begins",
+       &scenario.start},
+      {"error_factor", "", 1.0, 100.0, "how many times slower than its slowest pace the robot may be",
+       &scenario.error_factor},
+      {"seed", "", 0, 1e15, "seed of the simulated drive", &scenario.seed}};
+  top.insert(top.end(), rest.begin(), rest.end());
   return {
-      {"",
-       "the area and the robot",
-       {file_option("area", "file of the polygon to cover", &scenario.area),
-        {"units", "", 0, 0, "of its numbers: auto, degrees or metres", &scenario.units},
-        {"transfers", "", 0, 0, "several areas: the robot may drive between them, over all that is no hole",
-         &problem.transfers},
-        {"width", "m", 2.0 * least_polygon_radius_m, 2.0 * most_polygon_radius_m,
-         "of the robot, a disk, and of the strip it covers unless it carries a bar", &problem.width_m},
-        {"overlap", "", 0.0, most_overlap, "part of the width that neighbouring strips share",
-         &problem.overlap},
-        {"tracking_error", "m", 0.0, most_polygon_radius_m, "largest distance of the robot from its track",
-         &problem.tracking_error_m},
-        {"uncovered", "", 0.0, 0.5,
-         "part of the area that may stay uncovered where only a detour would cover it", &problem.uncovered},
-        {"turning_radius", "m", 0.0, most_polygon_radius_m,
-         "of the tightest curve that the robot can drive; 0: it turns in place", &problem.turning_radius_m},
-        {"reverse", "", 0, 0,
-         "the robot with a turning radius may drive backwards: Reeds-Shepp turns, else Dubins turns",
-         &problem.reverse},
-        {"headland", "", 0.0, static_cast<double>(most_headland),
-         "laps along every border, in which the robot with a turning radius turns; 0: as many as turns need",
-         &problem.headland},
-        choice_option("method", "a cover method of 'outrider list'", &scenario.method,
-                      names_of(cover_methods())),
-        {"start", "", 0, 0,
-         "x,y,heading of the robot at first, in the coordinates of the area and degrees; empty: where its "
-         "track begins",
-         &scenario.start},
-        {"error_factor", "", 1.0, 100.0, "how many times slower than its slowest pace the robot may be",
-         &scenario.error_factor},
-        {"seed", "", 0, 1e15, "seed of the simulated drive", &scenario.seed}}},
-      {"tool",
-       "what covers the ground",
-       {{"shape", "", 0, 0,
-         "disk: the robot itself; bar: a rectangle fixed to it, as a mower deck or spray boom",
-         &problem.tool.shape},
-        {"width", "m", 0.0, 2.0 * most_polygon_radius_m,
-         "of a bar, across the heading; 0: as wide as the robot", &problem.tool.width_m},
-        {"length", "m", 0.0, most_polygon_radius_m, "of a bar, along the heading", &problem.tool.length_m},
-        {"forward", "m", -most_polygon_radius_m, most_polygon_radius_m,
-         "of the middle of a bar, ahead of the robot's centre; negative: behind it",
-         &problem.tool.forward_m}}},
-      {"pace", "how fast the robot drives and turns", describe(problem.pace)},
+      {"", "the area and the robot", std::move(top)},
+      {"tool", "what covers the ground", describe(scenario.problem.tool)},
+      {"pace", "how fast the robot drives and turns", describe(scenario.problem.pace)},
       {"order", "in which order laps and cells are driven", describe(scenario.options)},
   };
 }

@@ -23,7 +23,9 @@ const std::vector<GuardPlanner>& guard_planners() {
        "Noon and Bean, A Lagrangian based approach for the asymmetric generalized traveling salesman "
        "problem, "
        "1991; docs/jobs/guard.md",
-       plan_guard},
+       plan_guard,
+       "each target is in one stop or proven unreachable at the resolution, each shot hits with the margin, "
+       "each leg is free; the tour comes with a proven bound of its time over the chosen stops"},
       {"shrinking_circles",
        "For each target the first place found on circles that shrink around it; groups of targets as listed, "
        "each in its best order.",

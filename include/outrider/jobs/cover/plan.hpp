@@ -67,6 +67,11 @@ struct CoverMethod {
   std::string_view sentence;
   std::string_view paper;
   std::function<Outcome<CoverPlan>(const CoverProblem&, const CoverOptions&, const Budget&)> plan;
+  /// The guarantee in words; see the head of this file.
+  std::string_view guarantee =
+      "covers, for every allowed tracking error, all within the sure radius of where the robot can stand, "
+      "but "
+      "for the fraction left out; no bound of its time";
 };
 /// Returns all methods in display order.
 const std::vector<CoverMethod>& cover_methods();
@@ -108,5 +113,9 @@ struct CoverProof {
 /// refused, but not complete. With a bar it refuses a track on which the disk of the robot or the bar leaves
 /// the area; one that covers less is not complete either.
 Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, const Budget& budget = {});
+
+/// The same for a plan that may be of another problem: prepares the areas from the problem, so that only the
+/// track of the plan counts. Faults: also those of cover_ground().
+Outcome<CoverProof> prove_anew(CoverPlan plan, const CoverProblem& problem, const Budget& budget = {});
 
 }  // namespace outrider

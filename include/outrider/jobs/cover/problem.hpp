@@ -21,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "outrider/core/options.hpp"
 #include "outrider/jobs/cover/coverage.hpp"
@@ -47,6 +48,7 @@ struct CoverTool {
   double length_m = 0.1;       ///< of a bar, along the heading
   double forward_m = 0.0;      ///< of the middle of a bar, ahead of the robot's centre
 };
+std::vector<Option> describe(CoverTool& tool);
 
 /// The question to a coverage planner.
 struct CoverProblem {
@@ -82,6 +84,9 @@ struct CoverProblem {
   /// every point beside a straight stroke.
   [[nodiscard]] double sure_radius_m() const { return 0.5 * strip_m() - tracking_error_m; }
 };
+
+/// Describes the numbers of the problem itself, without its polygons, tool and pace.
+std::vector<Option> describe(CoverProblem& problem);
 
 /// One of the areas that lie apart.
 struct CoverField {

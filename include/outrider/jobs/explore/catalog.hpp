@@ -15,6 +15,9 @@ struct ExploreStrategy {
   std::string_view sentence;
   std::string_view paper;
   std::string_view value_of;  ///< what the values are, with their unit
+  /// The guarantee in words; mission.hpp has the reasons to stop.
+  std::string_view guarantee =
+      "goes on until no frontier that it can reach and see hides enough unknown area; no bound of its time";
   bool most_is_best = false;  ///< the largest value is the best, not the least
   std::vector<double> (*values)(const Views& views, const ExploreState& state, const ExploreOptions& options,
                                 Workspace& workspace) = nullptr;
