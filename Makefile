@@ -23,7 +23,7 @@ MOMENTS ?= 50
 RUNS ?= 200
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak cancel loops load fuzz packages check-packages bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak cancel loops load fuzz wasm packages check-packages bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -100,6 +100,17 @@ fuzz:  ## run every fuzz target for FUZZ_SECONDS, 60 unless given
 	$(CONFIGURE) fuzz build-fuzz -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_FUZZ=ON
 	@ninja -C build-fuzz -j $(JOBS) fuzz_programs
 	@scripts/fuzz $(FUZZ_SECONDS) $(JOBS)
+
+# The page plans without a server; then the same queries go to it, in Chromium, and to the library, through Python.
+wasm:  ## compile the path planners for browsers: build-wasm/planner.wasm, and plan.html, a page that needs nothing else
+	$(INSTALL) build wasm page browser python
+	@cmake -G Ninja -S wasm -B build-wasm --toolchain $(CURDIR)/wasm/toolchain.cmake >/dev/null
+	@ninja -C build-wasm -j $(JOBS)
+	@node wasm/one_file.mjs build-wasm/planner.wasm build-wasm/plan.html
+	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
+	@ninja -C build -j $(JOBS) outrider_python
+	@PYTHONPATH=build/python /usr/bin/python3 wasm/native_costs.py build-wasm/queries.json
+	@node web/tests/run.mjs tests/browser/wasm.mjs $(CURDIR)/build-wasm/plan.html $(CURDIR)/build-wasm/queries.json || [ $$? -eq 77 ]
 
 packages:  ## write Debian packages of the tool, the library and the Python package to build/packages
 	$(INSTALL) build physics ompl page python
