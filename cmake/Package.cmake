@@ -79,6 +79,13 @@ if(TARGET outrider_python)
 logs, with arrays of numpy."
     DEPENDS "python3 (>= 3.${OUTRIDER_PYTHON_MINOR})" "python3 (<< 3.${next_minor})" python3-numpy)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  # Python compiles a package at its first use; what it wrote goes with the package.
+  set(scripts ${PROJECT_BINARY_DIR}/debian/python)
+  file(WRITE ${scripts}/postinst "#!/bin/sh\nset -e\nif [ \"$1\" = configure ]; then py3compile -p python3-outrider; fi\n")
+  file(WRITE ${scripts}/prerm "#!/bin/sh\nset -e\npy3clean -p python3-outrider\n")
+  file(CHMOD ${scripts}/postinst ${scripts}/prerm PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+    WORLD_READ WORLD_EXECUTE)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${scripts}/postinst ${scripts}/prerm)
 endif()
 
 # What every Debian package says of its licence and its release; the date is that of the newest in CHANGELOG.md.

@@ -1,5 +1,6 @@
 # Writes outrider.pc, for builds without CMake: `pkg-config --cflags --libs outrider` gives all layers, and what they
-# link. Each link of a layer is a package that pkg-config knows, or else a library.
+# link: of each layer packages that pkg-config knows, or else libraries. Some of these packages ask for an older C++, so
+# users put `-std=c++20` behind the flags.
 set(pc_name_of_fmt::fmt fmt)
 set(pc_name_of_TBB::tbb tbb)
 set(pc_name_of_Eigen3::Eigen eigen3)
@@ -55,7 +56,7 @@ Name: outrider
 Description: @PROJECT_DESCRIPTION@
 Version: @PROJECT_VERSION@
 Requires: @pc_requires@
-Cflags: -std=c++20 -I\${includedir}
+Cflags: -I\${includedir}
 Libs: -L\${libdir} @pc_layers@ @pc_flags@
 ")
 install(FILES ${PROJECT_BINARY_DIR}/outrider.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)

@@ -11,6 +11,7 @@ cmake_path(GET described PARENT_PATH folder)
 set(ENV{PKG_CONFIG_PATH} ${folder})
 step("asking pkg-config" ${pkg_config} --cflags --libs outrider)
 separate_arguments(flags UNIX_COMMAND "${output} ${FLAGS}")
-step("building" ${COMPILER} -O1 ${here}/clearance/main.cpp -o ${TRIAL}/pkg_config/clearance ${flags})
+step("building" ${COMPILER} -O1 ${here}/clearance/main.cpp -o ${TRIAL}/pkg_config/clearance ${flags}
+  -std=c++20)
 file(READ ${here}/clearance/expected_output.txt expected)
 expect_output(pkg_config/clearance "${expected}")
