@@ -28,9 +28,10 @@ def metadata():
 def build_extension(settings):
     """Returns the built module and the files beside it."""
     build = pathlib.Path((settings or {}).get("build", SOURCE / "build")).resolve()
-    options = [f"-DPython3_EXECUTABLE={sys.executable}", "-DOUTRIDER_WITH_PYTHON=ON"]
+    options = ["-DOUTRIDER_WITH_PYTHON=ON"]
     if not (build / "CMakeCache.txt").exists():
-        options += ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DOUTRIDER_BUILD_TESTS=OFF"]
+        options += ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DOUTRIDER_BUILD_TESTS=OFF",
+                    f"-DPython3_EXECUTABLE={sys.executable}"]
     subprocess.run(["cmake", "-S", SOURCE, "-B", build, *options], check=True)
     subprocess.run(["cmake", "--build", build, "--target", "outrider_python"], check=True)
     module = build / "python/outrider" / ("_outrider" + sysconfig.get_config_var("EXT_SUFFIX"))
