@@ -51,7 +51,11 @@ Json option_schema(const Option& option) {
     schema["minimum"] = whole(option.low);
     schema["maximum"] = whole(option.high);
   }
-  if (!option.choices.empty()) schema["enum"] = option.choices;
+  if (!option.choices.empty()) {
+    std::vector<std::string> names = option.choices;
+    if (std::ranges::count(names, value_text(option)) == 0) names.insert(names.begin(), value_text(option));
+    schema["enum"] = std::move(names);  // an empty name, where nothing need be chosen, is one too
+  }
   schema["default"] = value_json(option);
   return schema;
 }

@@ -12,7 +12,7 @@ COMMANDS = ["run", "guard", "pursue", "drive", "cover", "plan", "slam", "detect"
 def refusals(schema, value, where=""):
     """Where a value differs from a schema, for the few words of JSON schema that ours uses."""
     known = {"$schema", "title", "type", "description", "properties", "additionalProperties", "minimum", "maximum",
-             "default"}
+             "default", "enum"}
     assert set(schema) <= known, set(schema) - known
     types = {"object": dict, "string": str, "boolean": bool, "integer": int, "number": (int, float)}
     if not isinstance(value, types[schema["type"]]) or (schema["type"] != "boolean" and isinstance(value, bool)):
@@ -20,6 +20,8 @@ def refusals(schema, value, where=""):
     found = []
     if not schema.get("minimum", value) <= value <= schema.get("maximum", value) if isinstance(value, (int, float)) else 0:
         found.append(f"{where}: out of range")
+    if value not in schema.get("enum", [value]):
+        found.append(f"{where}: not one of {schema['enum']}")
     for key, inner in value.items() if isinstance(value, dict) else ():
         if key in schema["properties"]:
             found += refusals(schema["properties"][key], inner, f"{where}.{key}")
@@ -106,6 +108,10 @@ class Manual(ToolTest):
         self.assertNotEqual(refusals(schema, {"sed": 1}), [])
         self.assertNotEqual(refusals(schema, {"robot": {"radius": -1}}), [])
         self.assertNotEqual(refusals(schema, {"seed": "1"}), [])
+        self.assertNotEqual(refusals(schema, {"plan": {"planner": "nothing"}}), [])
+        for job in ("cover", "drive", "explore", "plan", "pursue", "slam"):
+            defaults = simple_yaml(self.text("schema", "--job", job, "--as", "scenario"))
+            self.assertEqual(refusals(json.loads(self.text("schema", "--job", job)), defaults), [], job)
 
     def test_scenario_round_trip(self):
         scenario = self.text("schema", "--as", "scenario")
