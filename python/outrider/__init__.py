@@ -16,7 +16,7 @@ from ._faults import (BadInput, BudgetExhausted, Cancelled, CannotWrite, Fault, 
                       OutsideMap, RobotFailed, StartBlocked)
 from ._outrider import (CoverMission, CoverPlan, CoverPlanner, CoverProblem, CoverProof, DriveTwist, ExploreMission,
                         FollowPiece, FrontierMap, GridMap, LandmarkSlam, LaserScan, LaserSlam, Observation,
-                        OccupancyGrid, PathPlanner, Plan, PoseGraph, PoseGraph3, PoseGraphSolution,
+                        OccupancyGrid, PathPlanner, Plan, PolygonMap, PoseGraph, PoseGraph3, PoseGraphSolution,
                         PoseGraphSolution3, PursuitPlan, PursuitPlanner, PursuitProblem, Run, Wait, World,
                         __version__, check, cover_methods, explore_strategies, guard_planners, jobs, path_planners,
                         prove, pursuit_planners, read_log, run, run_mission)
@@ -25,7 +25,7 @@ __all__ = [
     "BadInput", "BudgetExhausted", "Cancelled", "CannotWrite", "CoverMission", "CoverPlan", "CoverPlanner",
     "CoverProblem", "CoverProof", "DriveTwist", "ExploreMission", "Fault", "FollowPiece", "FrontierMap",
     "GoalBlocked", "GridMap", "LandmarkSlam", "LaserScan", "LaserSlam", "NoPath", "NoShot", "Observation",
-    "OccupancyGrid", "OutsideMap", "PathPlanner", "Plan", "PoseGraph", "PoseGraph3", "PoseGraphSolution",
+    "OccupancyGrid", "OutsideMap", "PathPlanner", "Plan", "PolygonMap", "PoseGraph", "PoseGraph3", "PoseGraphSolution",
     "PoseGraphSolution3", "PursuitPlan", "PursuitPlanner", "PursuitProblem", "RobotFailed", "Run", "StartBlocked",
     "Wait", "World", "__version__", "check", "cover_methods", "explore_strategies", "guard_planners", "jobs",
     "path_planners", "prove", "pursuit_planners", "read_log", "run", "run_mission",

@@ -58,6 +58,23 @@ class GridMap:
     def marks(self) -> npt.NDArray[np.uint8]:
         """A view of the cells, of shape (rows, columns). Bit 0 is set where a cell is blocked."""
 
+class PolygonMap:
+    """Ground as polygons for the centre of a disk of `radius` m, read-only.
+
+    `boundary` and each of `obstacles` are the corners of simple polygons, of shape (n, 2), m. The visibility planners
+    work on it. Raises BadInput for a polygon that crosses itself or has no area.
+    """
+
+    def __init__(self, boundary: Points, *, obstacles: Iterable[Points] = (), radius: float = 0.18) -> None: ...
+    @property
+    def boundary(self) -> npt.NDArray[np.float64]:
+        """Clockwise."""
+    @property
+    def obstacles(self) -> list[npt.NDArray[np.float64]]:
+        """Counter-clockwise."""
+    @property
+    def radius(self) -> float: ...
+
 class Plan:
     """A path with its cost and a proven lower bound."""
 
@@ -89,12 +106,14 @@ class PathPlanner:
     @property
     def options(self) -> dict[str, Value]: ...
     def set(self, option: str, value: Value) -> None: ...
-    def plan(self, map: GridMap, start: Point, goal: Point, *, most_expansions: int | None = None) -> Plan: ...
+    def plan(
+        self, map: GridMap | PolygonMap, start: Point, goal: Point, *, most_expansions: int | None = None
+    ) -> Plan: ...
     def trace(
-        self, map: GridMap, start: Point, goal: Point, *, most_expansions: int | None = None
+        self, map: GridMap | PolygonMap, start: Point, goal: Point, *, most_expansions: int | None = None
     ) -> tuple[Plan, npt.NDArray[np.void]]:
         """Plans, and returns the expansions in their order, as records (state, parent, f, g, h)."""
-    def costs(self, map: GridMap, starts: Points, goals: Points) -> npt.NDArray[np.float64]:
+    def costs(self, map: GridMap | PolygonMap, starts: Points, goals: Points) -> npt.NDArray[np.float64]:
         """The cost from each start to its goal; NaN where it is proven that there is no path."""
 
 class Run:
@@ -146,7 +165,7 @@ def guard_planners() -> dict[str, Row]:
     """The guard planners by name."""
 
 @overload
-def check(plan: Plan, map: GridMap, start: Point, goal: Point) -> None: ...
+def check(plan: Plan, map: GridMap | PolygonMap, start: Point, goal: Point) -> None: ...
 @overload
 def check(plan: PursuitPlan, problem: PursuitProblem) -> None: ...
 @overload

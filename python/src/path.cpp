@@ -52,6 +52,24 @@ py::array marks_of(const SharedMap& map) {
   return view;
 }
 
+using SharedPolygons = std::shared_ptr<PolygonGround>;
+
+SharedPolygons make_polygons(const py::handle& boundary, const py::iterable& obstacles, double radius_m) {
+  std::vector<std::vector<Vec2>> rings;
+  for (const py::handle& ring : obstacles) rings.push_back(points_of(ring, "obstacles"));
+  return std::make_shared<PolygonGround>(
+      value_of(PolygonGround::of(points_of(boundary, "boundary"), std::move(rings), radius_m)));
+}
+
+/// A problem on a GridMap or a PolygonMap.
+Problem problem_on(const py::handle& map, Vec2 start, Vec2 goal) {
+  if (py::isinstance<GridMap>(map)) return {map.cast<SharedMap>(), start, goal};
+  if (py::isinstance<PolygonGround>(map)) return {nullptr, start, goal, map.cast<SharedPolygons>()};
+  throw FaultError{
+      {FaultCode::bad_input,
+       fmt::format("{} is no ground; give a GridMap or a PolygonMap", Py_TYPE(map.ptr())->tp_name), "map"}};
+}
+
 /// A planner with its options and its memory.
 class Planner {
  public:
@@ -67,9 +85,9 @@ class Planner {
   }
   py::dict options() { return options_dict(configured_.options); }
 
-  Plan plan(const SharedMap& map, const py::handle& start, const py::handle& goal,
+  Plan plan(const py::handle& map, const py::handle& start, const py::handle& goal,
             std::optional<std::uint64_t> most_expansions, Trace* trace) {
-    const Problem problem{map, point_of(start, "start"), point_of(goal, "goal")};
+    const Problem problem = problem_on(map, point_of(start, "start"), point_of(goal, "goal"));
     const auto turn = turn_.take("planner");
     const py::gil_scoped_release others_may_run;
     workspace_.trace = trace;
@@ -79,7 +97,7 @@ class Planner {
   }
 
   /// The cost of each query: NaN where it is proven that there is no path.
-  py::array_t<double> costs(const SharedMap& map, const py::handle& starts, const py::handle& goals) {
+  py::array_t<double> costs(const py::handle& map, const py::handle& starts, const py::handle& goals) {
     const std::vector<Vec2> from = points_of(starts, "starts"), to = points_of(goals, "goals");
     if (from.size() != to.size()) {
       throw FaultError{{FaultCode::bad_input,
@@ -88,9 +106,9 @@ class Planner {
     }
     py::array_t<double> result(static_cast<py::ssize_t>(from.size()));
     double* const costs = result.mutable_data();
+    Problem problem = problem_on(map, {}, {});
     const auto turn = turn_.take("planner");
     const py::gil_scoped_release others_may_run;
-    Problem problem{map, {}, {}};
     for (std::size_t i = 0; i < from.size(); ++i) {
       problem.start = from[i];
       problem.goal = to[i];
@@ -111,7 +129,7 @@ class Planner {
   Turn turn_;
 };
 
-py::tuple plan_with_trace(Planner& planner, const SharedMap& map, const py::handle& start,
+py::tuple plan_with_trace(Planner& planner, const py::handle& map, const py::handle& start,
                           const py::handle& goal, std::optional<std::uint64_t> most_expansions) {
   Trace trace;
   Plan plan = planner.plan(map, start, goal, most_expansions, &trace);
@@ -142,6 +160,22 @@ void bind_map(py::module_& module) {
       .def_property_readonly("marks", &marks_of);
 }
 
+void bind_polygons(py::module_& module) {
+  py::class_<PolygonGround, SharedPolygons>(module, "PolygonMap",
+                                            "Ground as polygons for the centre of a disk, read-only.")
+      .def(py::init(&make_polygons), py::arg("boundary"), py::kw_only(), py::arg("obstacles") = py::tuple(),
+           py::arg("radius") = 0.18)
+      .def_property_readonly("boundary",
+                             [](const PolygonGround& ground) { return array_of(ground.boundary); })
+      .def_property_readonly("obstacles",
+                             [](const PolygonGround& ground) {
+                               py::list rings;
+                               for (const auto& ring : ground.obstacles) rings.append(array_of(ring));
+                               return rings;
+                             })
+      .def_readonly("radius", &PolygonGround::radius_m);
+}
+
 void bind_plan(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(Expansion, state, parent, f, g, h);
   py::class_<Plan>(module, "Plan", "A path with its cost and a proven lower bound.")
@@ -152,8 +186,8 @@ void bind_plan(py::module_& module) {
       .def_property_readonly("expansions", [](const Plan& plan) { return plan.counters.expansions; });
   module.def(
       "check",
-      [](const Plan& plan, const SharedMap& map, const py::handle& start, const py::handle& goal) {
-        require(check(plan, Problem{map, point_of(start, "start"), point_of(goal, "goal")}));
+      [](const Plan& plan, const py::handle& map, const py::handle& start, const py::handle& goal) {
+        require(check(plan, problem_on(map, point_of(start, "start"), point_of(goal, "goal"))));
       },
       py::arg("plan"), py::arg("map"), py::arg("start"), py::arg("goal"),
       "Verifies a plan by code that shares nothing with the planners; raises BadInput if it is wrong.");
@@ -163,6 +197,7 @@ void bind_plan(py::module_& module) {
 
 void bind_path(py::module_& module) {
   bind_map(module);
+  bind_polygons(module);
   bind_plan(module);
   py::class_<Planner>(module, "PathPlanner",
                       "A planner of the catalogue with its options and its memory, for one thread at a time.")
@@ -176,7 +211,7 @@ void bind_path(py::module_& module) {
       .def("set", &Planner::set, py::arg("option"), py::arg("value"))
       .def(
           "plan",
-          [](Planner& planner, const SharedMap& map, const py::handle& start, const py::handle& goal,
+          [](Planner& planner, const py::handle& map, const py::handle& start, const py::handle& goal,
              std::optional<std::uint64_t> most_expansions) {
             return planner.plan(map, start, goal, most_expansions, nullptr);
           },

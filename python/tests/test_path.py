@@ -171,3 +171,33 @@ def test_two_threads_on_one_planner_are_refused():
     working.join()
     assert refusals > 0
     assert planner.plan(ground, (0.5, 0.5), (1.5, 0.5)).cost == 1.0
+
+
+def test_polygons_are_ground():
+    ground = outrider.PolygonMap([(0, 0), (10, 0), (10, 10), (0, 10)], obstacles=[[(4, 2), (6, 2), (6, 8), (4, 8)]],
+                                 radius=0.5)
+    start, goal = (2.0, 5.0), (8.0, 5.0)
+    off, sight = math.hypot(2, 3), math.asin(0.5 / math.hypot(2, 3))  # the corner (4, 2) as the start sees it
+    shortest = 2 * (math.sqrt(off**2 - 0.5**2) + 0.5 * (math.atan2(3, 2) + sight)) + 2  # tangent, arc, and along the edge
+    costs = {}
+    for name in outrider.path_planners():
+        planner = outrider.PathPlanner(name)
+        try:
+            plan = planner.plan(ground, start, goal)
+        except outrider.BadInput:
+            continue  # a planner of grids
+        costs[name] = plan.cost
+        outrider.check(plan, ground, start, goal)
+        assert plan.cost >= plan.lower_bound - 1e-9 and plan.length >= shortest - 1e-9
+        np.testing.assert_allclose(planner.costs(ground, [start], [goal]), [plan.cost])
+        traced, expansions = planner.trace(ground, start, goal)
+        assert traced.cost == pytest.approx(plan.cost) and expansions.dtype.names[0] == "state"
+        with pytest.raises(outrider.BadInput):
+            outrider.check(plan, ground, start, (8.0, 6.0))
+    for name in ("visibility_graph", "visibility_graph_reduced", "visibility_graph_implicit"):
+        assert costs[name] == pytest.approx(shortest, rel=1e-9)
+    assert {"least_time", "widest", "medial_axis", "safest"} <= costs.keys()
+    with pytest.raises(outrider.BadInput):
+        outrider.PolygonMap([(0, 0), (1, 1), (1, 0), (0, 1)])
+    with pytest.raises(outrider.BadInput, match="GridMap or a PolygonMap"):
+        outrider.PathPlanner("a_star").plan(None, start, goal)
