@@ -23,7 +23,11 @@ MOMENTS ?= 50
 RUNS ?= 200
 
 .DEFAULT_GOAL := help
+<<<<<<< HEAD
 .PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak cancel loops load fuzz wasm packages check-packages bench sbom lint tidy check-clang check-format format clean
+=======
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak cancel loops load fuzz packages check-packages bench site sbom lint tidy check-clang check-format format clean
+>>>>>>> f35da14d656691756d1c2060d06aa6ce4edcb71f
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -131,6 +135,10 @@ bench:  ## run the benchmarks
 	  PYTHONPATH=build/python /usr/bin/python3 bench/python_calls.py build/bench/call_bench; fi
 	@ninja -C build -j $(JOBS) outrider
 	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) node web/tests/run.mjs tests/browser/bench.mjs || [ $$? -eq 77 ]
+
+site:  ## build the docs site in out/site, to be served by any web server; OUTRIDER_BENCH names a file for its benchmarks
+	$(INSTALL) page
+	@cd web && { [ -e node_modules/vitepress ] || npm ci --no-audit --no-fund; } && node build/site.mjs ../out/site
 
 sbom: tool-and-page  ## list what the tool is made of, with versions, in out/sbom.json (CycloneDX)
 	@mkdir -p out && scripts/sbom build/outrider > out/sbom.json.part && mv out/sbom.json.part out/sbom.json

@@ -1,0 +1,80 @@
+// site.mjs [OUT]: builds the docs site in OUT, ../out/site unless given. The Markdown of the repository is its only
+// source: links and pictures are followed from docs/index.md and README.md, and what they name becomes a page.
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { dirname, join, posix, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import { build } from "vitepress";
+import { benchmarkPage, examplePage, filePage, headerPage, listPage } from "./site_pages.mjs";
+
+const web = fileURLToPath(new URL("..", import.meta.url));
+const root = join(web, "..");
+const staged = join(web, ".site");
+const out = resolve(process.argv[2] ?? join(root, "out/site"));
+const done = new Set();
+
+const read = (path) => readFileSync(join(root, path), "utf8");
+const below = (folder, pattern) => readdirSync(join(root, folder), { recursive: true, encoding: "utf8" })
+  .filter((name) => pattern.test(name)).sort().map((name) => `${folder}/${name}`);
+function write(path, text) {
+  mkdirSync(dirname(join(staged, path)), { recursive: true });
+  writeFileSync(join(staged, path), text);
+}
+
+const titleOf = (path) => (path.endsWith(".md") ? /^# (.*)$/m.exec(read(path))?.[1] : undefined) ?? posix.basename(path);
+const pageOf = (path) => path.endsWith(".md") ? path.replace(/README[.]md$/, "index.md") : `${path}.md`;
+
+/** Stages what a link names, a path in the repository, and returns the path of its page. */
+function stage(path) {
+  const folder = statSync(join(root, path)).isDirectory();
+  if (folder && existsSync(join(root, path, "README.md"))) return stage(`${path}/README.md`);
+  const page = folder ? `${path}/index.md` : pageOf(path);
+  if (done.has(page)) return page;
+  done.add(page);
+  if (folder) {
+    const files = below(path, /[.](md|hpp|cpp|py)$/);
+    write(page, listPage(path, files.map((file) => ({ text: titleOf(file), link: posix.relative(path, stage(file)) }))));
+  } else if (path.endsWith(".md")) write(page, followLinks(path, page));
+  else if (path.endsWith(".hpp")) write(page, headerPage(path, read(path)));
+  else if (/examples\//.test(path)) write(page, examplePage(path, read(path)));
+  else write(page, filePage(path, read(path)));
+  return page;
+}
+
+/** The text of a page of Markdown whose links lead to pages of the site; code is left alone. */
+function followLinks(path, page) {
+  const from = posix.dirname(path);
+  const target = (link) => {
+    const [, name, anchor] = /^([^#]*)(#.*)?$/.exec(link);
+    const file = posix.join(from, decodeURI(name)).replace(/\/$/, "");
+    if (/^[a-z]+:/.test(link) || name === "" || !existsSync(join(root, file))) return link;
+    if (/[.](png|svg|webp|jpg)$/.test(file)) {
+      mkdirSync(join(staged, dirname(file)), { recursive: true });
+      cpSync(join(root, file), join(staged, file));
+      return `./${name}`;
+    }
+    return posix.relative(posix.dirname(page), stage(file)) + (anchor ?? "");
+  };
+  return read(path).split(/(^```[^]*?^```|`[^`\n]+`)/m).map((part, i) => i % 2 === 1 ? part : part
+    .replace(/\]\(([^)\s]+)\)/g, (_, link) => `](${target(link)})`)
+    .replace(/(src|srcset|href)="([^"]+)"/g, (_, key, link) => `${key}="${target(link)}"`)).join("");
+}
+
+/** One entry for each first link of a line of docs/index.md; headers are grouped by layer, in a page for each. */
+function sidebar() {
+  const links = [...read("docs/index.md").matchAll(/\[([^\]]+)\]\(([^)]+)\)/g)].map(([, text, link]) =>
+    ({ text, link: `/${stage(posix.join("docs", link).replace(/\/$/, ""))}` }));
+  const layers = readdirSync(join(root, "include/outrider"), { withFileTypes: true }).filter((entry) => entry.isDirectory())
+    .map((entry) => ({ text: entry.name, link: `/${stage(`include/outrider/${entry.name}`)}` }));
+  const examples = ["examples", "python/examples"].flatMap((folder) => below(folder, /^\d.*[.](cpp|py)$/))
+    .map((file) => ({ text: posix.basename(file), link: `/${stage(file)}` }));
+  write("benchmarks.md", benchmarkPage(process.env.OUTRIDER_BENCH));
+  return [{ text: "Documents", items: [...links, { text: "Benchmarks", link: "/benchmarks.md" }] },
+    { text: "Examples", collapsed: true, items: examples }, { text: "Headers by layer", collapsed: true, items: layers }];
+}
+
+rmSync(staged, { recursive: true, force: true });
+stage("README.md");
+stage("docs/index.md");
+for (const file of below("docs", /[.]md$/)) stage(file);
+write("sidebar.json", JSON.stringify(sidebar()));
+await build(join(web, "site"), { outDir: out, emptyOutDir: true });
