@@ -23,11 +23,7 @@ MOMENTS ?= 50
 RUNS ?= 200
 
 .DEFAULT_GOAL := help
-<<<<<<< HEAD
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak cancel loops load fuzz wasm packages check-packages bench sbom lint tidy check-clang check-format format clean
-=======
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak cancel loops load fuzz packages check-packages bench site sbom lint tidy check-clang check-format format clean
->>>>>>> f35da14d656691756d1c2060d06aa6ce4edcb71f
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops load fuzz wasm packages check-packages bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
