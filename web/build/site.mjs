@@ -4,13 +4,20 @@ import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statS
 import { dirname, join, posix, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "vitepress";
-import { benchmarkPage, examplePage, filePage, headerPage, listPage } from "./site_pages.mjs";
+import { load } from "../../wasm/planner.mjs";
+import { benchmarkPage, examplePage, filePage, headerPage, listPage, planFrame } from "./site_pages.mjs";
 
 const web = fileURLToPath(new URL("..", import.meta.url));
 const root = join(web, "..");
 const staged = join(web, ".site");
 const out = resolve(process.argv[2] ?? join(root, "out/site"));
 const done = new Set();
+
+// The page that plans without a server, where `make wasm` has made it: each planner's page shows it.
+const wasm = join(root, "build-wasm");
+const inBrowser = existsSync(join(wasm, "plan.html")) ? (await load(readFileSync(join(wasm, "planner.wasm")))).catalogue() : [];
+const frames = new Map(inBrowser.filter(({ models }) => models.length > 0)
+  .map(({ name }) => [`docs/planners/${name}.md`, planFrame(name)]));
 
 const read = (path) => readFileSync(join(root, path), "utf8");
 const below = (folder, pattern) => readdirSync(join(root, folder), { recursive: true, encoding: "utf8" })
@@ -33,7 +40,7 @@ function stage(path) {
   if (folder) {
     const files = below(path, /[.](md|hpp|cpp|py)$/);
     write(page, listPage(path, files.map((file) => ({ text: titleOf(file), link: posix.relative(path, stage(file)) }))));
-  } else if (path.endsWith(".md")) write(page, followLinks(path, page));
+  } else if (path.endsWith(".md")) write(page, followLinks(path, page) + (frames.get(path) ?? ""));
   else if (path.endsWith(".hpp")) write(page, headerPage(path, read(path)));
   else if (/examples\//.test(path)) write(page, examplePage(path, read(path)));
   else write(page, filePage(path, read(path)));
@@ -59,10 +66,12 @@ function followLinks(path, page) {
     .replace(/(src|srcset|href)="([^"]+)"/g, (_, key, link) => `${key}="${target(link)}"`)).join("");
 }
 
-/** One entry for each first link of a line of docs/index.md; headers are grouped by layer, in a page for each. */
+/** An entry for each item of docs/index.md, with the other links of the item below it; headers are grouped by layer. */
 function sidebar() {
-  const links = [...read("docs/index.md").matchAll(/\[([^\]]+)\]\(([^)]+)\)/g)].map(([, text, link]) =>
-    ({ text, link: `/${stage(posix.join("docs", link).replace(/\/$/, ""))}` }));
+  const items = read("docs/index.md").split(/^- /m).slice(1).map((item) =>
+    [...item.matchAll(/\[([^\]]+)\]\(([^)]+)\)/g)].map(([, text, link]) => ({ text, path: posix.join("docs", link).replace(/\/$/, "") })));
+  const links = items.filter((item) => item.length > 0).map(([{ text, path }, ...more]) => ({ text, link: `/${stage(path)}`,
+    ...(more.length > 0 && { collapsed: true, items: more.map((one) => ({ text: titleOf(one.path), link: `/${stage(one.path)}` })) }) }));
   const layers = readdirSync(join(root, "include/outrider"), { withFileTypes: true }).filter((entry) => entry.isDirectory())
     .map((entry) => ({ text: entry.name, link: `/${stage(`include/outrider/${entry.name}`)}` }));
   const examples = ["examples", "python/examples"].flatMap((folder) => below(folder, /^\d.*[.](cpp|py)$/))
@@ -78,3 +87,4 @@ stage("docs/index.md");
 for (const file of below("docs", /[.]md$/)) stage(file);
 write("sidebar.json", JSON.stringify(sidebar()));
 await build(join(web, "site"), { outDir: out, emptyOutDir: true });
+if (frames.size > 0) cpSync(join(wasm, "plan.html"), join(out, "plan.html"));

@@ -29,6 +29,10 @@ export function examplePage(path, source) {
 /** A file that a page links to, as it stands; the search leaves it out. */
 export const filePage = (path, source) => `---\nsearch: false\n---\n# ${path}\n\n${fence(languageOf(path), source)}`;
 
+/** The page that plans in the browser, with this planner; it stands beside the pages of the site. */
+export const planFrame = (name) =>
+  `\n## Try it\n\n<iframe src="/plan.html#${name}" title="a map on which ${name} plans" loading="lazy" style="width: 100%; height: 640px; border: 0"></iframe>\n`;
+
 export const listPage = (title, entries) =>
   `# ${title}\n\n${entries.map(({ text, link }) => `- [${plain(text)}](${link})`).join("\n")}\n`;
 
