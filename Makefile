@@ -35,7 +35,7 @@ demo: tool-and-page  ## guard the example yard, print the summary, write a page 
 build:  ## build the tool, build/outrider
 	$(INSTALL) build
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
-	@ninja -C build -j $(JOBS) outrider
+	@ninja -C build -j $(JOBS) outrider manual
 
 tool-and-page:
 	$(INSTALL) build page

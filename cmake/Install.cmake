@@ -8,7 +8,7 @@
 # tests/consumer is an example user.
 #
 # `cmake --install build --component tool` installs the tool alone, `dev` what users of the library need, and
-# `python` the Python package. Package.cmake makes Debian packages of them.
+# `python` the Python package, which is left out unless it is named. Package.cmake makes Debian packages of them.
 include(CMakePackageConfigHelpers)
 
 get_property(layers GLOBAL PROPERTY OUTRIDER_LAYERS)
@@ -122,4 +122,4 @@ install(FILES ${manual}/outrider.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-
 install(FILES ${manual}/_outrider DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT tool)
 install(FILES ${manual}/outrider.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT tool)
 install(DIRECTORY scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/outrider COMPONENT tool)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT license)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT license)  # Debian packages name it in `copyright`

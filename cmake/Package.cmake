@@ -21,17 +21,11 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "path planning and jobs for ground robots"
 
 # Sets `names` to the packages of these groups of packages.txt whose names match.
 function(outrider_packages_of names pattern)
-  set(found "")
-  file(STRINGS ${PROJECT_SOURCE_DIR}/packages.txt lines)
-  foreach(group IN LISTS ARGN)
-    foreach(line IN LISTS lines)
-      if(line MATCHES "^${group} +([^ |]+)" AND CMAKE_MATCH_1 MATCHES "${pattern}")
-        string(REGEX MATCH "^[^ ]+ +([^ |]+)" ignored "${line}")
-        list(APPEND found ${CMAKE_MATCH_1})
-      endif()
-    endforeach()
-  endforeach()
-  set(${names} "${found}" PARENT_SCOPE)
+  list(JOIN ARGN "|" groups)
+  file(STRINGS ${PROJECT_SOURCE_DIR}/packages.txt lines REGEX "^(${groups}) ")
+  list(TRANSFORM lines REPLACE "^[^ ]+ +([^ |]+).*" "\\1")
+  list(FILTER lines INCLUDE REGEX "${pattern}")
+  set(${names} "${lines}" PARENT_SCOPE)
 endfunction()
 
 # outrider_debian_package(tool NAME outrider SECTION science TEXT "..." DEPENDS ...)

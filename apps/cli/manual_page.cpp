@@ -9,8 +9,8 @@ namespace outrider::cli {
 namespace {
 
 constexpr std::string_view statuses_section =
-    ".SH EXIT STATUS\n.TP\n0\nthe job was done\n.TP\n1\nit was not\n.TP\n2\nthe request or an input was "
-    "wrong\n"
+    ".SH EXIT STATUS\n.TP\n0\nthe job was done\n.TP\n1\nit was not\n"
+    ".TP\n2\nthe request or an input was wrong\n"
     ".TP\n3\nan answer could not be written, as on a full disk\n";
 
 std::string upper_case(std::string text) {

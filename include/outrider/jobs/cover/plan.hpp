@@ -69,9 +69,8 @@ struct CoverMethod {
   std::function<Outcome<CoverPlan>(const CoverProblem&, const CoverOptions&, const Budget&)> plan;
   /// The guarantee in words; see the head of this file.
   std::string_view guarantee =
-      "covers, for every allowed tracking error, all within the sure radius of where the robot can stand, "
-      "but "
-      "for the fraction left out; no bound of its time";
+      "covers, for every allowed tracking error, all within the sure radius of where the robot can "
+      "stand, but for the fraction left out; no bound of its time";
 };
 /// Returns all methods in display order.
 const std::vector<CoverMethod>& cover_methods();
