@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -15,6 +16,7 @@
 #include "pursuit_smooth.hpp"
 #include "rows.hpp"
 #include "stopwatch.hpp"
+#include "support/layer_programme.hpp"
 
 namespace outrider::bench {
 namespace {
@@ -30,7 +32,8 @@ struct PursuitRow {
   std::optional<double> first_s;  ///< time to the first catch
   std::optional<double> proof_s;  ///< time to the proof that it is the cheapest
   double planning_s = 0.0;
-  std::string mismatch;  ///< contradiction by the check or the optimum
+  std::optional<double> programme_s;  ///< time of the plain programme over layers, beside `anytime`
+  std::string mismatch;               ///< contradiction by the check or the optimum
 };
 
 Budget budget_of(const PursuitRequest& request, double used_s) {
@@ -58,6 +61,24 @@ PursuitRow measure_search(const PursuitRequest& request, const PursuitProblem& p
   if (search.proven()) row.proof_s = row.planning_s;
   if (!row.plan) row.status = "budget_exhausted";
   return row;
+}
+
+/// Measures the search and the programme three times in turn, and keeps the shorter times.
+PursuitRow measure_beside_programme(const PursuitRequest& request, const PursuitProblem& problem) {
+  PursuitRow best;
+  double programme_s = std::numeric_limits<double>::infinity();
+  std::optional<std::uint64_t> least;
+  for (int turn = 0; turn < 3; ++turn) {
+    const Stopwatch watch;
+    testing::LayerProgramme programme(problem);
+    least = programme.least_cost();
+    programme_s = std::min(programme_s, watch.seconds());
+    PursuitRow row = measure_search(request, problem);
+    if (turn == 0 || row.planning_s < best.planning_s) best = std::move(row);
+  }
+  best.programme_s = programme_s;
+  if (best.proof_s && best.plan->cost != least) best.mismatch = "the programme has another cost";
+  return best;
 }
 
 PursuitRow measure_planner(const PursuitRequest& request, const PursuitPlanner& planner,
@@ -95,7 +116,7 @@ Status measure_map(const PursuitRequest& request, const fs::path& path,
   const std::string map = path.filename().string().substr(0, path.filename().string().find('.'));
   for (const PursuitPlanner& planner : planners) {
     next_step(observer, fmt::format("{} on {}", planner.name, map));
-    PursuitRow row = planner.name == "anytime" ? measure_search(request, *problem)
+    PursuitRow row = planner.name == "anytime" ? measure_beside_programme(request, *problem)
                                                : measure_planner(request, planner, *problem);
     row.map = map;
     row.planner = planner.name;
@@ -152,14 +173,16 @@ nlohmann::ordered_json row_json(const PursuitRow& row) {
   object["first_feasible_s"] = known(row.first_s);
   object["proof_s"] = known(row.proof_s);
   object["planning_s"] = row.planning_s;
+  object["programme_s"] = known(row.programme_s);
   object["expansions"] = row.plan ? nlohmann::ordered_json(row.plan->counters.expansions) : nullptr;
   object["mismatch"] = row.mismatch;
   return object;
 }
 
 std::string table_text(const std::vector<PursuitRow>& rows) {
-  std::string text = fmt::format("  {:<8} {:<18} {:>10} {:>8} {:>8} {:>10} {:>10} {:>12}\n", "map", "planner",
-                                 "cost", "catch s", "ratio", "first ms", "proof ms", "expansions");
+  std::string text =
+      fmt::format("  {:<8} {:<18} {:>10} {:>8} {:>8} {:>10} {:>10} {:>12} {:>12}\n", "map", "planner", "cost",
+                  "catch s", "ratio", "first ms", "proof ms", "programme ms", "expansions");
   for (const PursuitRow& row : rows) {
     const auto ms = [](const std::optional<double>& s) {
       return s ? fmt::format("{:.2f}", 1e3 * *s) : std::string("-");
@@ -169,10 +192,10 @@ std::string table_text(const std::vector<PursuitRow>& rows) {
                           1e3 * row.planning_s);
       continue;
     }
-    text += fmt::format("  {:<8} {:<18} {:>10} {:>8} {:>8} {:>10} {:>10} {:>12}\n", row.map, row.planner,
-                        row.plan->cost, row.plan->catch_time_s,
+    text += fmt::format("  {:<8} {:<18} {:>10} {:>8} {:>8} {:>10} {:>10} {:>12} {:>12}\n", row.map,
+                        row.planner, row.plan->cost, row.plan->catch_time_s,
                         row.ratio ? fmt::format("{:.4f}", *row.ratio) : std::string("-"), ms(row.first_s),
-                        ms(row.proof_s), row.plan->counters.expansions);
+                        ms(row.proof_s), ms(row.programme_s), row.plan->counters.expansions);
   }
   return text;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "box_sweep.hpp"
 #include "detour.hpp"
 #include "label_search.hpp"
 #include "outrider/pursuit/miss.hpp"
@@ -15,6 +16,12 @@ namespace {
 
 constexpr std::size_t kept_relaxations = 4;
 constexpr std::uint64_t label_work_per_cell = 8;  // after this work the sweep takes over
+
+// A sweep over the boxes alone is quickest where they hold few cells for those of the map, since all else
+// reads the map at least once. On the smallest maps neither takes long.
+constexpr std::uint64_t box_share = 24;
+constexpr std::uint64_t most_box_work = std::uint64_t{1} << 24U;  // 4 bytes each
+constexpr std::uint64_t least_for_boxes = 4096;                   // cells of the map
 
 // The work of the sweep is known beforehand, in cells. All else is limited by it, so that the sum is never
 // much more than the sweep alone.
@@ -29,16 +36,18 @@ constexpr std::uint64_t way_share = 8;  // ways are extracted after eight times 
 }  // namespace
 
 struct AnytimePursuit::Search {
-  enum class Stage { unasked, reach, prices, bound, tubes, labels, sweep, proven };
+  enum class Stage { unasked, boxes, reach, prices, bound, tubes, labels, sweep, proven };
 
   explicit Search(PursuitProblem asked) : problem(std::move(asked)) {}
 
   Status begin();
+  void begin_reach();
   Status improve(BudgetMeter& meter);
   bool keep_to(int second);
 
   /// Does a part of the work of the present stage, or of each stage. Returns false if the budget ended first.
   bool work(BudgetMeter& meter);
+  bool sweep_boxes(BudgetMeter& meter);
   bool flood(BudgetMeter& meter);
   bool relax(BudgetMeter& meter);
   bool refine(BudgetMeter& meter);
@@ -65,9 +74,10 @@ struct AnytimePursuit::Search {
   std::optional<int> earliest_s;
   PursuitCounters counters;
 
-  std::unique_ptr<PursuitField> field;
-  std::uint64_t paid = 0;  // from the beginning to the start of the field
-  bool moved_on = false;   // the start is no longer the first cell
+  std::optional<BoxSweep> small;
+  std::unique_ptr<PursuitField> field;  // none while `small` is asked, or if it had the answer
+  std::uint64_t paid = 0;               // from the beginning to the start of the field
+  bool moved_on = false;                // the start is no longer the first cell
   std::unique_ptr<Reach> reach;
   std::vector<CellBox> boxes;
   std::uint64_t sweep_work = 0;
@@ -121,6 +131,20 @@ TimedWay AnytimePursuit::Search::best_way() const {
   return way;
 }
 
+/// Finds the cheapest catch at once where the boxes are small.
+bool AnytimePursuit::Search::sweep_boxes(BudgetMeter& meter) {
+  if (!small->run(meter)) return false;
+  best = small->plan();
+  small.reset();
+  if (!best) {
+    begin_reach();
+    return true;
+  }
+  earliest_s = best->earliest_catch_s;
+  raise(best->cost);
+  return true;
+}
+
 /// Finds the earliest catch, then all other seconds in which a catch may be cheaper.
 bool AnytimePursuit::Search::flood(BudgetMeter& meter) {
   if (!reach->next_catch(meter)) return false;
@@ -147,7 +171,7 @@ bool AnytimePursuit::Search::flood(BudgetMeter& meter) {
 void AnytimePursuit::Search::begin_search() {
   boxes = pursuit_boxes(*field, reach->catches, field->start, field->start_s);
   for (const CellBox& box : boxes) sweep_work += box.area();
-  map = sweep_map(*field, best->cost, fastest_processor());
+  map = sweep_map(*field, reach->catches.front(), best->cost, fastest_processor());
   if (sweep_work <= sweep_at_once * relaxation_work()) return begin_tubes(Stage::sweep);
   prices = std::make_unique<PriceSearch>(*field, reach->cells, reach->catches,
                                          price_parts * std::int64_t{reach->cheapest}, best_way());
@@ -226,6 +250,8 @@ void AnytimePursuit::Search::begin_sweep() {
   stage = Stage::sweep;
   labels.reset();
   prices.reset();
+  map = sweep_map(*field, reach->catches.front(), best->cost,
+                  fastest_processor());  // smaller numbers may do by now
   sweep = full_sweep(*map, boxes, forward.get());
 }
 
@@ -258,7 +284,7 @@ void AnytimePursuit::Search::extract_way() {
 bool AnytimePursuit::Search::keep_to(int second) {
   const int start_s = second - problem.start_s;
   if (!best || static_cast<std::size_t>(start_s) + 1 >= best->path.size()) return false;
-  if (start_s <= field->start_s) return true;
+  if (!field || start_s <= field->start_s) return true;
   moved_on = true;
   paid +=
       cost_ahead(static_cast<std::size_t>(field->start_s)) - cost_ahead(static_cast<std::size_t>(start_s));
@@ -271,6 +297,7 @@ bool AnytimePursuit::Search::keep_to(int second) {
 }
 
 bool AnytimePursuit::Search::work(BudgetMeter& meter) {
+  if (stage == Stage::boxes) return sweep_boxes(meter);
   if (stage == Stage::reach) return flood(meter);
   if (stage == Stage::prices) return relax(meter);
   if (stage == Stage::tubes) return refine(meter);
@@ -281,10 +308,22 @@ bool AnytimePursuit::Search::work(BudgetMeter& meter) {
 
 Status AnytimePursuit::Search::begin() {
   if (Status good = check(problem); !good) return good;
+  const std::uint64_t cells = problem.costs->cells.size();
+  small.emplace(problem);
+  if (cells >= least_for_boxes && small->work() <= std::min(box_share * cells, most_box_work) &&
+      small->prepare()) {
+    stage = Stage::boxes;
+  } else {
+    small.reset();
+    begin_reach();
+  }
+  return {};
+}
+
+void AnytimePursuit::Search::begin_reach() {
+  stage = Stage::reach;
   field = std::make_unique<PursuitField>(problem);
   reach = std::make_unique<Reach>(*field);
-  stage = Stage::reach;
-  return {};
 }
 
 Status AnytimePursuit::Search::improve(BudgetMeter& meter) {
@@ -296,7 +335,7 @@ Status AnytimePursuit::Search::improve(BudgetMeter& meter) {
   bool worked = true;
   while (worked && stage != Stage::proven && (!best || best->cost == cost_before)) {
     worked = work(meter);
-    if (!best && reach->complete) return fault(FaultCode::no_path, why_no_catch(problem)->sentence);
+    if (!best && reach && reach->complete) return fault(FaultCode::no_path, why_no_catch(problem)->sentence);
     if (best && best->cost == lower_bound) stage = Stage::proven;
   }
   counters.expansions += meter.spent() - spent_before;

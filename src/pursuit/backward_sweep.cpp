@@ -10,11 +10,6 @@ constexpr int seconds_at_once = 8;  // costs spread by one block in that time, o
 template <class Cost>
 constexpr int growth = (seconds_at_once + row_block<Cost> - 1) / row_block<Cost>;
 
-template <class Cost>
-std::uint64_t as_cost(Cost to_go) {
-  return to_go == no_catch<Cost> ? unreachable : static_cast<std::uint64_t>(to_go);
-}
-
 /// Spends the units that are owed; returns false if the budget ended first.
 bool pay(std::uint64_t& owed, BudgetMeter& meter) {
   for (; owed > 0; --owed) {
@@ -59,8 +54,7 @@ class FullSweep final : public BackwardSweep {
         windows_(seconds_at_once, RowWindow<Cost>(map.stride)),
         cut_(static_cast<std::size_t>(map.field->box().height()) + 2 * seconds_at_once),
         spans_(cut_.size()) {
-    to_go_[map.index(*map.goal(last_))] = 0;
-    include(*map.goal(last_));
+    if (const auto goal = map.goal(last_)) set_goal(*goal, last_), include(*goal);
     keep();
   }
 
@@ -76,7 +70,7 @@ class FullSweep final : public BackwardSweep {
   }
   [[nodiscard]] int second() const override { return second_; }
   [[nodiscard]] std::uint64_t to_go(CellIndex cell) const override {
-    return as_cost(to_go_[map_->index(map_->field->cell(cell))]);
+    return map_->to_go(to_go_[map_->index(map_->field->cell(cell))], second_);
   }
   [[nodiscard]] TimedWay way_from(CellIndex cell) const override;
   [[nodiscard]] std::uint64_t way_work() const override {
@@ -92,6 +86,8 @@ class FullSweep final : public BackwardSweep {
   [[nodiscard]] Cost* block(int block, int y) {
     return to_go_.data() + map_->index({block * row_block<Cost>, y});
   }
+
+  void set_goal(Cell goal, int second) { to_go_[map_->index(goal)] = static_cast<Cost>(map_->delay(second)); }
 
   /// Makes the spans include a cell.
   void include(Cell c) {
@@ -176,7 +172,7 @@ void FullSweep<Cost>::sweep_row(int level, int y) {
                        map_->costs.data() + map_->index({x, y}), block(span.low, y), end - x);
   const int second = second_ - 1 - level;
   if (const auto goal = map_->goal(second); goal && goal->y == y && box(second).has(*goal))
-    to_go_[map_->index(*goal)] = 0;
+    set_goal(*goal, second);
 }
 
 /// Returns true if a catch of less than `best` may lead through a cell of the block.
@@ -187,12 +183,11 @@ bool FullSweep<Cost>::matters(int block, int y, std::uint64_t best) const {
   const int last = std::min(here.high.x, block * row_block<Cost> + row_block<Cost> - 1);
   if (y < here.low.y || y > here.high.y) return false;
   for (int x = first; x <= last; ++x) {
-    const Cost to_go = to_go_[map_->index({x, y})];
-    if (to_go == no_catch<Cost>) continue;
-    const auto rest = static_cast<std::uint64_t>(to_go);
+    const std::uint64_t to_go = map_->to_go(to_go_[map_->index({x, y})], second_);
+    if (to_go == unreachable) continue;
     const std::uint64_t before = std::uint64_t{map_->field->cheapest} * static_cast<std::uint64_t>(second_);
-    if (bound_ == nullptr ? rest + before < best
-                          : bound_->allows(map_->field->index({x, y}), second_, rest, best))
+    if (bound_ == nullptr ? to_go + before < best
+                          : bound_->allows(map_->field->index({x, y}), second_, to_go, best))
       return true;
   }
   return false;
@@ -272,7 +267,7 @@ class StoredSweep final : public BackwardSweep {
   }
   [[nodiscard]] int second() const override { return second_; }
   [[nodiscard]] std::uint64_t to_go(CellIndex cell) const override {
-    return as_cost(layers_[static_cast<std::size_t>(second_)].at(map_->field->cell(cell)));
+    return map_->to_go(layers_[static_cast<std::size_t>(second_)].at(map_->field->cell(cell)), second_);
   }
   [[nodiscard]] TimedWay way_from(CellIndex cell) const override {
     TimedWay way{{cell}, 0};
@@ -302,10 +297,15 @@ class StoredSweep final : public BackwardSweep {
 
 }  // namespace
 
-AnySweepMap sweep_map(const PursuitField& field, std::uint64_t best, Processor processor) {
-  if (best < static_cast<std::uint64_t>(no_catch<std::int32_t>))
-    return SweepMap<std::int32_t>(field, row_kernel<std::int32_t>(processor));
-  return SweepMap<std::int64_t>(field, row_kernel<std::int64_t>(processor));
+AnySweepMap sweep_map(const PursuitField& field, int earliest_catch, std::uint64_t best,
+                      Processor processor) {
+  const std::uint64_t anyhow = std::uint64_t{field.cheapest} * static_cast<std::uint64_t>(earliest_catch);
+  const auto map = [&]<class Cost>(Cost) {
+    return SweepMap<Cost>(field, earliest_catch, row_kernel<Cost>(processor));
+  };
+  if (best - anyhow <= no_catch<std::uint16_t>) return map(std::uint16_t{});
+  if (best - anyhow <= static_cast<std::uint64_t>(no_catch<std::int32_t>)) return map(std::int32_t{});
+  return map(std::int64_t{});
 }
 
 std::unique_ptr<BackwardSweep> full_sweep(const AnySweepMap& map, std::vector<CellBox> boxes,

@@ -41,12 +41,12 @@ class BackwardSweep {
 };
 
 /// Returns the map for sweeps that look for catches of less than `best`.
-AnySweepMap sweep_map(const PursuitField& field, std::uint64_t best, Processor processor);
+AnySweepMap sweep_map(const PursuitField& field, int earliest_catch, std::uint64_t best, Processor processor);
 
 /// Returns a sweep of the boxes of pursuit_boxes(), which also ends with the last of them. One layer is in
-/// memory. Layers are kept from time to time, so that ways can be computed again; memory is 4 or 8 bytes for
-/// each cell of a kept layer, about (cells seconds^3)^(1/4) of them in all. Eight seconds are swept at once,
-/// row behind row, while the rows are in the fast memory.
+/// memory. Layers are kept from time to time, so that ways can be computed again; memory is 2, 4 or 8 bytes
+/// for each cell of a kept layer, about (cells seconds^3)^(1/4) of them in all. Eight seconds are swept at
+/// once, row behind row, while the rows are in the fast memory.
 std::unique_ptr<BackwardSweep> full_sweep(const AnySweepMap& map, std::vector<CellBox> boxes,
                                           const ForwardBound* bound);
 

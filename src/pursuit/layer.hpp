@@ -1,7 +1,8 @@
 // Layers of least costs to go, one for each second, and the map on which a sweep computes them.
 //
-// Costs to go are integers of 32 bits if every catch that matters costs less than 2^30, and of 64 bits
-// otherwise. Walls have the cost no_catch, so that no cost to go leads out of them.
+// Costs to go are integers of 16 bits if every catch that matters costs less than 2^16, of 32 bits if it
+// costs less than 2^30, and of 64 bits otherwise. Walls have the cost no_catch, so that no cost to go leads
+// out of them.
 #pragma once
 
 #include <array>
@@ -32,8 +33,9 @@ struct AlignedAllocator {
 /// The costs of a map, each row in whole blocks between two blocks of walls.
 template <class Cost>
 struct SweepMap {
-  SweepMap(const PursuitField& of, const RowKernel<Cost>& by)
+  SweepMap(const PursuitField& of, int earliest_catch, const RowKernel<Cost>& by)
       : field(&of),
+        earliest(earliest_catch),
         kernel(&by),
         blocks((of.box().width() + row_block<Cost> - 1) / row_block<Cost>),
         stride((blocks + 2) * row_block<Cost>),
@@ -44,8 +46,8 @@ struct SweepMap {
       CellIndex i = of.index({0, y});
       Cost* cost = costs.data() + index({0, y});
       for (int x = 0; x < map.width(); ++x, ++i, ++cost) {
-        if (of.free.has(i) && of.costs[i] < static_cast<std::uint64_t>(no_catch<Cost>))
-          *cost = static_cast<Cost>(of.costs[i]);
+        if (of.free.has(i) && of.costs[i] - of.cheapest < static_cast<std::uint64_t>(no_catch<Cost>))
+          *cost = static_cast<Cost>(of.costs[i] - of.cheapest);
       }
     }
   }
@@ -54,21 +56,35 @@ struct SweepMap {
     return static_cast<std::size_t>(c.y + 1) * static_cast<std::size_t>(stride) +
            static_cast<std::size_t>(c.x + row_block<Cost>);
   }
-  /// Returns the cell of the target at that second if the robot can catch it there.
+  /// Returns what a catch at that second costs for being later than the earliest.
+  [[nodiscard]] std::uint64_t delay(int second) const {
+    return std::uint64_t{field->cheapest} * static_cast<std::uint64_t>(second - earliest);
+  }
+  /// Returns the cell of the target at that second if the robot can catch it there for a cost that matters.
   [[nodiscard]] std::optional<Cell> goal(int second) const {
     const CellIndex i = field->target[static_cast<std::size_t>(second)];
-    if (second == 0 || !field->free.has(i)) return std::nullopt;
+    if (second < earliest || !field->free.has(i) ||
+        delay(second) >= static_cast<std::uint64_t>(no_catch<Cost>))
+      return std::nullopt;
     return field->cell(i);
+  }
+  /// Returns the cost to go from a cell at that second, of which the layer says `rest`.
+  [[nodiscard]] std::uint64_t to_go(Cost rest, int second) const {
+    if (rest == no_catch<Cost>) return unreachable;
+    return static_cast<std::uint64_t>(rest) +
+           std::uint64_t{field->cheapest} * static_cast<std::uint64_t>(earliest) -
+           std::uint64_t{field->cheapest} * static_cast<std::uint64_t>(second);
   }
 
   const PursuitField* field;
+  int earliest;  ///< second of the earliest catch
   const RowKernel<Cost>* kernel;
   int blocks;  ///< in a row, without those of walls
   int stride;
   std::vector<Cost, AlignedAllocator<Cost>> costs;
 };
 
-using AnySweepMap = std::variant<SweepMap<std::int32_t>, SweepMap<std::int64_t>>;
+using AnySweepMap = std::variant<SweepMap<std::uint16_t>, SweepMap<std::int32_t>, SweepMap<std::int64_t>>;
 
 /// Three rows of least costs over three neighbours in x, which move up a layer.
 template <class Cost>
@@ -132,7 +148,8 @@ StoredLayer<Cost> layer_before(const SweepMap<Cost>& map, const StoredLayer<Cost
     narrow(y + 1);
     window.settle(*map.kernel, y, map.costs.data() + map.index({box.low.x, y}), layer.row(y), width);
   }
-  if (const auto goal = map.goal(second); goal && box.has(*goal)) layer.set(*goal, 0);
+  if (const auto goal = map.goal(second); goal && box.has(*goal))
+    layer.set(*goal, static_cast<Cost>(map.delay(second)));
   return layer;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,22 +28,30 @@ inline CellBox around(const CellBox& a, Cell c) {
           {std::max(a.high.x, c.x), std::max(a.high.y, c.y)}};
 }
 
-/// Returns the box of each second from 0 to the last of `catches`, which are the seconds of possible catches
-/// in order. The robot is in cell `from` at second `from_s`; boxes of earlier seconds are empty.
-inline std::vector<CellBox> pursuit_boxes(const PursuitField& field, std::span<const int> catches,
-                                          CellIndex from, int from_s) {
-  const CellBox map = field.box();
-  const Cell start = field.cell(from);
-  std::vector<CellBox> boxes(static_cast<std::size_t>(catches.back()) + 1);
+/// Returns the box of each second from 0 to `last`, on a map of that box. The robot is in cell `start` at
+/// second `start_s`; boxes of earlier seconds are empty. goal(second) is the cell of a possible catch, if
+/// there is one.
+template <class Goal>
+std::vector<CellBox> pursuit_boxes(const CellBox& map, Cell start, int start_s, int last, Goal goal) {
+  std::vector<CellBox> boxes(static_cast<std::size_t>(last) + 1);
   CellBox ahead;
-  auto next = catches.rbegin();
-  for (int s = catches.back(); s >= from_s; --s) {
-    const auto at = static_cast<std::size_t>(s);
+  for (int s = last; s >= start_s; --s) {
     if (!ahead.empty()) ahead = common(ahead.grown(1), map);
-    if (next != catches.rend() && *next == s) ahead = around(ahead, field.cell(field.target[at])), ++next;
-    boxes[at] = common(ahead, CellBox{start, start}.grown(s - from_s));
+    if (const std::optional<Cell> cell = goal(s)) ahead = around(ahead, *cell);
+    boxes[static_cast<std::size_t>(s)] = common(ahead, CellBox{start, start}.grown(s - start_s));
   }
   return boxes;
+}
+
+/// The same for the seconds `catches`, in order, of possible catches.
+inline std::vector<CellBox> pursuit_boxes(const PursuitField& field, std::span<const int> catches,
+                                          CellIndex from, int from_s) {
+  auto next = catches.rbegin();
+  return pursuit_boxes(field.box(), field.cell(from), from_s, catches.back(), [&](int s) {
+    if (next == catches.rend() || *next != s) return std::optional<Cell>();
+    ++next;
+    return std::optional(field.cell(field.target[static_cast<std::size_t>(s)]));
+  });
 }
 
 }  // namespace outrider

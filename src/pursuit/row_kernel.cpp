@@ -40,7 +40,11 @@ template <int bytes, class Cost>
     a = a < b ? a : b;
     a = a < c ? a : c;
     a += paid;
-    a = most < a ? most : a;
+    if constexpr (std::unsigned_integral<Cost>) {
+      a = a < paid ? most : a;  // the sum wrapped around
+    } else {
+      a = most < a ? most : a;
+    }
     std::memcpy(to_go + x, &a, sizeof a);
   }
 }
@@ -82,6 +86,7 @@ const RowKernel<Cost>& row_kernel(Processor processor) {
   return processor == Processor::avx2 ? avx2 : any;
 }
 
+template const RowKernel<std::uint16_t>& row_kernel<std::uint16_t>(Processor);
 template const RowKernel<std::int32_t>& row_kernel<std::int32_t>(Processor);
 template const RowKernel<std::int64_t>& row_kernel<std::int64_t>(Processor);
 

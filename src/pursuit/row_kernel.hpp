@@ -6,14 +6,19 @@
 // once. Both compute the same integers.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace outrider {
 
-/// Cost to go of a place from which there is no catch; also the cost of a wall. Sums of two do not overflow.
+/// Cost to go of a place from which there is no catch; also the cost of a wall. Sums of two signed costs do
+/// not overflow; sums of unsigned ones end at the largest number.
 template <class Cost>
-inline constexpr Cost no_catch = (Cost{1} << (8 * sizeof(Cost) - 2)) - 1;
+inline constexpr Cost no_catch =
+    std::unsigned_integral<Cost> ? std::numeric_limits<Cost>::max()
+                                 : static_cast<Cost>((std::int64_t{1} << (8 * sizeof(Cost) - 2)) - 1);
 
 /// The loops write whole blocks: up to this number of values after `count`, less one.
 template <class Cost>
@@ -33,7 +38,8 @@ enum class Processor { any, avx2 };
 /// Returns true if this processor and this compiler have it.
 bool runs(Processor processor);
 
-/// Returns the kernel for that processor; it must run() here. Cost is std::int32_t or std::int64_t.
+/// Returns the kernel for that processor; it must run() here. Cost is std::uint16_t,
+/// std::int32_t or std::int64_t.
 template <class Cost>
 const RowKernel<Cost>& row_kernel(Processor processor);
 

@@ -31,19 +31,21 @@ void expect_right(Processor processor) {
     kernel.settle(row.data(), other.data(), third.data(), cost.data(), to_go.data(), count);
     for (std::size_t x = 0; x < static_cast<std::size_t>(count); ++x) {
       EXPECT_EQ(least[x], std::min({row[x], row[x + 1], row[x + 2]}));
-      EXPECT_EQ(to_go[x], std::min(no_catch<Cost>,
-                                   static_cast<Cost>(cost[x] + std::min({row[x], other[x], third[x]}))));
+      const auto sum = std::int64_t{cost[x]} + std::min({row[x], other[x], third[x]});
+      EXPECT_EQ(to_go[x], std::min<std::int64_t>(no_catch<Cost>, sum));
     }
   }
 }
 
 TEST(RowKernel, ComputesLeastCostsOnAnyProcessor) {
+  expect_right<std::uint16_t>(Processor::any);
   expect_right<std::int32_t>(Processor::any);
   expect_right<std::int64_t>(Processor::any);
 }
 
 TEST(RowKernel, ComputesTheSameWithAvx2) {
   if (!runs(Processor::avx2)) GTEST_SKIP() << "this processor has no AVX2";
+  expect_right<std::uint16_t>(Processor::avx2);
   expect_right<std::int32_t>(Processor::avx2);
   expect_right<std::int64_t>(Processor::avx2);
 }

@@ -1,6 +1,8 @@
 // The searches that prove, each alone and under loose bounds, so that neither hides behind the other.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "backward_sweep.hpp"
 #include "label_search.hpp"
 #include "reach.hpp"
@@ -91,7 +93,8 @@ TEST(PursuitSearches, EachAloneProvesTheLeastCost) {
     EXPECT_EQ(cost_proven_by(labels, with.field, truth->cost), truth->cost);
     const auto boxes = pursuit_boxes(with.field, with.reach.catches, with.field.start, 0);
     for (const Processor processor : {Processor::any, fastest_processor()}) {
-      const AnySweepMap map = sweep_map(with.field, above, processor);
+      const std::uint64_t wider = std::array{0ULL, 1ULL << 17U, 1ULL << 33U}[rng.below(3)];  // than 16 bits
+      const AnySweepMap map = sweep_map(with.field, with.reach.catches.front(), above + wider, processor);
       ForwardBound bound(with.field, with.reach.cells, with.field.start, 0, 0,
                          with.relaxations[rng.below(3)]->price());
       BudgetMeter unlimited{Budget{}};
