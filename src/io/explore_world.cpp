@@ -31,7 +31,7 @@ Status add_walls(World& world, const std::string& text, double height_m) {
 
 Outcome<LoadedWorld> load_explore_world(const ExploreWorldFiles& files) {
   if (files.world.empty()) return bad_input("missing; give the file of the world to explore", "world");
-  auto loaded = load_world(files.world, {files.resolution_m, files.wall_height_m});
+  auto loaded = load_world(files.world, {files.resolution_m, files.wall_height_m, files.sdf});
   if (!loaded) return pass_on(loaded);
   World& world = loaded->world;
   if (world.terrain)

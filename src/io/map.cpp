@@ -103,7 +103,7 @@ Outcome<LoadedMap> map_of(MapKind kind, const std::string& content, const std::s
     }
     case MapKind::world: break;
   }
-  auto loaded = sdf_from_text(content, path);
+  auto loaded = sdf_from_text(content, path, options.sdf);
   if (!loaded) return pass_on(loaded);
   return LoadedMap{kind, std::move(loaded->world), std::move(loaded->warnings)};
 }

@@ -13,8 +13,10 @@
 #include <sdf/World.hh>
 #include <set>
 
+#include "open_file.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/text.hpp"
+#include "sdf_files.hpp"
 #include "sdf_floor.hpp"
 #include "sdf_parse.hpp"
 #include "sdf_repair.hpp"
@@ -203,15 +205,35 @@ Outcome<std::vector<Found>> find_collisions(const sdf::World& parsed, const Repa
   return std::move(walk.found);
 }
 
+Status check_folders(const std::string& model_path) {
+  for (const std::string& folder : parts_of_path(model_path)) {
+    if (file_kind(folder) != FileKind::folder)
+      return bad_input(fmt::format("there is no folder '{}'; give one with models", excerpt(folder, 200)),
+                       "model_path");
+  }
+  return {};
+}
+
+/// Adds the first thing that the world names and that was not found: it may be the cause.
+std::string with_missing(const std::string& sentence, const SdfWarnings& warnings) {
+  for (const std::string& warning : warnings.sentences()) {
+    if (warning.find("was not found") != std::string::npos) return sentence + "; " + warning;
+  }
+  return sentence;
+}
+
 }  // namespace
 
 std::vector<Option> describe(SdfOptions& options) {
-  return {{"model_path", "", 0.0, 0.0, "folders, separated by ':', in which model:// names are looked up",
-           &options.model_path}};
+  return {file_option("model_path",
+                      "folder with the models that an SDF world names; more in GZ_SIM_RESOURCE_PATH and "
+                      "GAZEBO_MODEL_PATH, separated by ':'",
+                      &options.model_path)};
 }
 
 Outcome<LoadedWorld> sdf_from_text(std::string_view text, const std::string& name,
                                    const SdfOptions& options) {
+  if (auto ok = check_folders(options.model_path); !ok) return pass_on(ok);
   SdfWarnings warnings;
   auto repaired = repair_sdf(text, name, options.model_path, warnings);
   if (!repaired) return pass_on(repaired);
@@ -220,7 +242,8 @@ Outcome<LoadedWorld> sdf_from_text(std::string_view text, const std::string& nam
   const sdf::World* parsed = root->WorldByIndex(0);
   if (parsed == nullptr) return bad_input("sdformat finds no world in it", name);
   auto found = find_collisions(*parsed, *repaired, name);
-  if (!found) return pass_on(found);
+  if (!found)
+    return fault(found.error().code, with_missing(found.error().sentence, warnings), found.error().where);
 
   World world;
   world.name = excerpt(parsed->Name());
@@ -231,7 +254,8 @@ Outcome<LoadedWorld> sdf_from_text(std::string_view text, const std::string& nam
     world.solids.insert(world.solids.begin(), Solid{"floor", {}, HalfSpaceShape{}});
     floors.push_back({});
   }
-  if (auto floor = set_floor_and_bounds(world, floors, name); !floor) return pass_on(floor);
+  if (auto floor = set_floor_and_bounds(world, floors, name); !floor)
+    return fault(floor.error().code, with_missing(floor.error().sentence, warnings), floor.error().where);
   return LoadedWorld{std::move(world), warnings.sentences()};
 }
 

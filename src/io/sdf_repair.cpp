@@ -129,10 +129,11 @@ Outcome<XmlDocument> parse_file(SdfFile& file, std::string_view text) {
 Outcome<Element*> expand_include(const SdfFile& file, Element& include, tinyxml2::XMLDocument& document) {
   const std::string uri(xml_text(include, "uri"));
   const auto found = find_model(uri, file.folders);
-  if (!found) {
-    file.warn(include,
-              fmt::format("the include of '{}' was not found and was left out; name its folder in model_path",
-                          excerpt(uri, 200)));
+  const std::string_view built_in = built_in_model(uri);
+  if (!found && built_in.empty()) {
+    file.warn(include, fmt::format("the include of '{}' was not found and was left out; give the folder that "
+                                   "has '{}' as model_path",
+                                   excerpt(uri, 200), excerpt(last_part(uri))));
     return nullptr;
   }
   if (file.depth == deepest_include || ++file.session.includes > most_includes) {
@@ -140,13 +141,11 @@ Outcome<Element*> expand_include(const SdfFile& file, Element& include, tinyxml2
                                  deepest_include, most_includes),
                      file.where(include));
   }
-  auto text = read_file(*found, most_bytes);
+  auto text = found ? read_file(*found, most_bytes) : std::string(built_in);
   if (!text) return pass_on(text);
-  SdfFile included{file.session,
-                   *found,
-                   {fs::path(*found).parent_path().string(), file.folders.models},
-                   1.6,
-                   file.depth + 1};
+  const std::string path = found.value_or(uri);
+  SdfFile included{
+      file.session, path, {fs::path(path).parent_path().string(), file.folders.models}, 1.6, file.depth + 1};
   auto parsed = parse_file(included, *text);
   if (!parsed) return pass_on(parsed);
   Element& root = *(*parsed)->RootElement();
@@ -207,13 +206,7 @@ std::vector<std::string> SdfWarnings::sentences() const {
 Outcome<RepairedSdf> repair_sdf(std::string_view text, const std::string& name, const std::string& model_path,
                                 SdfWarnings& warnings) {
   SdfSession session{warnings, {}};
-  SdfFolders folders{fs::path(name).parent_path().string(), {}};
-  for (std::string_view rest = model_path; !rest.empty();) {
-    const std::size_t colon = std::min(rest.find(':'), rest.size());
-    if (colon > 0) folders.models.emplace_back(rest.substr(0, colon));
-    rest.remove_prefix(std::min(colon + 1, rest.size()));
-  }
-  SdfFile file{session, name, std::move(folders)};
+  SdfFile file{session, name, {fs::path(name).parent_path().string(), model_folders(model_path)}};
   auto document = parse_file(file, text);
   if (!document) return pass_on(document);
   Element& root = *(*document)->RootElement();

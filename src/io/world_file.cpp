@@ -107,7 +107,7 @@ Outcome<World> world_from(WorldKind kind, const std::string& content, const std:
 
 Outcome<LoadedWorld> load_kind(WorldKind kind, const std::string& content, const std::string& path,
                                const WorldFileOptions& options) {
-  if (kind == WorldKind::sdf) return sdf_from_text(content, path);
+  if (kind == WorldKind::sdf) return sdf_from_text(content, path, options.sdf);
   auto world = world_from(kind, content, path, options);
   if (!world) return pass_on(world);
   world->solids.insert(world->solids.begin(), Solid{"floor", {}, HalfSpaceShape{}});

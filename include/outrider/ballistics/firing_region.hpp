@@ -57,10 +57,10 @@ struct Exhausted {
 
 /// Searches a shot like firing_region(), but with aim points at most `aim_step_m` apart: across the outline
 /// of the target seen from each place (sight.hpp, aim_points()) and over its height. Stops at the first hit.
-/// Without a hit, the result proves at this resolution that there is none. The flights of one place, bearing
-/// and pitch lie above one another, so a blocker decides a whole range of them at once; the rest is decided
-/// one by one. If `stop` is requested, the search ends and proves nothing. O(places in range x pitches x
-/// bearings), times the number of heights at worst.
+/// Without a hit, none of the flights of this resolution is one; between them there may be one. The flights
+/// of one place, bearing and pitch lie above one another, so a blocker decides a whole range of them at once;
+/// the rest is decided one by one. If `stop` is requested, the search ends early. O(places in range x pitches
+/// x bearings), times the number of heights at worst.
 Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target& target,
                   const GridFrame& frame, const std::vector<std::uint8_t>& standable,
                   const std::stop_token& stop = {});

@@ -82,7 +82,7 @@ Box2 around(const DriveTask& task, const std::optional<Pose2>& goal) {
 Status load_ground(const DriveScenario& scenario, const std::optional<Pose2>& goal, DriveSetup& setup) {
   World& world = setup.task.world;
   if (!scenario.world.empty()) {
-    auto loaded = load_sdf(scenario.world);
+    auto loaded = load_sdf(scenario.world, scenario.sdf);
     if (!loaded) return pass_on(loaded);
     world = std::move(loaded->world);
     setup.warnings = std::move(loaded->warnings);
@@ -155,6 +155,7 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
       {"",
        "the drive",
        {file_option("world", "SDF file of the world; empty: open ground", &scenario.world),
+        describe(scenario.sdf).front(),
         {"bounds", "", 0, 0, "low x,low y,high x,high y of the ground, m; empty: the box of its walls",
          &scenario.bounds},
         {"start", "", 0, 0, "x,y,heading in m and degrees", &scenario.start},

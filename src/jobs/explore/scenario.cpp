@@ -37,6 +37,7 @@ std::vector<OptionGroup> describe(ExploreScenario& scenario) {
        "the world and the start",
        {file_option("world", "file to explore: SDF, map_server YAML, PGM or PNG image, slices CSV",
                     &world.world),
+        describe(world.sdf).front(),
         file_option("slices",
                     "file of slices that stand in the world too, such as those of a mesh that is missing",
                     &world.slices),

@@ -105,12 +105,12 @@ Outcome<ArrivalYard> arrival_yard(const GuardProblem& problem, const FiringMap& 
   ArrivalYard watch{problem, firing_map, std::move(intruders)};
   watch.problem.targets.clear();
   watch.firing_map.regions.clear();
-  watch.firing_map.proofs.clear();
+  watch.firing_map.no_shots.clear();
   const auto add = [&](std::size_t place, const std::string& name) {
     watch.problem.targets.push_back(problem.targets[place]);
     watch.problem.targets.back().name = name;
     watch.firing_map.regions.push_back(firing_map.regions[place]);
-    watch.firing_map.proofs.push_back(firing_map.proofs[place]);
+    watch.firing_map.no_shots.push_back(firing_map.no_shots[place]);
   };
   for (const Intruder& intruder : watch.intruders) add(intruder.place, intruder.name);
   for (std::size_t place = 0; place < problem.targets.size(); ++place) {

@@ -24,7 +24,8 @@ const std::vector<GuardPlanner>& guard_planners() {
        "problem, "
        "1991; docs/jobs/guard.md",
        plan_guard,
-       "each target is in one stop or proven unreachable at the resolution, each shot hits with the margin, "
+       "each target is in one stop or no shot at it was found at the resolution, each shot hits with the "
+       "margin, "
        "each leg is free; the tour comes with a proven bound of its time over the chosen stops"},
       {"shrinking_circles",
        "For each target the first place found on circles that shrink around it; groups of targets as listed, "

@@ -232,8 +232,8 @@ std::vector<FlightSpace> flight_spaces(const GuardProblem& problem) {
   return spaces;
 }
 
-/// Tries everything the resolution allows before a target counts as out of reach.
-void prove(FiringMap& firing_map, const Target& target, std::size_t t, const std::stop_token& stop) {
+/// Tries everything the resolution allows before no shot at a target counts as found.
+void try_all(FiringMap& firing_map, const Target& target, std::size_t t, const std::stop_token& stop) {
   const FlightSpace& space = firing_map.space(t);
   Exhausted tried = exhaust(firing_map.rules, space, target, firing_map.frame, firing_map.reachable, stop);
   if (tried.found) {
@@ -254,11 +254,11 @@ void prove(FiringMap& firing_map, const Target& target, std::size_t t, const std
   for (std::size_t i = 0; i < elsewhere.size(); ++i) {
     elsewhere[i] = firing_map.standable[i] != 0 && firing_map.reachable[i] == 0 ? 1 : 0;
   }
-  firing_map.proofs[t].from_elsewhere =
+  firing_map.no_shots[t].from_elsewhere =
       firing_region(firing_map.rules, space, target, firing_map.frame, elsewhere, stop).hits > 0;
-  firing_map.proofs[t].blocked =
+  firing_map.no_shots[t].blocked =
       best_blocked_flight(firing_map.rules, space, target, firing_map.frame, firing_map.reachable, stop);
-  firing_map.proofs[t].exhausted = std::move(tried);
+  firing_map.no_shots[t].exhausted = std::move(tried);
 }
 
 World driving_world(const GuardProblem& problem) {
@@ -288,7 +288,7 @@ Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOpti
       std::vector<float>(frame->size(), 0.0F),
       std::vector<std::uint32_t>(frame->size(), 0),
       std::vector<FiringRegion>(problem.targets.size()),
-      std::vector<Proof>(problem.targets.size())};
+      std::vector<NoShot>(problem.targets.size())};
   if (auto ok = check_start(problem, firing_map.ground); !ok) return pass_on(ok);
 
   const double spare = std::max(problem.errors.position_m, 1.5 * options.resolution_m);
@@ -299,8 +299,8 @@ Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOpti
     const Target& target = problem.targets[i];
     firing_map.regions[i] = firing_region(firing_map.rules, firing_map.space(i), target, firing_map.frame,
                                           firing_map.reachable, budget.stop);
-    if (firing_map.regions[i].hits == 0 && search == RegionSearch::proven)
-      prove(firing_map, target, i, budget.stop);
+    if (firing_map.regions[i].hits == 0 && search == RegionSearch::exhaustive)
+      try_all(firing_map, target, i, budget.stop);
   });
   if (budget.stop.stop_requested())
     return fault(FaultCode::cancelled, "it was cancelled while it looked for places to shoot from");

@@ -80,7 +80,7 @@ Status guard_known_yard(const GuardScenario& scenario, const GuardPlanner& plann
   // Who walks about is not shot at by the regions of where it stood first.
   const bool needs_regions = !scenario.wander.any() || scenario.regions;
   auto firing_map = build_firing_map(scenario.problem, scenario.options, watch.budget(),
-                                     needs_regions ? RegionSearch::proven : RegionSearch::none);
+                                     needs_regions ? RegionSearch::exhaustive : RegionSearch::none);
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
   if (scenario.regions) log_firing_regions(run.log, scenario.problem, *firing_map);
   if (auto ok = steps.next("planning the tour"); !ok) return ok;

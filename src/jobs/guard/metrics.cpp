@@ -172,11 +172,11 @@ std::string reason_of(const GuardRun& run, const Tally& tally) {
   if (tally.reached == tally.targets) return {};
   if (run.walkers) return fmt::format("{} of {} intruders hit", tally.reached, tally.targets);
   if (run.arrivals) {
-    return fmt::format("{} of {} intruders reached, {} failed, {} out of reach", tally.reached, tally.targets,
-                       tally.failed, tally.unreachable);
+    return fmt::format("{} of {} intruders reached, {} failed, no shot found at {}", tally.reached,
+                       tally.targets, tally.failed, tally.unreachable);
   }
-  return fmt::format("{} of {} targets reached, {} failed, {} proven to be out of reach", tally.reached,
-                     tally.targets, tally.failed, tally.unreachable);
+  return fmt::format("{} of {} targets reached, {} failed, no shot found at {}", tally.reached, tally.targets,
+                     tally.failed, tally.unreachable);
 }
 
 /// Returns the row of a target in the table. The clearance of a hit is that of its flight.

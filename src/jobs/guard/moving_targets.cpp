@@ -215,8 +215,8 @@ Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const FiringMap& fi
   // Stops need not be finer than that beside regions 1.5 m apart; in air each place takes far longer.
   coarse.resolution_m = std::max(options.resolution_m, problem.air.none() ? 0.2 : 0.3);
   // In air it takes long to prove that a region cannot be hit, and a stop is all that a proof could find.
-  auto surveyed = build_firing_map(regions, coarse, budget,
-                                   problem.air.none() ? RegionSearch::proven : RegionSearch::centres_only);
+  auto surveyed = build_firing_map(
+      regions, coarse, budget, problem.air.none() ? RegionSearch::exhaustive : RegionSearch::centres_only);
   if (!surveyed) return pass_on(surveyed);
   auto precomputed = precompute_stops(regions, *surveyed, {}, {}, budget);
   if (!precomputed) return pass_on(precomputed);

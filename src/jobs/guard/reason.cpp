@@ -30,32 +30,32 @@ std::string nearest_words(const std::optional<BlockedFlight>& blocked, const Fli
 
 std::string why_unreachable(const GuardProblem& problem, const FiringMap& firing_map,
                             const GuardOptions& options, std::size_t target) {
-  const Exhausted& proof = *firing_map.proofs[target].exhausted;
-  if (proof.places == 0) {
+  const Exhausted& tried = *firing_map.no_shots[target].exhausted;
+  if (tried.places == 0) {
     return fmt::format("no place that can be driven to is within reach of it ({:.1f} m at {:g} m/s)",
                        longest_range(firing_map.rules, problem.targets[target]),
                        problem.gun.muzzle_speed_mps);
   }
   std::vector<std::size_t> order;
-  for (std::size_t s = 0; s < proof.blocked_by.size(); ++s) {
-    if (proof.blocked_by[s] > 0) order.push_back(s);
+  for (std::size_t s = 0; s < tried.blocked_by.size(); ++s) {
+    if (tried.blocked_by[s] > 0) order.push_back(s);
   }
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return proof.blocked_by[a] > proof.blocked_by[b]; });
+                   [&](std::size_t a, std::size_t b) { return tried.blocked_by[a] > tried.blocked_by[b]; });
   std::string who;
   for (std::size_t i = 0; i < std::min<std::size_t>(3, order.size()); ++i) {
     who += fmt::format(
         "{}{} stops {:.0f} %", i == 0 ? "" : ", ", firing_map.space(target).solids()[order[i]].name,
-        100.0 * static_cast<double>(proof.blocked_by[order[i]]) / static_cast<double>(proof.flights));
+        100.0 * static_cast<double>(tried.blocked_by[order[i]]) / static_cast<double>(tried.flights));
   }
   return fmt::format(
       "none of {} flights from the {} places within reach hits it with {:g} m to spare ({}); places every "
       "{:g} m, pitches every {:g} degrees, aim points every {:g} m{}{}",
-      proof.flights, proof.places, options.margin_m, who, options.resolution_m,
+      tried.flights, tried.places, options.margin_m, who, options.resolution_m,
       degrees(options.pitch_step_rad), options.aim_step_m,
-      firing_map.proofs[target].from_elsewhere ? "; from ground that cannot be driven to it could be hit"
-                                               : "",
-      nearest_words(firing_map.proofs[target].blocked, firing_map.space(target)));
+      firing_map.no_shots[target].from_elsewhere ? "; from ground that cannot be driven to it could be hit"
+                                                 : "",
+      nearest_words(firing_map.no_shots[target].blocked, firing_map.space(target)));
 }
 
 }  // namespace outrider

@@ -56,7 +56,7 @@ void log_firing_map(Log& log, const FiringMap& firing_map, double time_s) {
 
 void log_blocked_flights(Log& log, const GuardProblem& problem, const FiringMap& firing_map, double time_s) {
   for (std::size_t t = 0; t < problem.targets.size(); ++t) {
-    const std::optional<BlockedFlight>& blocked = firing_map.proofs[t].blocked;
+    const std::optional<BlockedFlight>& blocked = firing_map.no_shots[t].blocked;
     if (!blocked) continue;
     const FlightSpace& space = firing_map.space(t);
     const Target& target = problem.targets[t];

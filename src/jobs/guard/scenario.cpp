@@ -77,6 +77,7 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
       {"",
        "the mission",
        {file_option("world", "SDF file of the yard", &scenario.world),
+        describe(scenario.sdf).front(),
         file_option("terrain",
                     "heights of the ground, an ESRI ASCII grid or a grey PNG; empty: the world's floor",
                     &scenario.terrain),
@@ -123,7 +124,7 @@ Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
   }
   auto start = parse_pose(scenario.start, "start");
   if (!start) return pass_on(start);
-  auto loaded = load_sdf(scenario.world);
+  auto loaded = load_sdf(scenario.world, scenario.sdf);
   if (!loaded) return pass_on(loaded);
   auto bounds = scenario.bounds.empty() ? loaded->world.bounds : parse_box(scenario.bounds, "bounds");
   if (!bounds) return pass_on(bounds);

@@ -48,6 +48,11 @@ void note_failure(StopTasks& tasks, std::size_t target, const GuardProblem& prob
   drop_target(tasks);
 }
 
+/// What a target that was never hit has to say. Tries without a shot are no misses.
+std::string missed(const TargetRecord& record) {
+  return fmt::format("missed {} time{}", record.shots, record.shots == 1 ? "" : "s");
+}
+
 void note_result(StopTasks& tasks, bool hit, const Observation& seen, const GuardProblem& problem) {
   const std::size_t target = tasks.queue.front().targets.front();
   TargetRecord& record = tasks.records[target];
@@ -59,7 +64,7 @@ void note_result(StopTasks& tasks, bool hit, const Observation& seen, const Guar
     drop_target(tasks);
     return;
   }
-  note_failure(tasks, target, problem, fmt::format("missed {} times", record.tries + 1), seen.time_s);
+  note_failure(tasks, target, problem, missed(record), seen.time_s);
 }
 
 /// What to do when the pose actually reached has no shot: go somewhere else, or give up.
@@ -124,7 +129,7 @@ void note_passing(StopTasks& tasks, const Observation& seen, const GuardProblem&
     } else if (++record.tries < problem.tries) {
       stop_for(tasks, target, problem, firing_map);
     } else {
-      settle(record, TargetStatus::failed, fmt::format("missed {} times", record.tries), seen.time_s);
+      settle(record, TargetStatus::failed, missed(record), seen.time_s);
     }
   }
 }

@@ -74,25 +74,36 @@ std::vector<std::size_t> largest_sets(const FiringMap& firing_map, const SureHit
   return kept;
 }
 
-/// The first cells of a greedy cover: always the one with most targets that no earlier one has.
-std::vector<std::size_t> cover(const SureHits& hits, const std::vector<std::size_t>& cells) {
+/// Takes the cells of a greedy cover out of `cells`, always the one with most targets that no earlier one
+/// has, and appends them to `chosen`. Returns false if nothing is left to cover.
+bool take_cover(const SureHits& hits, std::vector<std::size_t>& cells, std::vector<std::size_t>& chosen) {
   std::vector<std::uint64_t> left(hits.words, ~std::uint64_t{0});
-  std::vector<std::size_t> chosen;
-  for (;;) {
-    std::size_t best = 0;
+  for (bool first = true;; first = false) {
+    auto best = cells.end();
     int most = 0;
-    for (const std::size_t cell : cells) {
+    for (auto cell = cells.begin(); cell != cells.end(); ++cell) {
       int fresh = 0;
-      for (std::size_t w = 0; w < hits.words; ++w) fresh += std::popcount(hits.at(cell)[w] & left[w]);
-      if (fresh > most) {
-        most = fresh;
-        best = cell;
-      }
+      for (std::size_t w = 0; w < hits.words; ++w) fresh += std::popcount(hits.at(*cell)[w] & left[w]);
+      if (fresh > most) most = fresh, best = cell;
     }
-    if (most == 0) return chosen;
-    chosen.push_back(best);
-    for (std::size_t w = 0; w < hits.words; ++w) left[w] &= ~hits.at(best)[w];
+    if (most == 0) return !first;
+    for (std::size_t w = 0; w < hits.words; ++w) left[w] &= ~hits.at(*best)[w];
+    chosen.push_back(*best);
+    cells.erase(best);
   }
+}
+
+/// Takes cover after cover while there is room for `most` cells; of the first one, all.
+std::vector<std::size_t> covers(const SureHits& hits, std::vector<std::size_t> cells, std::size_t most) {
+  std::vector<std::size_t> chosen;
+  take_cover(hits, cells, chosen);
+  while (chosen.size() < most) {
+    std::vector<std::size_t> more;
+    if (!take_cover(hits, cells, more)) break;
+    more.resize(std::min(more.size(), most - chosen.size()));
+    chosen.insert(chosen.end(), more.begin(), more.end());
+  }
+  return chosen;
 }
 
 }  // namespace
@@ -146,7 +157,7 @@ std::vector<std::size_t> choose_stops(const FiringMap& firing_map, const SureHit
       for (const std::size_t cell : largest_sets(firing_map, hits, std::move(cells))) chosen.push_back(cell);
     }
     if (chosen.size() > most && tiles.size() > 1) continue;
-    if (chosen.size() > most) chosen = cover(hits, chosen);
+    if (chosen.size() > most) chosen = covers(hits, std::move(chosen), most);
     std::sort(chosen.begin(), chosen.end());
     return chosen;
   }

@@ -16,6 +16,7 @@ OptionGroup describe_question(PlanScenario& scenario) {
                    "file of a map: map_server .yaml, .sdf or .world, MovingAI .map, polygons .txt, "
                    "an image .png or .pgm (.gz may follow)",
                    &scenario.map),
+       describe(scenario.sdf).front(),
        {"from", "", 0, 0, "x,y of the start, m (MovingAI: cells, y from the bottom)", &scenario.from},
        {"to", "", 0, 0, "x,y of the goal, m; several with blanks between: many goals from one start",
         &scenario.to},

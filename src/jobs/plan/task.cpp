@@ -57,7 +57,7 @@ Status set_ground_options(PlanTask& task) {
 
 Outcome<PlanTask> load_plan(const PlanScenario& scenario, const std::set<std::string>& given) {
   if (auto ok = check(scenario); !ok) return pass_on(ok);
-  auto map = load_map(scenario.map);
+  auto map = load_map(scenario.map, {.sdf = scenario.sdf});
   if (!map) return pass_on(map);
   PlanTask task{settle(scenario, map->kind, given), std::move(*map), {}, {}, {}};
   if (auto ok = set_ground_options(task); !ok) return pass_on(ok);

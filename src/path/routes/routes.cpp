@@ -163,8 +163,8 @@ Outcome<Routes> routes_between(const CollisionMap& ground, const RobotModel& rob
                    {},     std::vector<RouteTree>(stops.size())};
   if (table.nodes.size() > most_nodes) {
     return bad_input(
-        fmt::format("the ground has {} free corners to drive around, more than {}; take a larger arc "
-                    "step or a smaller yard",
+        fmt::format("the ground has {} free corners to drive around, more than {}; take a part of it "
+                    "(bounds), or take away what nobody drives between (removed)",
                     table.nodes.size(), most_nodes));
   }
 

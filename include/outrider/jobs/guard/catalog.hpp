@@ -18,7 +18,7 @@ struct GuardPlanner {
   Outcome<GuardPlan> (*method)(const GuardProblem&, const FiringMap&, const GuardOptions&, const Budget&,
                                const DraftObserver&) = nullptr;
   std::string_view guarantee =  ///< in words
-      "each target is in one stop or proven unreachable at the resolution, each shot hits with the "
+      "each target is in one stop or no shot at it was found at the resolution, each shot hits with the "
       "margin, each leg is free; no bound of its time";
 
   /// Plans by the method. `observe` receives tours while they are planned, from methods that search for one.

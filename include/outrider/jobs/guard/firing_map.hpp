@@ -17,8 +17,9 @@
 
 namespace outrider {
 
-/// The reason why a target has no firing region.
-struct Proof {
+/// Why no shot at a target was found. It is no proof that there is none: between the places, pitches and aim
+/// points that were tried there may be one.
+struct NoShot {
   std::optional<Exhausted> exhausted;    ///< set if shots at the centre of the target found no place
   bool from_elsewhere = false;           ///< the target could be hit from ground that the robot cannot reach
   std::optional<BlockedFlight> blocked;  ///< the flight that comes nearest to a hit
@@ -38,7 +39,7 @@ struct FiringMap {
   /// to itself.
   std::vector<std::uint32_t> homeward;
   std::vector<FiringRegion> regions;  ///< by target, over the reachable cells
-  std::vector<Proof> proofs;          ///< by target
+  std::vector<NoShot> no_shots;       ///< by target
 
   /// Returns the obstacles of flights to a target.
   [[nodiscard]] const FlightSpace& space(std::size_t target) const {
@@ -48,8 +49,8 @@ struct FiringMap {
 
 /// How far the search for places to shoot from goes.
 enum class RegionSearch : std::uint8_t {
-  proven,  ///< a target without one gets exhaust()'s proof that there is none, or the place that it finds
-  centres_only,  ///< shots at the centre of each target are tried; no proofs
+  exhaustive,    ///< for a target without one, exhaust() tries everything that the resolution allows
+  centres_only,  ///< shots at the centre of each target are tried, and nothing else
   none           ///< there are no regions
 };
 
@@ -57,6 +58,7 @@ enum class RegionSearch : std::uint8_t {
 /// blocked or outside; a target whose centre is inside a solid; numbers that are not finite or out of range.
 /// O(cells * targets). Regions are computed in parallel; the result does not depend on the number of threads.
 Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOptions& options,
-                                    const Budget& budget = {}, RegionSearch search = RegionSearch::proven);
+                                    const Budget& budget = {},
+                                    RegionSearch search = RegionSearch::exhaustive);
 
 }  // namespace outrider

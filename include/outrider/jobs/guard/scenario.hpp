@@ -6,6 +6,7 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/core/outcome.hpp"
+#include "outrider/io/sdf.hpp"
 #include "outrider/jobs/guard/arrivals.hpp"
 #include "outrider/jobs/guard/problem.hpp"
 #include "outrider/jobs/guard/scout.hpp"
@@ -28,7 +29,8 @@ std::vector<Option> describe(PddlOptions& options);
 
 /// The settings of a guard mission.
 struct GuardScenario {
-  std::string world;         ///< path of an SDF file
+  std::string world;  ///< path of an SDF file
+  SdfOptions sdf;
   std::string terrain;       ///< path of a height field (terrain.hpp); empty: the ground of the world
   std::string terrain_size;  ///< size of an image terrain: length, width, height in m
   std::string

@@ -38,8 +38,8 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
 /// Carries out a plan in the true yard. The plan was made for `yard.found`, with its firing map `firing_map`.
 /// The log has the exploration, and its times continue from there. The status
 /// is "done" if every target was seen and hit, and the robot touched no obstacle. A target without a shot on
-/// the map is not proven to be out of reach, since the map leaves out ground that the robot could not enter:
-/// it failed. Metrics, in addition to those of run_guard(): seen, explored_fraction, map_error_m, explore_s,
+/// the map counts as failed, since the map leaves out ground that the robot could not enter.
+/// Metrics, in addition to those of run_guard(): seen, explored_fraction, map_error_m, explore_s,
 /// contacts. mission_s, driven_m and turned_rad include the exploration. Faults: those of build_firing_map()
 /// for the true yard.
 Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& yard,

@@ -40,9 +40,9 @@ SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map);
 /// Selects at most `most` cells and returns their indices in ascending order. The yard is divided into square
 /// tiles. In each tile, the best cell is taken for each maximal set of targets that can be hit from one cell.
 /// Tiles have sides of at least `tile_m`; they grow until at most `most` cells are left. If a single tile
-/// still has more, a greedy set cover is used. Only cells within `near_m` of one of the points `around` are
-/// candidates, unless `around` is empty. Each target that a candidate can hit can be hit from a selected
-/// cell.
+/// still has more, greedy set covers are taken from it, one after another, until there are `most`. Only cells
+/// within `near_m` of one of the points `around` are candidates, unless `around` is empty. Each target that a
+/// candidate can hit can be hit from a selected cell.
 std::vector<std::size_t> choose_stops(const FiringMap& firing_map, const SureHits& hits, double tile_m,
                                       std::size_t most, const std::vector<Vec2>& around, double near_m);
 

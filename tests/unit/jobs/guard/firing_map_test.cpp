@@ -108,7 +108,7 @@ TEST(Survey, FindsTheRegionsOfTheReachableGroundWhateverTheThreads) {
           EXPECT_EQ(firing_map->reachable[c], 1);
         }
       }
-      EXPECT_EQ(region.hits == 0, firing_map->proofs[t].exhausted.has_value());
+      EXPECT_EQ(region.hits == 0, firing_map->no_shots[t].exhausted.has_value());
     }
   }
 }
@@ -240,7 +240,7 @@ TEST(Survey, TargetsBlockShotsAndDrivingOnlyWhenTold) {
   EXPECT_EQ(build_firing_map(problem, {}).error().code, FaultCode::start_blocked);
 }
 
-/// What is left out of a quicker survey is the proofs and what they find, and nothing else.
+/// What a quicker survey leaves out is the exhaustive search and what it finds, and nothing else.
 TEST(Survey, WithoutProofsHasTheSameRegionsOfCentres) {
   Rng rng(95);
   int left_out = 0;
@@ -260,16 +260,16 @@ TEST(Survey, WithoutProofsHasTheSameRegionsOfCentres) {
     ASSERT_EQ(none->regions.size(), problem.targets.size());
     for (std::size_t t = 0; t < problem.targets.size(); ++t) {
       EXPECT_EQ(none->regions[t].hits, 0U);
-      EXPECT_FALSE(centres->proofs[t].exhausted.has_value());
+      EXPECT_FALSE(centres->no_shots[t].exhausted.has_value());
       if (centres->regions[t].hits == 0) {
         ++left_out;
         continue;
       }
       EXPECT_EQ(proven->regions[t].pitch, centres->regions[t].pitch);
       EXPECT_EQ(proven->regions[t].error_ratio, centres->regions[t].error_ratio);
-      EXPECT_FALSE(proven->proofs[t].exhausted.has_value());
+      EXPECT_FALSE(proven->no_shots[t].exhausted.has_value());
     }
-    EXPECT_TRUE(proven->proofs[0].exhausted.has_value());
+    EXPECT_TRUE(proven->no_shots[0].exhausted.has_value());
   }
   EXPECT_GT(left_out, 0);
 }

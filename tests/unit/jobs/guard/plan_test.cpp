@@ -139,7 +139,7 @@ TEST(PlanGuard, NamesWhatStandsInTheWayOfAnUnreachableTarget) {
             std::string::npos)
       << reason;
   EXPECT_EQ(reason.find("cannot be driven to"), std::string::npos) << reason;
-  const auto& blocked = firing_map->proofs[1].blocked;
+  const auto& blocked = firing_map->no_shots[1].blocked;
   ASSERT_TRUE(blocked);
   const std::string& wall = firing_map->space(1).solids()[blocked->solid].name;
   EXPECT_EQ(wall.find("hut/"), 0U) << wall;
@@ -167,7 +167,7 @@ TEST(PlanGuard, SaysWhenATargetIsOutOfReachOrOnlyHitFromElsewhere) {
   problem.world.solids.push_back(box_at("roof", {1.5, 0.5, 1.0}, {2.5, 2.5, 0.05}));
   const auto hall = build_firing_map(problem, options);
   ASSERT_TRUE(hall.has_value());
-  EXPECT_TRUE(hall->proofs[1].from_elsewhere);
+  EXPECT_TRUE(hall->no_shots[1].from_elsewhere);
   const auto outside = plan_guard(problem, *hall, options, {});
   ASSERT_EQ(outside->unreachable.size(), 1U);
   EXPECT_NE(outside->unreachable[0].reason.find("cannot be driven to"), std::string::npos);
