@@ -7,11 +7,10 @@ import { h, iconButton } from "../base/dom";
 import { clamp } from "../base/numbers";
 import { onTheme, theme } from "../base/theme";
 import type { Run } from "../log/run";
-import { isPlanning } from "../log/tours";
 import { bodiesOf } from "../log/world";
 import { areaOf } from "./area";
 import type { Now } from "./layer";
-import { ofPlanning, type LayerChoice } from "./layer_choice";
+import type { LayerChoice } from "./layer_choice";
 import { coverActor } from "./space_cover";
 import { stillWorld } from "./space_ground";
 import { mapActor } from "./space_map";
@@ -126,13 +125,13 @@ export class SpaceView {
     }
     this.moving = this.exchanged(this.moving, new Group());
     this.actors = [];
-    const planning = isPlanning(run);
     this.groups = actorsOf.flatMap(([name, make]) => {
       const made = make(run);
-      const group = new Group().add(...made.flatMap(({ things }) => things));
+      const group = new Group();
+      for (const { things } of made) for (const thing of things) group.add(thing);
       this.moving.add(group);
       this.actors.push(...made.flatMap(({ act }) => act ?? []));
-      return made.length > 0 ? [{ name: planning && ofPlanning.has(name) ? "" : name, group }] : [];
+      return made.length > 0 ? [{ name, group }] : [];
     });
   }
 
