@@ -15,7 +15,7 @@ import { coverActor } from "./space_cover";
 import { stillWorld } from "./space_ground";
 import { mapActor } from "./space_map";
 import { mappingActor, sensedActor } from "./space_mapping";
-import { labelActor, placeTexts } from "./space_labels";
+import { labelActor, placeTexts, type Area } from "./space_labels";
 import { stationActor, waypointActor, wayActor } from "./space_marks";
 import type { Actor } from "./space_parts";
 import { candidateActor, firingMapActor, tourActor } from "./space_planning";
@@ -75,6 +75,7 @@ export class SpaceView {
   private drawn: Run | null = null;
   private now: Now = { t: 0, shot: null, target: null, speed: 0 };
   private free_px = 0;   // above
+  private covered: Area[] = [];  // by its buttons
   private home = true;  // nobody moved the view
   private area: Box;
   private watcher: ResizeObserver;
@@ -217,6 +218,7 @@ export class SpaceView {
   private resize(): void {
     if (this.canvas.clientWidth === 0) return;  // hidden: it keeps its view until it is shown again
     const [width, height] = [Math.max(1, this.canvas.clientWidth), Math.max(1, this.canvas.clientHeight)];
+    this.covered = [...this.element.querySelectorAll<HTMLElement>(".camera")].map(({ offsetLeft: x, offsetTop: y, offsetWidth, offsetHeight }): Area => [x, y, x + offsetWidth, y + offsetHeight]);
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
@@ -240,7 +242,7 @@ export class SpaceView {
     this.camera.updateMatrixWorld();
     const texts: Sprite[] = [];
     this.moving.traverseVisible((thing) => { if (thing instanceof Sprite) texts.push(thing); });
-    this.element.dataset.names = String(placeTexts(texts, this.camera, this.canvas.clientWidth, this.canvas.clientHeight));
+    this.element.dataset.names = String(placeTexts(texts, this.camera, this.canvas.clientWidth, this.canvas.clientHeight, this.covered));
   }
 
   /** Keeps the robot in the middle, from the side that was chosen. */
