@@ -22,7 +22,8 @@ export function heading(log: RunLog): HTMLHeadingElement {
   return h("h1", {}, h("span", { class: "job" }, info?.job || log.summary?.job || ""), worldOf(log));
 }
 
-const worldOf = (log: RunLog): string => log.latest<RunInfo>(topic.run)?.world || log.summary?.world || "no name";
+/** The world; a file without what its format is. */
+const worldOf = (log: RunLog): string => (log.latest<RunInfo>(topic.run)?.world || log.summary?.world || "no name").replace(/\.(txt|map|ya?ml)$/, "");
 
 /** What the run is called, with its verdict. */
 export const nameOf = (log: RunLog): string => `${worldOf(log)}, ${verdictOf(log).word.toLowerCase()}`;

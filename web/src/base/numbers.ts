@@ -34,12 +34,30 @@ export function roundStep(least: number): number {
 }
 
 /** Metrics that say yes or no. */
-const truths = new Set(["tour_proven", "caught", "optimal"]);
+const truths = new Set(["tour_proven", "caught", "optimal", "returned_home"]);
+
+/** Those whose names are too short to say what they are. */
+const labels: Record<string, string> = {
+  t_min_s: "least possible time",
+  t_max_s: "largest possible time",
+  sure_fraction: "share covered for sure",
+  sure_inner_fraction: "share covered for sure, without the rim",
+  order_bound_s: "time bound of the order",
+};
+
+/** What a metric measures, after its unit, where its name leaves it open: "planned" may be a time, a length or a share. */
+function nounOf(stem: string, unit: string | undefined): string {
+  if (unit === "fraction") return "share";
+  if (unit === "m2") return stem.includes("area") ? "" : "area";
+  if (unit === "s") return /time|bound|seconds|makespan/.test(stem) ? "" : "time";
+  if (unit === "m") return /(ed|en|^ideal|^path)$/.test(stem) ? "length" : "";
+  return "";
+}
 
 /** Derives a metric's label, value and unit from its name: mission_s, driven_m, turned_rad, covered_fraction, ... */
 export function metric(name: string, value: Num): { label: string; value: string; unit: string } {
   const [, stem = name, unit] = name.match(/^(.*?)(?:_(s|m|m2|rad|mps|j|fraction))?$/) ?? [];
-  const label = stem.replaceAll("_", " ");
+  const label = labels[name] ?? `${stem.replaceAll("_", " ")} ${nounOf(stem, unit)}`.trim();
   if (!Number.isFinite(value)) return { label, value: "\u2013", unit: "" };
   const v = value as number;
   if (truths.has(name)) return { label, value: v ? "yes" : "no", unit: "" };

@@ -92,8 +92,8 @@ export class ComparePage {
     const count = rows.filter(({ differs }) => differs).length;
     return h("section", { class: "panel compare-numbers" }, h("h2", {}, count === 0 ? "All numbers are the same" : `${count} of ${rows.length} numbers differ`),
       h("table", {}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "metric"), ...this.sides.map(({ row }) => h("th", { scope: "col" }, nameOf(row))), h("th", { scope: "col" }, this.sides.length > 2 ? "last less first" : "difference"))),
-        h("tbody", {}, ...rows.map(({ name, values, unit, differs, change }) => h("tr", { class: differs ? "differs" : "" }, h("th", { scope: "row" }, name),
-          ...values.map((value) => h("td", {}, value, unit && h("small", {}, ` ${unit}`))), h("td", {}, change || (differs ? "differs" : "same")))))));
+        h("tbody", {}, ...rows.map(({ name, values, differs, change }) => h("tr", { class: differs ? "differs" : "" }, h("th", { scope: "row" }, name),
+          ...values.map(({ value, unit }) => h("td", {}, value, unit && h("small", {}, ` ${unit}`))), h("td", {}, change))))));
   }
 
   private invalidate(): void {
@@ -107,12 +107,8 @@ export class ComparePage {
     this.before = now;
     for (const { view, run, clock: at } of this.sides) {
       const t = Math.min(clock.t, run.duration);
-      if (this.overlaid && view !== this.sides[0]!.view) {
-        at.textContent = `${clockText(t, 1)}${t < clock.t ? ", ended" : ""} \u00b7 ${run.eventText(t)}`;
-        continue;
-      }
-      view.draw({ t: this.overlaid ? clock.t : t, shot: null, target: null, speed: 0 });
-      at.textContent = `${clockText(t, 1)}${t < clock.t ? ", ended" : ""} \u00b7 ${run.eventText(t)}`;
+      if (!this.overlaid || view === this.sides[0]!.view) view.draw({ t: this.overlaid ? clock.t : t, shot: null, target: null, speed: 0 });
+      at.textContent = [`${clockText(t, 1)}${t < clock.t ? ", ended" : ""}`, run.eventText(t)].filter(Boolean).join(" \u00b7 ");
     }
     this.slider.value = String(clock.t);
     this.slider.style.setProperty("--done", `${((100 * clock.t) / clock.duration).toFixed(2)}%`);

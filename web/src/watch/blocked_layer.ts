@@ -41,7 +41,8 @@ export function blocked(run: Run): Layer | null {
       ctx.textBaseline = "middle";
       ctx.font = `650 11.5px ${theme.sans}`;
       const { x, y } = camera.screen(chosen.to[0], chosen.to[1]);
-      label(ctx, `blocked by ${chosen.contact}`, x + 9, y - 9, theme.unreachable, theme.yard);
+      const words = [`blocked by ${chosen.contact}`, chosen.contact].find((one) => x + 12 + ctx.measureText(one).width < camera.width) ?? "";
+      label(ctx, words, x + 9, y - 9, theme.unreachable, theme.yard);
     },
     find(at, { camera, now }) {
       const { x, y } = camera.plane(at);

@@ -17,7 +17,7 @@ interface Notes { warnings: string[]; settings: [string, string][]; refused: { a
 const notesOf = (run: Run): Notes => ({ warnings: run.log.summary?.warnings ?? [], settings: Object.entries(run.log.summary?.settings ?? {}), refused: refusalsOf(run) });
 
 function shownNotes({ warnings, settings: all, refused }: Notes): HTMLElement {
-  const settings = all.map(([name, value]) => h("div", {}, h("dt", {}, name.replaceAll("_", " ")), h("dd", {}, typeset(value))));
+  const settings = all.map(([name, value]) => h("div", {}, h("dt", {}, name.replaceAll("_", " ")), h("dd", {}, typeset(value) || "\u2013")));
   return h("div", {},
     warnings.length > 0 && h("h2", {}, warnings.length === 1 ? "1 warning" : `${warnings.length} warnings`),
     h("ul", { class: "warnings" }, ...warnings.map((text) => h("li", {}, typeset(text)))),

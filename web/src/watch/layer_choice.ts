@@ -6,6 +6,8 @@ import { clamp } from "../base/numbers";
 export const ofPlanning: ReadonlySet<string> = new Set(["firing map", "planned tour"]);
 
 export class LayerChoice {
+  /** The robot plans now. */
+  planning = false;
   private chosen = new Map<string, number>();
 
   constructor(text = "") {
@@ -17,7 +19,7 @@ export class LayerChoice {
   of(name: string): number { return this.chosen.get(name) ?? this.usual(name); }
 
   /** What it is where nobody has chosen. */
-  usual(name: string): number { return ofPlanning.has(name) ? 0 : 1; }
+  usual(name: string): number { return ofPlanning.has(name) && !this.planning ? 0 : 1; }
 
   set(name: string, opacity: number): void {
     if (clamp(opacity, 0, 1) === this.usual(name)) this.chosen.delete(name);

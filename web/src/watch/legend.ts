@@ -44,12 +44,12 @@ export class Legend {
 
   /** Lists the layers of a view, of which the last lies on top and comes first; writes only what has changed. */
   show(run: Run, names: readonly string[]): void {
-    if (run === this.run && names.join() === this.shown) return;
+    const key = `${names.join()}${this.choice.planning ? " planned" : ""}`;
+    if (run === this.run && key === this.shown) return;
     const rows = new Map([...new Set(names)].reverse().flatMap((name): [string, HTMLElement[]][] => {
       const signs = signsOf(run, name);
       return signs ? [[name, signs]] : [];
     }));
-    const key = names.join();
     const same = key === this.shown && rows.size === this.element.children.length && [...this.element.children].every((row) => row.querySelector(".signs")?.textContent === rows.get((row as HTMLElement).dataset.layer!)?.map((one) => one.textContent).join(""));
     [this.run, this.shown] = [run, key];
     if (!same) this.element.replaceChildren(...[...rows].map(([name, signs]) => this.row(name, signs)));

@@ -1,6 +1,6 @@
 // The fields of messages at the present time: of a channel that is chosen, or of the thing that was selected in plan or space.
 import { h } from "../base/dom";
-import { fixed } from "../base/numbers";
+import { fixed, minus } from "../base/numbers";
 import { fieldsOf, type Field } from "../log/fields";
 import type { Run } from "../log/run";
 import type { Told } from "./layer";
@@ -8,7 +8,7 @@ import type { Told } from "./layer";
 const most = 400;  // fields that are listed
 
 const valueText = (value: Field["value"]): string =>
-  (typeof value !== "number" ? String(value) : Number.isNaN(value) ? "unknown" : Number.isInteger(value) ? value.toLocaleString("en") : String(+value.toPrecision(7)));
+  (typeof value !== "number" ? String(value) : Number.isNaN(value) ? "unknown" : Number.isInteger(value) ? minus(value.toLocaleString("en")) : minus(String(+value.toPrecision(7))));
 
 export class MessageView {
   readonly element: HTMLElement;

@@ -2,7 +2,6 @@
 import type { SceneAnswer } from "../api";
 import type { Box } from "../base/camera";
 import type { Run } from "../log/run";
-import { isPlanning } from "../log/tours";
 import { believed } from "./belief";
 import { blocked } from "./blocked_layer";
 import { candidates } from "./candidate_layer";
@@ -12,7 +11,6 @@ import { firingMap } from "./firing_map_layer";
 import { flights } from "./flight_layer";
 import { ground } from "./ground_layer";
 import type { Layer, LayerOf } from "./layer";
-import { ofPlanning } from "./layer_choice";
 import { map } from "./map_layer";
 import { mapping } from "./mapping_layer";
 import { pursuit } from "./pursuit_layer";
@@ -33,10 +31,9 @@ const makers: [string, LayerOf][] = [["obstacles", ground], ["pursuit", pursuit]
 
 /** Those that the log has messages for; `bare` ones without scales; with what the scenario says, until the log does. */
 export function layersOf(run: Run, area: Box, bare: boolean, scene: SceneAnswer | null): Named[] {
-  const planning = isPlanning(run);
   const told = makers.flatMap(([name, make]) => {
     const layer = make(run);
-    return layer ? [{ name: planning && ofPlanning.has(name) ? "" : name, layer }] : [];
+    return layer ? [{ name, layer }] : [];
   });
   const unnamed = [scene && expected(run, scene), bare ? null : scales(area, run)].filter((one) => one !== null);
   return [...told, ...unnamed.map((layer) => ({ name: "", layer }))];

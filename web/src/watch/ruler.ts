@@ -4,7 +4,7 @@ import { degrees } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
 import { theme } from "../base/theme";
 import { lengthText } from "../base/units";
-import { disk, label } from "./layer";
+import { disk } from "./layer";
 
 export class Ruler {
   on = false;
@@ -46,7 +46,14 @@ export class Ruler {
     ctx.font = `600 12px ${theme.sans}`;
     ctx.textBaseline = "middle";
     const width = ctx.measureText(this.text).width;
-    label(ctx, this.text, Math.min(Math.max(6, (a.x + b.x - width) / 2), camera.width - width - 6), Math.max(14, Math.min(a.y, b.y) - 16), theme.ink, theme.yard);
+    const x = Math.min(Math.max(10, (a.x + b.x - width) / 2), camera.width - width - 10);
+    const y = Math.max(16, Math.min(a.y, b.y) - 18);
+    ctx.fillStyle = theme.ink;
+    ctx.beginPath();
+    ctx.roundRect(x - 6, y - 10, width + 12, 20, 5);
+    ctx.fill();
+    ctx.fillStyle = theme.yard;
+    ctx.fillText(this.text, x, y + 0.5);
     ctx.restore();
   }
 }

@@ -29,12 +29,18 @@ function wall(outline: Vec2[], height: number): Mesh {
 }
 
 /** The way until now, in the colours of its roles. */
-function rolesActor(run: Run, cover: Cover, above: number, width: number): Actor[] {
-  const way = wayOf(run, cover);
+export function rolesActor(run: Run, cover: Cover, above: number, width: number): Actor[] {
+  const { time: rows, x, y } = run.track;
+  const placeAt = (t: number): Vec2 => {
+    const at = run.track.at(t);
+    return [at.x, at.y];
+  };
   return (Object.keys(roleColours) as Role[]).flatMap((role) => {
     const reached: number[] = [];
     const ribbons = cover.passes.filter((one) => one.role === role).map(({ start, end }) => {
-      const { time, way: places } = wayOnGround(run, way.times(start, end), way.between(start, end), above);
+      const between = rows.slice(lastNotAfter(rows, start) + 1, Math.max(0, lastNotAfter(rows, end) + 1));
+      const first = lastNotAfter(rows, start) + 1;
+      const { time, way: places } = wayOnGround(run, [start, ...between, end], [placeAt(start), ...Array.from(between, (_, i): Vec2 => [x[first + i]!, y[first + i]!]), placeAt(end)], above);
       reached.push(...time.slice(1));
       return ribbon(places, width, theme[roleColours[role]]);
     });

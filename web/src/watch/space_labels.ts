@@ -73,16 +73,16 @@ export const labelActor = (run: Run): Actor[] => targetsOf(run).map((target) => 
 
 /** From what stands at its place: above it, below it, to its right, to its left. */
 const sides = [[0.5, -0.3], [0.5, 1.3], [-0.12, 0.5], [1.12, 0.5]] as const;
-type Area = [number, number, number, number];
+export type Area = [number, number, number, number];
 export const apart = (a: Area, b: Area): boolean => a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1];
 
 /**
  * Sets the size of texts for a picture of so many pixels, and puts names where they cover no other text: the selected one first, then the near ones.
- * Hides those that have no room. Depends on the view alone. Returns how many names are shown.
+ * Hides those that have no room, also beside what lies over the view (`covered`). Depends on the view alone. Returns how many names are shown.
  */
-export function placeTexts(texts: Sprite[], camera: PerspectiveCamera, width: number, height: number): number {
+export function placeTexts(texts: Sprite[], camera: PerspectiveCamera, width: number, height: number, covered: readonly Area[] = []): number {
   const one = (2 * Math.tan((camera.fov * Math.PI) / 360)) / height;  // a pixel
-  const taken: Area[] = [];
+  const taken = [...covered];
   const seen = texts.filter(({ visible }) => visible).map((sprite) => {
     const { x, y, z } = sprite.getWorldPosition(new Vector3()).project(camera);
     const text = textOf(sprite);

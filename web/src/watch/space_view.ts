@@ -7,16 +7,15 @@ import { h, iconButton } from "../base/dom";
 import { clamp } from "../base/numbers";
 import { onTheme, theme } from "../base/theme";
 import type { Run } from "../log/run";
-import { isPlanning } from "../log/tours";
 import { bodiesOf } from "../log/world";
 import { areaOf } from "./area";
 import type { Now } from "./layer";
-import { ofPlanning, type LayerChoice } from "./layer_choice";
+import type { LayerChoice } from "./layer_choice";
 import { coverActor } from "./space_cover";
 import { stillWorld } from "./space_ground";
 import { mapActor } from "./space_map";
 import { mappingActor, sensedActor } from "./space_mapping";
-import { labelActor, placeTexts } from "./space_labels";
+import { labelActor, placeTexts, type Area } from "./space_labels";
 import { stationActor, waypointActor, wayActor } from "./space_marks";
 import type { Actor } from "./space_parts";
 import { candidateActor, firingMapActor, tourActor } from "./space_planning";
@@ -76,6 +75,7 @@ export class SpaceView {
   private drawn: Run | null = null;
   private now: Now = { t: 0, shot: null, target: null, speed: 0 };
   private free_px = 0;   // above
+  private covered: Area[] = [];  // by its buttons
   private home = true;  // nobody moved the view
   private area: Box;
   private watcher: ResizeObserver;
@@ -126,13 +126,13 @@ export class SpaceView {
     }
     this.moving = this.exchanged(this.moving, new Group());
     this.actors = [];
-    const planning = isPlanning(run);
     this.groups = actorsOf.flatMap(([name, make]) => {
       const made = make(run);
-      const group = new Group().add(...made.flatMap(({ things }) => things));
+      const group = new Group();
+      for (const { things } of made) for (const thing of things) group.add(thing);
       this.moving.add(group);
       this.actors.push(...made.flatMap(({ act }) => act ?? []));
-      return made.length > 0 ? [{ name: planning && ofPlanning.has(name) ? "" : name, group }] : [];
+      return made.length > 0 ? [{ name, group }] : [];
     });
   }
 
@@ -218,6 +218,7 @@ export class SpaceView {
   private resize(): void {
     if (this.canvas.clientWidth === 0) return;  // hidden: it keeps its view until it is shown again
     const [width, height] = [Math.max(1, this.canvas.clientWidth), Math.max(1, this.canvas.clientHeight)];
+    this.covered = [...this.element.querySelectorAll<HTMLElement>(".camera")].map(({ offsetLeft: x, offsetTop: y, offsetWidth, offsetHeight }): Area => [x, y, x + offsetWidth, y + offsetHeight]);
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
@@ -241,7 +242,7 @@ export class SpaceView {
     this.camera.updateMatrixWorld();
     const texts: Sprite[] = [];
     this.moving.traverseVisible((thing) => { if (thing instanceof Sprite) texts.push(thing); });
-    this.element.dataset.names = String(placeTexts(texts, this.camera, this.canvas.clientWidth, this.canvas.clientHeight));
+    this.element.dataset.names = String(placeTexts(texts, this.camera, this.canvas.clientWidth, this.canvas.clientHeight, this.covered));
   }
 
   /** Keeps the robot in the middle, from the side that was chosen. */

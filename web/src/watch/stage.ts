@@ -7,6 +7,7 @@ import { keepInAddress } from "../base/url";
 import type { Flight } from "../log/flights";
 import type { Run } from "../log/run";
 import type { TargetStory } from "../log/targets";
+import { isPlanning } from "../log/tours";
 import type { Now, Told } from "./layer";
 import type { LayerChoice } from "./layer_choice";
 import { Legend } from "./legend";
@@ -39,6 +40,7 @@ export class Stage {
   private menu: MenuButton;
 
   constructor(private run: Run, private acts: StageActs, private choice: LayerChoice) {
+    choice.planning = isPlanning(run);
     this.plan = new PlanView(run, acts, false, choice);
     this.legend = new Legend(choice, () => {
       keepInAddress({ layers: choice.text });
@@ -70,6 +72,7 @@ export class Stage {
 
   renew(run: Run): void {
     this.run = run;
+    this.choice.planning = isPlanning(run);
     this.plan.renew(run);
     this.space?.renew(run);
   }
@@ -100,18 +103,28 @@ export class Stage {
     plan?.setAttribute("aria-pressed", String(!space));
     three?.setAttribute("aria-pressed", String(space));
     keepInAddress({ view: space ? "3d" : "" });
-    if (space && !this.space) {
-      const { SpaceView: View } = await import("./space_view");
-      this.space ??= new View(this.run, this.acts.redraw, this.choice, (x, y, now) => this.plan.clickPlane(x, y, now));
-      this.space.follow = this.following;
-      this.stage.prepend(this.space.element);
-      this.makeRoom();
-    }
+    if (space && !this.space && !await this.openSpace()) return this.show(false);
     this.plan.element.hidden = this.inSpace;
     this.rulerButton.disabled = this.inSpace;
     this.rulerButton.title = this.inSpace ? "Lengths are measured in the plan view" : measuring;
     if (this.space) this.space.element.hidden = !this.inSpace;
     this.acts.redraw();
+  }
+
+  /** Returns false, and says so, where the browser cannot draw it. */
+  private async openSpace(): Promise<boolean> {
+    const { SpaceView: View } = await import("./space_view");
+    try {
+      this.space ??= new View(this.run, this.acts.redraw, this.choice, (x, y, now) => this.plan.clickPlane(x, y, now));
+    } catch {
+      this.stage.querySelector(".stage-note")?.remove();
+      this.stage.append(h("p", { class: "stage-note", role: "alert" }, "The view in space needs WebGL 2, which this browser does not give; the plan shows the same."));
+      return false;
+    }
+    this.space.follow = this.following;
+    this.stage.prepend(this.space.element);
+    this.makeRoom();
+    return true;
   }
 
   setFollow(on: boolean): void {

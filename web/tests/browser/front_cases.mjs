@@ -16,8 +16,20 @@ const drawn = (page) => until("the pictures", () => page.evaluate(() => [...docu
 export const frontCases = ({ open, text, frames, server, folder, output }) => ({
   async "the front page, before other cases add their files"() {
     const page = await open();
+    const plain = [];  // long answers that came as they are
+    let packed = 0;
+    page.on("response", async (response) => {
+      const headers = await response.allHeaders().catch(() => ({}));
+      const ours = !process.env.OUTRIDER_PAGE || response.url().includes("/api/");
+      if (headers["content-encoding"] === "gzip") ++packed;
+      if (ours && Number(headers["content-length"]) >= 1000 && !headers["content-encoding"] && !/\.(mcap|png|woff2)$/.test(response.url())) plain.push(`${response.url()} (${headers["content-length"]} bytes)`);
+    });
+    await page.reload();
     await until("the example", () => page.locator(".hero .play").isEnabled());
+    assert.match(await text(page, "h1"), /^[^.]+\.$/, "one sentence");
     await drawn(page);
+    assert.deepEqual(plain, [], "what is long is compressed");
+    assert.ok(packed >= 3, `${packed} answers were compressed`);
     await frames(page);
     assert.equal(await playing(page), "false", "the system asks for no motion");
     await compareShot(page, "front", output);

@@ -42,6 +42,11 @@ export const liveCases = ({ open, text, server, folder }) => ({
     await page.waitForSelector(".live-page .verdict");
     assert.match(await text(page, ".verdict"), /Done/);
     assert.ok(await page.locator(".live").isHidden());
+    await page.locator(".tabs button", { hasText: "Why" }).click();
+    await until("the bounds", async () => /^The bound closes in/.test(await text(page, ".why")));
+    const bounds = (await page.locator(".why li span").allTextContents()).map((one) => Number(one.match(/none costs less than ([\d.]+)/)[1]));
+    assert.ok(bounds.length > 1 && bounds.every((one, i) => i === 0 || one >= bounds[i - 1]) && bounds.at(-1) > bounds[0], `they rise: ${bounds}`);
+    assert.match((await page.locator(".why li span").allTextContents()).at(-1), /it is the best$/);
     await page.close();
   },
 
@@ -108,6 +113,57 @@ export const liveCases = ({ open, text, server, folder }) => ({
     await page.click(".run-head .button");
     await page.waitForSelector('.live-page[data-state="cancelled"]');
     rmSync(join(folder, "yard/slow.yaml"));
+    await page.close();
+  },
+
+  async "in space, too, planning shows the firing map, then each faster tour; both are layers, which end with the planning"() {
+    const page = await open();
+    const yard = await contentsOf(readFileSync(join(folder, "runs/yard/run.mcap")));
+    let later = 0;
+    const messages = yard.messages.map((one) => (one.topic === "/firing_map" ? { ...one, t: 0.001 } : one.topic === "/tours" ? { ...one, t: 0.002 + 0.001 * later++ } : one.topic.match(/^.(run|solids|scene)$/) ? one : { ...one, t: one.t + 1 }));
+    assert.ok(later >= 2, `${later} tours`);
+    const run = await tellRun(page, { ...yard, messages });
+    run.upTo(0);
+    await page.goto("about:blank");
+    await page.goto(`${server.url}#live/told?view=3d`);
+    await page.waitForSelector(".space-view canvas");
+    const picture = () => page.evaluate(() => document.querySelector(".space-view canvas").toDataURL());
+    /** The picture once it is another than before, and rests. */
+    const next = async (what, before) => {
+      let now = await until(what, async () => { const drawn = await picture(); return drawn !== before && drawn; });
+      for (let last = ""; last !== now;) {
+        await page.waitForTimeout(100);
+        [last, now] = [now, await picture()];
+      }
+      return now;
+    };
+    const box = (name) => page.locator(`.legend .layer[data-layer="${name}"] input[type=checkbox]`);
+    let shown = await next("the world", "");
+    assert.equal(await box("firing map").count(), 0);
+    run.upTo(0.001);
+    shown = await next("the firing map", shown);
+    assert.ok(await box("firing map").isChecked());
+    let takes = Infinity;
+    for (let k = 0; k < later; ++k) {
+      run.upTo(0.002 + 0.001 * k + 1e-9);
+      if (k === 0) await page.locator(".tabs button", { hasText: "Why" }).click();  // its tab is there with the first
+      takes = await until("a faster tour", async () => {
+        const told = Number(/takes ([\d.]+) s/.exec(await text(page, ".why"))?.[1]);
+        return told < takes && told;
+      });
+      shown = await next(`tour ${k + 1}`, shown);
+    }
+    for (const name of ["firing map", "planned tour"]) {
+      await page.locator(`.legend .layer[data-layer="${name}"] label`).click();
+      shown = await next(`no ${name}`, shown);
+      await page.locator(`.legend .layer[data-layer="${name}"] label`).click();
+      shown = await next(name, shown);
+    }
+    run.upTo(5);  // it drives
+    await until("the end of planning", async () => !await box("firing map").isChecked() && !await box("planned tour").isChecked());
+    run.upTo(1e9);
+    run.end();
+    await page.waitForSelector(".live-page .verdict");
     await page.close();
   },
 

@@ -38,6 +38,9 @@ async function open(hash = "", { at = server.url, ...options } = {}) {
   await useBuiltPage(page);
   page.setDefaultTimeout(100_000);  // a machine that is busy with other tests may hold a browser up
   page.on("pageerror", (error) => faults.push(`${hash}: ${error.message}`));
+  page.on("console", (message) => {  // what the server refuses is listed there by the browser, and told by the page
+    if (message.type() === "error" && !/Failed to load resource|WebSocket connection to/.test(message.text())) faults.push(`${hash}: ${message.text()}`);
+  });
   page.on("request", (request) => {
     if (!/^(http:\/\/127\.0\.0\.1|blob:|data:|file:)/.test(request.url())) faults.push(`${hash}: the page asked for ${request.url()}`);
   });
@@ -483,9 +486,9 @@ const cases = {
   ...liveCases({ open, text, server, folder }),
   ...runsCases({ open, text, output }),
   ...truthCases({ open, text, frames, cell, answers, server, folder }),
-  ...wayCases({ open, text, frames, cell, answers, onMap, folder }),
+  ...wayCases({ open, text, frames, cell, answers, onMap, server, folder }),
   ...lookCases({ open, text, frames, server, folder }),
-  ...planToolCases({ open, text, cell, answers }),
+  ...planToolCases({ open, text, cell, answers, server, folder }),
   ...exportCases({ open, text, frames }),
   ...accessCases({ open, text, frames, server, folder }),
 

@@ -63,6 +63,8 @@ export const runsCases = ({ open, text, output }) => ({
     const more = second.summary.metrics.time_s - first.summary.metrics.time_s;
     assert.deepEqual(row("time").slice(1), [true, `${more > 0 ? "+" : "\u2212"}${Math.abs(more).toFixed(2)} s`], String(numbers));
     assert.deepEqual(row("area").slice(1), [false, "same"]);
+    assert.equal(new Set(numbers.map(([label]) => label)).size, numbers.length, "each number has a name of its own");
+    for (const name of ["covered share", "covered area", "planned share", "planned time", "planned length"]) assert.ok(row(name), name);
     await page.locator(".compare input[type=range]").evaluate((slider) => {
       slider.value = "60";
       slider.dispatchEvent(new Event("input"));

@@ -1,8 +1,9 @@
 // The cases of the page about what its panels say: the same thing, about the present time, and only what is so.
 import assert from "node:assert/strict";
-import { cpSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { until } from "./browser.mjs";
+import { makeRuns } from "./runs.mjs";
 import { serve, source } from "./server.mjs";
 import { contentsOf } from "./streams.mjs";
 import { tellRun } from "./told.mjs";
@@ -94,10 +95,40 @@ export const truthCases = ({ open, text, frames, cell, answers, server, folder }
     await page.close();
   },
 
+  async "numbers, units and sentences are for people, and name no path of the machine"() {
+    const page = await open();
+    /** What can be read of a view, but for settings, which are as somebody wrote them. */
+    const words = async (hash, selector) => {
+      await page.goto("about:blank");
+      await page.goto(`${server.url}${hash}`);
+      await page.waitForSelector(selector);
+      await frames(page);
+      const all = await page.evaluate(() => {
+        for (const one of document.querySelectorAll(".settings")) one.remove();
+        return document.body.innerText;
+      });
+      assert.doesNotMatch(all, /\d\.\d{5,}/, `${hash}: a number with too many figures`);
+      assert.doesNotMatch(all, /\b(m2|m3|m\/s2)\b/, `${hash}: a unit that is not typeset`);
+      assert.doesNotMatch(all, /\b\d{3,}:\d\d/, `${hash}: minutes that are hours`);
+      assert.doesNotMatch(all, /\/(tmp|home|work|var|build)\//, `${hash}: a path of the machine`);
+      return all;
+    };
+    const { id } = await (await fetch(`${server.url}api/v1/runs`, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scenario: "pursuit/park.yaml" }) })).json();
+    await until("its end", async () => (await (await fetch(`${server.url}api/v1/runs/${id}`)).json()).state === "done");
+    const run = "#watch/runs/yard/run.mcap?t=20";
+    for (const [hash, selector] of [["", ".groups"], ["#live", ".run-row"], [`#live/${id}`, ".live-page .verdict"], [run, ".targets tbody"], [`${run}&tab=events`, ".events li"], [`${run}&tab=why`, ".why li"],
+      ["#example", ".targets tbody"], ["#plan/yard/yard.sdf", ".result tbody"], ["#change/yard/yard.yaml", ".yard-page tbody"]]) await words(hash, selector);
+    const numbers = await words(`${run}&tab=numbers`, ".metrics");
+    assert.match(numbers, /tour proven\s+no/);
+    assert.match(numbers, /mission time\s+58\.1\s*s/);
+    await page.close();
+  },
+
   async "a map opens with a question that has an answer"() {
     cpSync(join(source, "scenarios/explore"), join(folder, "explore"), { recursive: true });
+    if (!existsSync(join(folder, "runs/explore/map.yaml"))) makeRuns(folder);
     const page = await open("#live");
-    for (const map of ["explore/cave_map.yaml", "yard/yard.sdf", "explore/office.sdf", "runs/explore/map.yaml", "maps/gallery.map"]) {
+    for (const map of ["explore/cave_map.yaml", "yard/yard.sdf", "explore/office.sdf", "runs/explore/map.yaml", "runs/explore/map.pgm", "maps/gallery.map"]) {
       await page.goto(`${server.url}#plan/${map}`);
       await until("the map", async () => (await page.title()).startsWith(map.split("/").at(-1)));
       await until("an answer", async () => await answers(page) > 0);

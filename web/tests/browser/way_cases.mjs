@@ -12,7 +12,7 @@ const drag = (page, event, files) => page.evaluate(([kind, all]) => {
 }, [event, files]);
 const small = `type octile\nheight 20\nwidth 30\nmap\n${`${".".repeat(30)}\n`.repeat(20)}`;
 
-export const wayCases = ({ open, text, frames, cell, answers, onMap, folder }) => ({
+export const wayCases = ({ open, text, frames, cell, answers, onMap, server, folder }) => ({
   async "the window is called what it shows"() {
     const page = await open();
     await page.waitForSelector(".groups");
@@ -50,6 +50,24 @@ export const wayCases = ({ open, text, frames, cell, answers, onMap, folder }) =
     await page.keyboard.press("v");
     await page.waitForSelector(".plan-view canvas:visible");
     assert.equal(await rested() === before, true, "the plan is as it was");
+    await page.close();
+  },
+
+  async "a browser without WebGL says so, and stays with the plan"() {
+    const page = await open("");
+    await page.addInitScript(() => {
+      const { getContext } = HTMLCanvasElement.prototype;
+      HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind.startsWith("webgl") ? null : getContext.call(this, kind, ...more); };
+      const { error } = console;
+      console.error = (...words) => { if (!/WebGL/.test(words.join())) error(...words); };  // three.js tells of it
+    });
+    await page.goto("about:blank");
+    await page.goto(`${server.url}#watch/runs/yard/run.mcap?t=9&view=3d`);
+    await page.waitForSelector(".stage-note");
+    assert.match(await text(page, ".stage-note"), /needs WebGL 2/);
+    assert.ok(await page.locator(".plan-view canvas").isVisible());
+    assert.equal(await page.locator(".segments button[aria-pressed=true]").textContent(), "Plan");
+    await until("the address", () => page.evaluate(() => !location.hash.includes("view=3d")));
     await page.close();
   },
 

@@ -1,4 +1,5 @@
 // @vitest-environment jsdom
+import type { Mesh } from "three";
 import { describe, expect, it, vi } from "vitest";
 import { coverOf } from "../../src/log/cover";
 import type { Vec2 } from "../../src/log/geometry";
@@ -10,6 +11,7 @@ vi.stubGlobal("matchMedia", () => ({ matches: false, addEventListener: () => und
 const { areaOfOutlines, coverLegend, passAt, storyOf, within } = await import("../../src/watch/cover_layer");
 const { coverSeries } = await import("../../src/watch/cover_series");
 const { pictureSize, Strip } = await import("../../src/watch/strip");
+const { rolesActor } = await import("../../src/watch/space_cover");
 
 /** East with a ramp, a turn, north, back west over the same way again. */
 const rows = [[0, 0, 0, 0], [1, 0.5, 0, 0], [2, 2, 0, 0], [5, 2, 0, 1.57], [7, 2, 2, 1.57], [9, 2, 0, -1.57], [11, 0, 0, 3.14]];
@@ -39,6 +41,39 @@ describe("the way", () => {
       }
     }
   });
+});
+
+describe("the way in space", () => {
+  const actors = rolesActor(run, cover, 0, 0.1);
+
+  it("ends a step behind the robot, also while it turns in place", () => {
+    for (let t = 0.3; t < 11; t += 0.37) {
+      const at = track.at(t);
+      let nearest = Infinity;
+      for (const { things: [thing], act } of actors) {
+        act!({ t, shot: null, target: null, speed: 0 });
+        const { geometry } = thing as Mesh;
+        const [index, places] = [geometry.getIndex()!, geometry.getAttribute("position")];
+        for (let i = 0; i < geometry.drawRange.count; ++i) {
+          const k = index.getX(i);
+          const [x, y] = [places.getX(k), places.getY(k)];
+          expect(rows.some(([from], i) => from! <= t && onLeg(i, x, y, t)), `(${x}, ${y}) at ${t}`).toBe(true);
+          nearest = Math.min(nearest, Math.hypot(x - at.x, y - at.y));
+        }
+      }
+      expect(nearest, `at ${t}`).toBeLessThan(0.25);
+    }
+  });
+
+  /** Whether a place lies within half the ribbon of a leg of the track, as far as it is driven at t. */
+  function onLeg(i: number, x: number, y: number, t: number): boolean {
+    const [from, ax, ay] = rows[i]!;
+    const to = rows[i + 1]?.[0] ?? from!;
+    const { x: bx, y: by } = track.at(Math.min(t, to));
+    const [dx, dy] = [bx - ax!, by - ay!];
+    const share = Math.min(1, Math.max(0, ((x - ax!) * dx + (y - ay!) * dy) / (dx * dx + dy * dy || 1)));
+    return Math.hypot(ax! + share * dx - x, ay! + share * dy - y) < 0.0751;
+  }
 });
 
 describe("a place", () => {

@@ -219,10 +219,10 @@ describe("a run that grows, and what shows it", () => {
     const words = (): string[] => [...facts.element.querySelectorAll(".metrics dt")].map((one) => one.textContent!);
     const log = logOf(all);
     facts.renew(new Run(log, true), true);
-    expect(words()).toEqual(["time", "driven", "turned"]);
+    expect(words()).toEqual(["time", "driven length", "turned"]);
     log.summary = summary({ settings: { speed: "1 m/s" }, metrics: { mission_s: 20 }, warnings: ["slow"] });
     facts.renew(new Run(log), false);
-    expect(words()).toEqual(["mission"]);
+    expect(words()).toEqual(["mission time"]);
     expect(facts.element.textContent).toMatch(/1 warning.*slow.*1 settings/);
   });
 });

@@ -13,16 +13,24 @@ describe("numbers for people", () => {
   });
 
   it("knows the unit of a metric by its name", () => {
-    expect(metric("mission_s", 58.107)).toEqual({ label: "mission", value: "58.1", unit: "s" });
-    expect(metric("driven_m", 21.67)).toEqual({ label: "driven", value: "21.7", unit: "m" });
+    expect(metric("mission_s", 58.107)).toEqual({ label: "mission time", value: "58.1", unit: "s" });
+    expect(metric("driven_m", 21.67)).toEqual({ label: "driven length", value: "21.7", unit: "m" });
     expect(metric("turned_rad", 2 * Math.PI)).toEqual({ label: "turned", value: "1.00", unit: "turns" });
-    expect(metric("reach_m2", 41.26)).toEqual({ label: "reach", value: "41.3", unit: "m\u00b2" });
-    expect(metric("covered_fraction", 0.99987)).toEqual({ label: "covered", value: "99.99", unit: "%" });
+    expect(metric("reach_m2", 41.26)).toEqual({ label: "reach area", value: "41.3", unit: "m\u00b2" });
+    expect(metric("covered_fraction", 0.99987)).toEqual({ label: "covered share", value: "99.99", unit: "%" });
     expect(metric("time_s", 8070)).toEqual({ label: "time", value: "2:14:30", unit: "h" });
     expect(metric("tour_proven", 0)).toEqual({ label: "tour proven", value: "no", unit: "" });
     expect(metric("gap", 0.01999)).toEqual({ label: "gap", value: "2.00", unit: "%" });
     expect(metric("places", 18569)).toEqual({ label: "places", value: "18,569", unit: "" });
     expect(metric("gap", null).value).toBe("\u2013");
+  });
+
+  it("tells metrics of the same stem apart by what they measure", () => {
+    const label = (name: string): string => metric(name, 1).label;
+    expect(["covered_fraction", "covered_m2", "planned_fraction", "planned_s", "planned_m", "planned_missed_m2"].map(label)).toEqual(
+      ["covered share", "covered area", "planned share", "planned time", "planned length", "planned missed area"]);
+    expect(["time_s", "area_m2", "ideal_s", "ideal_m", "lower_bound_s", "lower_bound"].map(label)).toEqual(["time", "area", "ideal time", "ideal length", "lower bound", "lower bound"]);
+    expect(["t_min_s", "sure_fraction", "shots", "clearance_m"].map(label)).toEqual(["least possible time", "share covered for sure", "shots", "clearance"]);
   });
 
   it("rounds and sets the text of the tool, and leaves names alone", () => {

@@ -35,6 +35,13 @@ describe("names in space", () => {
     expect(y1).toBeLessThan(300);
   });
 
+  it("stand beside what lies over the view, or nowhere", () => {
+    const one = text(0, 0, 0);
+    expect(placeTexts([one], camera, width, height, [[380, 200, 420, 299]])).toBe(1);
+    expect(area(one)[1]).toBeGreaterThan(290);
+    expect(placeTexts([text(0, 0, 0)], camera, width, height, [[300, 200, 500, 400]])).toBe(0);
+  });
+
   it("cover no other text, whatever the crowd, and those without room are hidden", () => {
     const crowd = Array.from({ length: 40 }, (_, i) => text(Math.sin(7 * i), Math.cos(5 * i), Math.sin(3 * i), i % 8 === 0 ? { name: false, width: 20, height: 20 } : {}));
     const shown = placeTexts(crowd, camera, width, height);
