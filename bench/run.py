@@ -39,8 +39,11 @@ def commit() -> str:
     return described.stdout.strip() or "unknown"
 
 
-def google_benchmark(program: pathlib.Path) -> bool:
-    return any(mark in program.read_bytes() for mark in (b"libbenchmark.so", b"benchmark_out"))
+def flags_of(command: list[str]) -> list[str]:
+    """$BENCH_FLAGS, for programs of Google Benchmark."""
+    program = ROOT / command[0]
+    google = program.is_file() and any(mark in program.read_bytes() for mark in (b"libbenchmark.so", b"benchmark_out"))
+    return ["--benchmark_out_format=json", *os.environ.get("BENCH_FLAGS", "").split()] if google else []
 
 
 def plans(build: pathlib.Path) -> dict[str, list[str]]:
@@ -62,9 +65,8 @@ def measure(command: list[str], build: pathlib.Path) -> tuple[int, dict[str, obj
     """Runs a command, shows what it prints, and returns its status and what it measured."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder, "out.json")
-        given = list(command)
-        if (ROOT / command[0]).is_file() and google_benchmark(ROOT / command[0]):
-            given += [f"--benchmark_out={out}", "--benchmark_out_format=json", *os.environ.get("BENCH_FLAGS", "").split()]
+        flags = flags_of(command)
+        given = [*command, *flags, f"--benchmark_out={out}"] if flags else command
         environment = os.environ | {"PYTHONPATH": str(build / "python"), "OUTRIDER": str(build / "outrider"),
                                     "OUTRIDER_SOURCE": str(ROOT)}
         done = subprocess.run(given, cwd=ROOT, env=environment, stdout=subprocess.PIPE, text=True, check=False)
@@ -87,7 +89,7 @@ def main() -> int:
     for name, command in plans(build).items():
         if sys.argv[3:] and name not in sys.argv[3:]:
             continue
-        told = " ".join(command).replace(os.environ.get("OUTRIDER_DATA") or "\0", "$OUTRIDER_DATA")
+        told = " ".join([*command, *flags_of(command)[1:]]).replace(os.environ.get("OUTRIDER_DATA") or "\0", "$OUTRIDER_DATA")
         print(f"== {told}", flush=True)
         where, begin = machine(), time.monotonic()
         status, measured = measure(command, build)
