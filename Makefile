@@ -23,7 +23,7 @@ MOMENTS ?= 50
 RUNS ?= 200
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops load fuzz wasm packages check-packages bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops load fuzz wasm packages check-packages check-python-asan bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -46,7 +46,7 @@ serve: tool-and-page  ## build the tool with its page, and open the scenarios at
 	@build/outrider serve scenarios
 
 test:  ## build everything and run every test
-	$(INSTALL) build test physics cbc ompl page browser python
+	$(INSTALL) build test physics cbc ompl page browser python notebook
 	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
 	@ninja -C build -j $(JOBS)
 	@ctest --preset release -j $(JOBS) && echo "Every test passed." || \
@@ -59,6 +59,13 @@ asan:  ## run the test programs, costly tests in part, under the address and und
 	@ninja -C build-asan -j $(JOBS) $(or $(UNITS:%=unit_%),test_programs)
 	@OUTRIDER_CASES=0.1 ctest --preset asan -j $(JOBS) -R '$(call tests_of,$(UNITS))' && echo "Every test passed under the sanitizers." || \
 	  { echo "Some tests failed under the sanitizers; the list above names them."; exit 1; }
+
+check-python-asan:  ## run the tests of the Python package, and the tool beside it, under the sanitizers
+	$(INSTALL) build test cbc python
+	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=4
+	@ninja -C build-asan -j $(JOBS) outrider outrider_python
+	@ctest --preset asan -R '^python[.]package$$' && echo "Nothing was found in the Python package." || \
+	  { echo "The sanitizers or the tests found something in the Python package."; exit 1; }
 
 # Units that use threads: the server, the tool, and what computes in parallel.
 THREADED = core path tour jobs_guard server
@@ -122,18 +129,17 @@ check-packages: packages  ## install the packages in a fresh Debian, use them th
 	$(INSTALL) packages
 	@scripts/check-packages build/packages
 
-bench:  ## run the benchmarks
+bench:  ## run the benchmarks, and write what they measure to out/bench, from where the docs site draws it
 	$(INSTALL) build bench page browser python
 	$(CONFIGURE) release build -DOUTRIDER_BUILD_BENCH=ON -DOUTRIDER_WITH_CERES=AUTO $(FIRST)
 	@ninja -C build -j $(JOBS) bench/all
-	@for program in build/bench/bench_*; do $$program || exit 1; done
-	@if [ -e build/bench/call_bench ]; then ninja -C build -j $(JOBS) outrider_python && \
-	  PYTHONPATH=build/python /usr/bin/python3 bench/python_calls.py build/bench/call_bench; fi
-	@ninja -C build -j $(JOBS) outrider
-	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) node web/tests/run.mjs tests/browser/bench.mjs || [ $$? -eq 77 ]
+	@ninja -C build -j $(JOBS) outrider $$([ -e build/bench/call_bench ] && echo outrider_python)
+	@/usr/bin/python3 bench/run.py build out/bench
 
-site:  ## build the docs site in out/site, to be served by any web server; OUTRIDER_BENCH names a file for its benchmarks
-	$(INSTALL) page
+site:  ## build the docs site in out/site, to be served by any web server; OUTRIDER_BENCH names a folder with results of benchmarks
+	$(INSTALL) build page python notebook
+	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
+	@ninja -C build -j $(JOBS) outrider_python
 	@cd web && { [ -e node_modules/vitepress ] || npm ci --no-audit --no-fund; } && node build/site.mjs ../out/site
 
 sbom: tool-and-page  ## list what the tool is made of, with versions, in out/sbom.json (CycloneDX)

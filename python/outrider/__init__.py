@@ -14,19 +14,25 @@ a class in this module, with its sentence and where it is.
 
 from ._faults import (BadInput, BudgetExhausted, Cancelled, CannotWrite, Fault, GoalBlocked, NoPath, NoShot,
                       OutsideMap, RobotFailed, StartBlocked)
-from ._outrider import (CoverMission, CoverPlan, CoverPlanner, CoverProblem, CoverProof, DriveTwist, ExploreMission,
-                        FollowPiece, FrontierMap, GridMap, LandmarkSlam, LaserScan, LaserSlam, Observation,
-                        OccupancyGrid, PathPlanner, Plan, PolygonMap, PoseGraph, PoseGraph3, PoseGraphSolution,
-                        PoseGraphSolution3, PursuitPlan, PursuitPlanner, PursuitProblem, Run, Wait, World,
-                        __version__, check, cover_methods, explore_strategies, guard_planners, jobs, path_planners,
-                        prove, pursuit_planners, read_log, run, run_mission)
+from ._outrider import (AimGun, CoverMission, CoverPlan, CoverPlanner, CoverProblem, CoverProof, DriveMission,
+                        DriveTwist, DriveWheels, ExploreMission, Fill, Fire, FireInPassing, FollowPiece,
+                        FollowWaypoints, FrontierMap, GridMap, GridObservation, GuardMission, LandmarkSlam, LaserScan,
+                        LaserSlam, Observation, OccupancyGrid, PathPlanner, Plan, PolygonMap, PoseGraph, PoseGraph3,
+                        PoseGraphSolution, PoseGraphSolution3, PursuitMission, PursuitPlan, PursuitPlanner,
+                        PursuitProblem, Run, ShotResult, StepToCell, StoreLevels, TagImage, TargetArrival,
+                        TargetObservation, TargetReport, Wait, World, __version__, check, cover_methods,
+                        explore_strategies, guard_planners, jobs, path_planners, prove, pursuit_planners, read_log,
+                        run, run_mission)
 
 __all__ = [
-    "BadInput", "BudgetExhausted", "Cancelled", "CannotWrite", "CoverMission", "CoverPlan", "CoverPlanner",
-    "CoverProblem", "CoverProof", "DriveTwist", "ExploreMission", "Fault", "FollowPiece", "FrontierMap",
-    "GoalBlocked", "GridMap", "LandmarkSlam", "LaserScan", "LaserSlam", "NoPath", "NoShot", "Observation",
-    "OccupancyGrid", "OutsideMap", "PathPlanner", "Plan", "PolygonMap", "PoseGraph", "PoseGraph3", "PoseGraphSolution",
-    "PoseGraphSolution3", "PursuitPlan", "PursuitPlanner", "PursuitProblem", "RobotFailed", "Run", "StartBlocked",
-    "Wait", "World", "__version__", "check", "cover_methods", "explore_strategies", "guard_planners", "jobs",
-    "path_planners", "prove", "pursuit_planners", "read_log", "run", "run_mission",
+    "AimGun", "BadInput", "BudgetExhausted", "Cancelled", "CannotWrite", "CoverMission", "CoverPlan", "CoverPlanner",
+    "CoverProblem", "CoverProof", "DriveMission", "DriveTwist", "DriveWheels", "ExploreMission", "Fault", "Fill",
+    "Fire", "FireInPassing", "FollowPiece", "FollowWaypoints", "FrontierMap", "GoalBlocked", "GridMap",
+    "GridObservation", "GuardMission", "LandmarkSlam", "LaserScan", "LaserSlam", "NoPath", "NoShot", "Observation",
+    "OccupancyGrid", "OutsideMap", "PathPlanner", "Plan", "PolygonMap", "PoseGraph", "PoseGraph3",
+    "PoseGraphSolution", "PoseGraphSolution3", "PursuitMission", "PursuitPlan", "PursuitPlanner", "PursuitProblem",
+    "RobotFailed", "Run", "ShotResult", "StartBlocked", "StepToCell", "StoreLevels", "TagImage", "TargetArrival",
+    "TargetObservation", "TargetReport", "Wait", "World", "__version__", "check", "cover_methods",
+    "explore_strategies", "guard_planners", "jobs", "path_planners", "prove", "pursuit_planners", "read_log", "run",
+    "run_mission",
 ]

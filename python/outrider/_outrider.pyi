@@ -1,4 +1,4 @@
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
 from typing import Any, Protocol, TypedDict, overload
 
@@ -18,14 +18,17 @@ Pose = Sequence[float] | npt.NDArray[np.float64]
 """x, y in m and heading in rad."""
 
 class Row(TypedDict):
-    """A row of a catalogue."""
+    """A row of a catalogue: the defaults of its options, and what each of them means, with unit and range."""
 
     sentence: str
     source: str
     guarantee: str
     options: dict[str, Value]
+    help: dict[str, str]
 
 class Guarantee(TypedDict):
+    """What a path planner promises: `most_ratio` is how many times the least cost its cost is at most."""
+
     complete: bool
     most_ratio: float
     sentence: str
@@ -47,13 +50,17 @@ class GridMap:
         model: str = "cells",
     ) -> None: ...
     @property
-    def shape(self) -> tuple[int, int]: ...
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns."""
     @property
-    def resolution(self) -> float: ...
+    def resolution(self) -> float:
+        """Side of a cell, m."""
     @property
-    def origin(self) -> tuple[float, float]: ...
+    def origin(self) -> tuple[float, float]:
+        """Lowest corner of the first cell, m."""
     @property
-    def model(self) -> str: ...
+    def model(self) -> str:
+        """"cells" or "corners"."""
     @property
     def marks(self) -> npt.NDArray[np.uint8]:
         """A view of the cells, of shape (rows, columns). Bit 0 is set where a cell is blocked."""
@@ -73,7 +80,8 @@ class PolygonMap:
     def obstacles(self) -> list[npt.NDArray[np.float64]]:
         """Counter-clockwise."""
     @property
-    def radius(self) -> float: ...
+    def radius(self) -> float:
+        """Of the disk, m."""
 
 class Plan:
     """A path with its cost and a proven lower bound."""
@@ -82,55 +90,99 @@ class Plan:
     def waypoints(self) -> npt.NDArray[np.float64]:
         """Start, points where the path turns, and goal; shape (n, 2)."""
     @property
-    def cost(self) -> float: ...
+    def cost(self) -> float:
+        """Its length in m, or what the planner minimises, such as its time in s."""
     @property
     def lower_bound(self) -> float:
         """Proven: no path of the planner's class costs less."""
     @property
-    def length(self) -> float: ...
+    def length(self) -> float:
+        """Of the path, m."""
     @property
-    def expansions(self) -> int: ...
+    def expansions(self) -> int:
+        """States that the search expanded."""
 
 class PathPlanner:
-    """A planner of the catalogue with its options and its memory. One thread at a time; others are refused."""
+    """A planner of the catalogue with its options and its memory. One thread at a time; others are refused.
+
+    `path_planners()[name]["help"]` says what each option means.
+    """
 
     def __init__(self, name: str, **options: Value) -> None: ...
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """In the catalogue."""
     @property
-    def sentence(self) -> str: ...
+    def sentence(self) -> str:
+        """What it does."""
     @property
-    def paper(self) -> str: ...
+    def paper(self) -> str:
+        """Its source."""
     @property
-    def guarantee(self) -> Guarantee: ...
+    def guarantee(self) -> Guarantee:
+        """Whether it is complete, by how much its cost may exceed the least one, and in words."""
     @property
-    def options(self) -> dict[str, Value]: ...
-    def set(self, option: str, value: Value) -> None: ...
+    def options(self) -> dict[str, Value]:
+        """Present values by name; path_planners() says what each means. Angles in degrees."""
+    def set(self, option: str, value: Value) -> None:
+        """Sets an option; raises BadInput for a name or a value that it does not take."""
     def plan(
-        self, map: GridMap | PolygonMap, start: Point, goal: Point, *, most_expansions: int | None = None
-    ) -> Plan: ...
+        self,
+        map: GridMap | PolygonMap | World,
+        start: Point,
+        goal: Point,
+        *,
+        radius: float | None = None,
+        height: float = 0.2,
+        most_expansions: int | None = None,
+    ) -> Plan:
+        """Plans a path. On a World, `radius` and `height` are those of the robot, m, and the planner takes polygons.
+
+        Raises NoPath where it is proven that there is none, StartBlocked, GoalBlocked, ...
+        """
     def trace(
-        self, map: GridMap | PolygonMap, start: Point, goal: Point, *, most_expansions: int | None = None
+        self,
+        map: GridMap | PolygonMap | World,
+        start: Point,
+        goal: Point,
+        *,
+        radius: float | None = None,
+        height: float = 0.2,
+        most_expansions: int | None = None,
     ) -> tuple[Plan, npt.NDArray[np.void]]:
         """Plans, and returns the expansions in their order, as records (state, parent, f, g, h)."""
-    def costs(self, map: GridMap | PolygonMap, starts: Points, goals: Points) -> npt.NDArray[np.float64]:
+    def costs(
+        self,
+        map: GridMap | PolygonMap | World,
+        starts: Points,
+        goals: Points,
+        *,
+        radius: float | None = None,
+        height: float = 0.2,
+    ) -> npt.NDArray[np.float64]:
         """The cost from each start to its goal; NaN where it is proven that there is no path."""
 
 class Run:
     """A finished run of a job."""
 
     @property
-    def status(self) -> str: ...
+    def status(self) -> str:
+        """"done", "not_done", "cancelled", or a word of the job, such as "unconfirmed"."""
     @property
-    def job(self) -> str: ...
+    def job(self) -> str:
+        """Its name."""
     @property
-    def reason(self) -> str: ...
+    def reason(self) -> str:
+        """One sentence that says why it is not done; empty if it is."""
     @property
-    def warnings(self) -> list[str]: ...
+    def warnings(self) -> list[str]:
+        """What was repaired in the inputs or left out of them."""
     @property
-    def metrics(self) -> dict[str, float]: ...
+    def metrics(self) -> dict[str, float]:
+        """As in run.json; names end with their units."""
     @property
-    def settings(self) -> dict[str, str]: ...
+    def settings(self) -> dict[str, str]:
+        """Every option of the run with its value and unit, by key."""
     @property
     def tables(self) -> dict[str, dict[str, list[Any]]]:
         """By name: a list of values for each column, as pandas.DataFrame takes it."""
@@ -143,7 +195,7 @@ class Run:
     def save(self, folder: str | PathLike[str]) -> dict[str, str]:
         """Writes run.json, run.mcap, run.svg and the files of the job, and returns their paths by name."""
 
-def run(scenario: str | PathLike[str], *, seed: int | None = None, set: dict[str, Value] = ...) -> Run:
+def run(scenario: str | PathLike[str], *, seed: int | None = None, set: dict[str, Value] = {}) -> Run:
     """Runs the job of a scenario file, with options set by key, such as {"robot.radius": 0.2}."""
 
 def jobs() -> dict[str, Row]:
@@ -165,7 +217,15 @@ def guard_planners() -> dict[str, Row]:
     """The guard planners by name."""
 
 @overload
-def check(plan: Plan, map: GridMap | PolygonMap, start: Point, goal: Point) -> None: ...
+def check(
+    plan: Plan,
+    map: GridMap | PolygonMap | World,
+    start: Point,
+    goal: Point,
+    *,
+    radius: float | None = None,
+    height: float = 0.2,
+) -> None: ...
 @overload
 def check(plan: PursuitPlan, problem: PursuitProblem) -> None: ...
 @overload
@@ -173,6 +233,8 @@ def check(plan: CoverPlan, problem: CoverProblem) -> None:
     """Verifies a plan by code that shares nothing with the planners; raises BadInput if it is wrong."""
 
 class PursuitGuarantee(TypedDict):
+    """What a pursuit planner promises."""
+
     complete: bool
     optimal: bool
     sentence: str
@@ -194,13 +256,17 @@ class PursuitProblem:
     def costs(self) -> npt.NDArray[np.uint32]:
         """A view."""
     @property
-    def threshold(self) -> int: ...
+    def threshold(self) -> int:
+        """Cells of this cost or more are walls."""
     @property
-    def start(self) -> tuple[int, int]: ...
+    def start(self) -> tuple[int, int]:
+        """Cell of the robot at `start_s`."""
     @property
-    def target(self) -> npt.NDArray[np.int64]: ...
+    def target(self) -> npt.NDArray[np.int64]:
+        """Cell of the target in second 0, 1, ...; shape (n, 2)."""
     @property
-    def start_s(self) -> int: ...
+    def start_s(self) -> int:
+        """The second in which the plan begins."""
 
 class PursuitPlan:
     """The robot's cell in each second until the catch."""
@@ -209,9 +275,11 @@ class PursuitPlan:
     def path(self) -> npt.NDArray[np.int64]:
         """Cells, one for each second from `start_s`; shape (n, 2)."""
     @property
-    def catch_time_s(self) -> int: ...
+    def catch_time_s(self) -> int:
+        """The second of the catch."""
     @property
-    def cost(self) -> int: ...
+    def cost(self) -> int:
+        """Sum of the costs of the cells until the catch."""
     @property
     def lower_bound(self) -> int:
         """Proven: no catch costs less. 0 if nothing is proven."""
@@ -219,34 +287,43 @@ class PursuitPlan:
     def earliest_catch_s(self) -> int | None:
         """The first second in which a catch is possible, if it is known."""
     @property
-    def optimal(self) -> bool: ...
+    def optimal(self) -> bool:
+        """Proven: no catch costs less."""
     @property
-    def expansions(self) -> int: ...
+    def expansions(self) -> int:
+        """States that the search expanded."""
 
 class PursuitPlanner:
-    """A pursuit planner with its options and its memory. One thread at a time; others are refused."""
+    """A pursuit planner with its options and its memory. One thread at a time; others are refused.
+
+    `pursuit_planners()[name]["help"]` says what each option means.
+    """
 
     def __init__(self, name: str, **options: Value) -> None: ...
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """In the catalogue."""
     @property
-    def sentence(self) -> str: ...
+    def sentence(self) -> str:
+        """What it does."""
     @property
-    def paper(self) -> str: ...
+    def paper(self) -> str:
+        """Its source."""
     @property
-    def guarantee(self) -> PursuitGuarantee: ...
+    def guarantee(self) -> PursuitGuarantee:
+        """Whether it is complete and optimal, and in words."""
     @property
-    def options(self) -> dict[str, Value]: ...
-    def set(self, option: str, value: Value) -> None: ...
+    def options(self) -> dict[str, Value]:
+        """Present values by name; pursuit_planners() says what each means."""
+    def set(self, option: str, value: Value) -> None:
+        """Sets an option; raises BadInput for a name or a value that it does not take."""
     def plan(self, problem: PursuitProblem, *, most_expansions: int | None = None) -> PursuitPlan:
         """Plans a catch; Ctrl-C ends it. Raises NoPath where it is proven that there is none."""
 
 class CoverProblem:
     """Areas, and the robot that has to cover them.
 
-    `boundary`, each of `holes` and of `others` (further areas) are the corners of simple polygons. Options, in m and as
-    in scenarios: width, overlap, tracking_error, uncovered, turning_radius, reverse, headland, transfers; tool_shape,
-    ... of the tool; pace_speed, ... of the pace.
+    `boundary`, each of `holes` and of `others` (further areas) are the corners of simple polygons, m.
     """
 
     def __init__(
@@ -259,17 +336,21 @@ class CoverProblem:
         **options: Value,
     ) -> None: ...
     @property
-    def boundary(self) -> npt.NDArray[np.float64]: ...
+    def boundary(self) -> npt.NDArray[np.float64]:
+        """Corners of the first area, m; shape (n, 2)."""
     @property
-    def holes(self) -> list[npt.NDArray[np.float64]]: ...
+    def holes(self) -> list[npt.NDArray[np.float64]]:
+        """Corners of each hole, m."""
     @property
-    def options(self) -> dict[str, Value]: ...
+    def options(self) -> dict[str, Value]:
+        """Present values by name; angles in degrees."""
 
 class CoverPlan:
     """A track that covers the areas."""
 
     @property
-    def method(self) -> str: ...
+    def method(self) -> str:
+        """Name of the method."""
     @property
     def start(self) -> npt.NDArray[np.float64]:
         """x, y and heading in rad."""
@@ -277,7 +358,8 @@ class CoverPlan:
     def waypoints(self) -> npt.NDArray[np.float64]:
         """The track from its start, with arcs in steps of at most 5 degrees; shape (n, 2)."""
     @property
-    def length(self) -> float: ...
+    def length(self) -> float:
+        """Of the track, m."""
     @property
     def turned(self) -> float:
         """Turned in place and along arcs, rad."""
@@ -288,24 +370,31 @@ class CoverPlan:
     def order_bound(self) -> float:
         """Proven: no order of the same laps and cells takes less, s."""
     @property
-    def laps(self) -> int: ...
+    def laps(self) -> int:
+        """Rounds along the edges."""
     @property
-    def lanes(self) -> int: ...
+    def lanes(self) -> int:
+        """Straight lanes."""
     @property
-    def cells(self) -> int: ...
+    def cells(self) -> int:
+        """Parts into which the area was cut."""
 
 class CoverPlanner:
     """A method of covering areas, with its options."""
 
     def __init__(self, name: str, **options: Value) -> None: ...
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """In the catalogue."""
     @property
-    def sentence(self) -> str: ...
+    def sentence(self) -> str:
+        """What it does."""
     @property
-    def guarantee(self) -> str: ...
+    def guarantee(self) -> str:
+        """What it promises."""
     @property
-    def options(self) -> dict[str, Value]: ...
+    def options(self) -> dict[str, Value]:
+        """Present values by name; angles in degrees."""
     def plan(self, problem: CoverProblem, *, most_expansions: int | None = None) -> CoverPlan:
         """Plans a track; Ctrl-C ends it."""
 
@@ -322,7 +411,8 @@ class CoverProof:
     def inner_fraction(self) -> float:
         """The same, of all within the sure radius of where the robot can stand."""
     @property
-    def clearance(self) -> float: ...
+    def clearance(self) -> float:
+        """Least distance of the robot's middle to an edge, m."""
     @property
     def length_bound(self) -> float:
         """No track that covers all is shorter, m."""
@@ -346,13 +436,17 @@ class OccupancyGrid:
     def cells(self) -> npt.NDArray[np.uint8]:
         """A view."""
     @property
-    def resolution(self) -> float: ...
+    def resolution(self) -> float:
+        """Side of a cell, m."""
     @property
-    def origin(self) -> tuple[float, float]: ...
+    def origin(self) -> tuple[float, float]:
+        """Lowest corner of the first cell, m."""
     def ground(self) -> GridMap:
         """Ground for path planners, where what is not free is blocked."""
 
 class Frontier(TypedDict):
+    """A frontier: the centres of its cells, shape (n, 2), m."""
+
     id: int
     points: npt.NDArray[np.float64]
     centroid: tuple[float, float]
@@ -362,8 +456,11 @@ class FrontierMap:
     """The frontiers between free and unknown cells of a growing map, for a robot of that radius."""
 
     def __init__(self, radius: float, **options: Value) -> None: ...
-    def update(self, grid: OccupancyGrid) -> None:
-        """Takes the map as it is now; frontiers keep their ids."""
+    def update(self, grid: OccupancyGrid | LaserSlam) -> None:
+        """Takes the map as it is now; frontiers keep their ids.
+
+        A grid is compared with the one before, cell by cell. Of a LaserSlam only what has changed is read.
+        """
     @property
     def frontiers(self) -> list[Frontier]:
         """By id; `points` are the centres of its cells, `group` is equal for those that hang together."""
@@ -378,9 +475,11 @@ class PoseGraphSolution:
     def poses(self) -> npt.NDArray[np.float64]:
         """Shape (n, 3): x, y, heading in rad; in space (n, 4, 4)."""
     @property
-    def cost(self) -> float: ...
+    def cost(self) -> float:
+        """Half the sum of the squared errors of all edges, weighted by their information."""
     @property
-    def start_cost(self) -> float: ...
+    def start_cost(self) -> float:
+        """Before it began."""
     @property
     def status(self) -> str:
         """converged or not_converged. PoseGraph.lower_bound() says how near the least cost is."""
@@ -388,12 +487,14 @@ class PoseGraphSolution:
     def start(self) -> str:
         """Of the best descent."""
     @property
-    def iterations(self) -> int: ...
+    def iterations(self) -> int:
+        """Of the best descent."""
     @property
     def refused(self) -> list[int]:
         """Edges that robust "gnc" refused."""
 
-class PoseGraphSolution3(PoseGraphSolution): ...
+class PoseGraphSolution3(PoseGraphSolution):
+    """The most likely poses of a graph in space; `poses` has the shape (n, 4, 4)."""
 
 class PoseGraph:
     """Poses in the plane (x, y, heading in rad) and measurements between them. The first pose stays where it is."""
@@ -409,15 +510,18 @@ class PoseGraph:
     ) -> None:
         """Adds a measured pose of one in the frame of the other, with its information matrix."""
     @property
-    def poses(self) -> npt.NDArray[np.float64]: ...
+    def poses(self) -> npt.NDArray[np.float64]:
+        """Shape (n, 3)."""
     @property
     def edges(self) -> npt.NDArray[np.int64]:
         """The two poses of each edge; shape (m, 2)."""
     @property
-    def degrees_of_freedom(self) -> float: ...
-    def cost(self, poses: npt.NDArray[np.float64]) -> float: ...
+    def degrees_of_freedom(self) -> float:
+        """Measured numbers minus those that are sought."""
+    def cost(self, poses: npt.NDArray[np.float64]) -> float:
+        """The cost of the graph at those poses."""
     def optimise(self, *, most_iterations: int | None = None, **options: Value) -> PoseGraphSolution:
-        """Options as in scenarios: start, kernel, kernel_width, robust, ... Ctrl-C ends it."""
+        """Finds the most likely poses; Ctrl-C ends it."""
     def lower_bound(self, poses: npt.NDArray[np.float64]) -> float:
         """Proven: no poses cost less. Good at poses of low cost."""
     def covariances(self, poses: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
@@ -430,23 +534,33 @@ class PoseGraph3:
 
     def __init__(self) -> None: ...
     @staticmethod
-    def load(path: str | PathLike[str]) -> PoseGraph3: ...
-    def add_pose(self, pose: npt.NDArray[np.float64]) -> int: ...
+    def load(path: str | PathLike[str]) -> PoseGraph3:
+        """Reads g2o."""
+    def add_pose(self, pose: npt.NDArray[np.float64]) -> int:
+        """Returns its number, which counts from 0."""
     def add_edge(
         self, from_pose: int, to_pose: int, measured: npt.NDArray[np.float64], information: npt.NDArray[np.float64]
     ) -> None:
         """The information is of position and rotation, 6 x 6."""
     @property
-    def poses(self) -> npt.NDArray[np.float64]: ...
+    def poses(self) -> npt.NDArray[np.float64]:
+        """Shape (n, 4, 4)."""
     @property
-    def edges(self) -> npt.NDArray[np.int64]: ...
+    def edges(self) -> npt.NDArray[np.int64]:
+        """The two poses of each edge; shape (m, 2)."""
     @property
-    def degrees_of_freedom(self) -> float: ...
-    def cost(self, poses: npt.NDArray[np.float64]) -> float: ...
-    def optimise(self, *, most_iterations: int | None = None, **options: Value) -> PoseGraphSolution3: ...
-    def lower_bound(self, poses: npt.NDArray[np.float64]) -> float: ...
-    def covariances(self, poses: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]: ...
-    def g2o(self, poses: npt.NDArray[np.float64]) -> str: ...
+    def degrees_of_freedom(self) -> float:
+        """Measured numbers minus those that are sought."""
+    def cost(self, poses: npt.NDArray[np.float64]) -> float:
+        """The cost of the graph at those poses."""
+    def optimise(self, *, most_iterations: int | None = None, **options: Value) -> PoseGraphSolution3:
+        """Finds the most likely poses; Ctrl-C ends it."""
+    def lower_bound(self, poses: npt.NDArray[np.float64]) -> float:
+        """Proven: no poses cost less. Good at poses of low cost."""
+    def covariances(self, poses: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """Of each pose given the first, of position and rotation; shape (n, 6, 6)."""
+    def g2o(self, poses: npt.NDArray[np.float64]) -> str:
+        """The graph as g2o text."""
 
 class LaserScan:
     """One revolution of a planar laser range finder: ranges in m, bearings in rad."""
@@ -463,29 +577,34 @@ class LaserScan:
     ) -> None:
         """Ranges above `most` or infinite: free up to there; below `least` or NaN: no reading."""
     @property
-    def ranges(self) -> npt.NDArray[np.float32]: ...
+    def ranges(self) -> npt.NDArray[np.float32]:
+        """m, float32."""
     @property
-    def first(self) -> float: ...
+    def first(self) -> float:
+        """Bearing of the first range, rad."""
     @property
-    def step(self) -> float: ...
+    def step(self) -> float:
+        """Between two bearings, rad."""
     @property
-    def least(self) -> float: ...
+    def least(self) -> float:
+        """Below it there is no reading, m."""
     @property
-    def most(self) -> float: ...
+    def most(self) -> float:
+        """Above it all is free up to it, m."""
     @property
-    def time(self) -> float: ...
+    def time(self) -> float:
+        """s."""
 
 class LaserStep(TypedDict):
+    """The result of a step: whether the scan matched, whether the robot is lost, whether a loop was closed."""
+
     pose: npt.NDArray[np.float64]
     matched: bool
     lost: bool
     closed_loop: bool
 
 class LaserSlam:
-    """Localisation and mapping with a laser range finder. One thread at a time; others are refused.
-
-    Options as in scenarios; those of the map begin with map_, such as map_resolution.
-    """
+    """Localisation and mapping with a laser range finder. One thread at a time; others are refused."""
 
     def __init__(self, start: Pose = (0.0, 0.0, 0.0), **options: Value) -> None: ...
     def advance(self, motion: Pose, scan: LaserScan) -> LaserStep:
@@ -493,7 +612,8 @@ class LaserSlam:
     def settle(self) -> None:
         """Optimises all poses and draws the map anew."""
     @property
-    def pose(self) -> npt.NDArray[np.float64]: ...
+    def pose(self) -> npt.NDArray[np.float64]:
+        """x, y in m and heading in rad, as estimated now."""
     @property
     def covariance(self) -> npt.NDArray[np.float64]:
         """Of x, y and heading of the last kept scan; shape (3, 3)."""
@@ -502,13 +622,17 @@ class LaserSlam:
         """The start and the pose after each step; shape (n, 3)."""
     @property
     def map(self) -> OccupancyGrid:
-        """A copy of the map as it is now."""
+        """The map as it is now. Only what has changed is copied, unless somebody still holds the map of before."""
     @property
-    def graph(self) -> PoseGraph: ...
+    def graph(self) -> PoseGraph:
+        """Its keyframes and all constraints between them."""
     @property
-    def loops(self) -> int: ...
+    def loops(self) -> int:
+        """Loops closed so far."""
 
 class LandmarkStep(TypedDict):
+    """The result of a step: how many landmarks were used, refused and kept for later, and ids added and removed."""
+
     used: int
     refused: int
     waiting: int
@@ -517,13 +641,15 @@ class LandmarkStep(TypedDict):
     lost: bool
 
 class LandmarkEstimates(TypedDict):
+    """Landmarks as arrays of n: shapes (n), (n, 2), (n, 2, 2), (n); m."""
+
     id: npt.NDArray[np.int64]
     position: npt.NDArray[np.float64]
     covariance: npt.NDArray[np.float64]
     sightings: npt.NDArray[np.int64]
 
 class LandmarkSlam:
-    """Localisation and mapping with landmarks. One thread at a time; others are refused. Options as in scenarios."""
+    """Localisation and mapping with landmarks. One thread at a time; others are refused."""
 
     def __init__(self, start: Pose = (0.0, 0.0, 0.0), **options: Value) -> None: ...
     @staticmethod
@@ -539,22 +665,136 @@ class LandmarkSlam:
         ids: Sequence[int] | npt.NDArray[np.integer[Any]] | None = None,
     ) -> LandmarkStep:
         """Takes a motion with its covariance (3, 3), and the landmarks seen after it in the frame of the robot."""
-    def settle(self) -> None: ...
+    def settle(self) -> None:
+        """Optimises all poses and landmarks."""
     @property
-    def pose(self) -> npt.NDArray[np.float64]: ...
+    def pose(self) -> npt.NDArray[np.float64]:
+        """x, y in m and heading in rad, as estimated now."""
     @property
-    def covariance(self) -> npt.NDArray[np.float64]: ...
+    def covariance(self) -> npt.NDArray[np.float64]:
+        """Of x, y and heading; shape (3, 3)."""
     @property
-    def trajectory(self) -> npt.NDArray[np.float64]: ...
+    def trajectory(self) -> npt.NDArray[np.float64]:
+        """The start and the pose after each step; shape (n, 3)."""
     @property
-    def landmarks(self) -> LandmarkEstimates: ...
+    def landmarks(self) -> LandmarkEstimates:
+        """The landmarks as arrays, one entry each."""
     @property
-    def cost(self) -> float: ...
+    def cost(self) -> float:
+        """Of the estimate, half a chi-squared."""
     @property
-    def state(self) -> str: ...
+    def state(self) -> str:
+        """All that it knows as text, for load()."""
+
+class TagImage:
+    """The AprilTags in one image of a camera; there may be none.
+
+    `taken` is the time of exposure, s. `corners` has for each id the corners in px, of shape (4, 2): lower left, lower
+    right, upper right, upper left, measured from the upper left corner of the image.
+    """
+
+    def __init__(self, *, taken: float, corners: Mapping[int, Points]) -> None: ...
+    @property
+    def taken(self) -> float:
+        """Time of exposure, s."""
+    @property
+    def corners(self) -> dict[int, npt.NDArray[np.float64]]:
+        """By id."""
+
+class ShotResult:
+    """The outcome of one shot: the target by its number, whether it was hit, and when the ball landed, s."""
+
+    def __init__(self, *, target: int, hit: bool, landed: float) -> None: ...
+    @property
+    def target(self) -> int:
+        """Number of the target."""
+    @property
+    def hit(self) -> bool:
+        """Whether it was hit."""
+    @property
+    def landed(self) -> float:
+        """When the flight ended, s."""
+
+class StoreLevels:
+    """Levels of the water tank, in its unit, and of the battery, J. An unlimited store is infinite."""
+
+    def __init__(self, *, water: float = ..., charge: float = ...) -> None: ...
+    @property
+    def water(self) -> float:
+        """In the unit of the tank."""
+    @property
+    def charge(self) -> float:
+        """J."""
+
+class TargetArrival:
+    """An intruder that has entered, or survived a hit, walks to a place, and is there at `settles`, s."""
+
+    def __init__(self, *, target: int, place: int, settles: float) -> None: ...
+    @property
+    def target(self) -> int:
+        """Number of the intruder."""
+    @property
+    def place(self) -> int:
+        """Number of the place."""
+    @property
+    def settles(self) -> float:
+        """When it is there, s."""
+
+class TargetObservation:
+    """Where a target was seen, m, and when, s."""
+
+    def __init__(self, *, target: int, time: float, position: Point) -> None: ...
+    @property
+    def target(self) -> int:
+        """Number of the target."""
+    @property
+    def time(self) -> float:
+        """s."""
+    @property
+    def position(self) -> tuple[float, float]:
+        """m."""
+
+class TargetReport:
+    """What a target detector tells since the last observation."""
+
+    def __init__(
+        self,
+        *,
+        arrivals: Sequence[TargetArrival] = (),
+        seen: Sequence[TargetObservation] = (),
+        more_to_come: bool = False,
+    ) -> None: ...
+    @property
+    def arrivals(self) -> list[TargetArrival]:
+        """Intruders that entered or moved on."""
+    @property
+    def seen(self) -> list[TargetObservation]:
+        """In the order of time."""
+    @property
+    def more_to_come(self) -> bool:
+        """More intruders may still enter."""
+
+class GridObservation:
+    """A team on a grid: the cell of each robot, and the cells of the target that became known, one a second.
+
+    The first observation begins with second 0. Cells are (column, row), which count from 0.
+    """
+
+    def __init__(self, *, robots: Cells, target: Cells) -> None: ...
+    @property
+    def robots(self) -> npt.NDArray[np.int64]:
+        """Shape (n, 2)."""
+    @property
+    def target(self) -> npt.NDArray[np.int64]:
+        """Shape (m, 2)."""
 
 class Observation:
-    """What a robot senses: the time in s, the pose by odometry since the start, and what its devices add."""
+    """What a robot senses: the time in s, the pose by odometry since the start, and what its devices add.
+
+    `touching`: it touched something since the last observation; `touch`: the bearing of that in rad, if known. `gun`:
+    yaw and pitch of the barrel relative to the robot, rad. A robot that knows its pose in the world gives that as
+    odometry, as GuardMission takes it.
+    """
 
     def __init__(
         self,
@@ -564,81 +804,221 @@ class Observation:
         scan: LaserScan | None = None,
         touching: bool = False,
         touch: float | None = None,
-    ) -> None:
-        """`touching`: it touched something since the last observation; `touch`: the bearing of that in rad, if known."""
+        image: TagImage | None = None,
+        gun: Sequence[float] | None = None,
+        shots: Sequence[ShotResult] = (),
+        stores: StoreLevels | None = None,
+        targets: TargetReport | None = None,
+        grid: GridObservation | None = None,
+    ) -> None: ...
     @property
-    def time(self) -> float: ...
+    def time(self) -> float:
+        """s."""
     @property
-    def odometry(self) -> npt.NDArray[np.float64]: ...
+    def odometry(self) -> npt.NDArray[np.float64]:
+        """x, y in m and heading in rad."""
     @property
-    def scan(self) -> LaserScan | None: ...
+    def scan(self) -> LaserScan | None:
+        """Taken since the last observation."""
     @property
-    def touching(self) -> bool: ...
+    def touching(self) -> bool:
+        """It touched something since the last observation."""
+    @property
+    def touch(self) -> float | None:
+        """Bearing of that, rad."""
+    @property
+    def image(self) -> TagImage | None:
+        """The newest one, even if an earlier observation had it."""
+    @property
+    def gun(self) -> tuple[float, float] | None:
+        """Yaw and pitch relative to the robot, rad."""
+    @property
+    def shots(self) -> list[ShotResult]:
+        """Those that ended since the last observation."""
+    @property
+    def stores(self) -> StoreLevels | None:
+        """Set if water or charge is limited."""
+    @property
+    def targets(self) -> TargetReport | None:
+        """Set if the robot has a target detector."""
+    @property
+    def grid(self) -> GridObservation | None:
+        """Set for a team on a grid."""
 
 class DriveTwist:
     """Drive with a constant twist until a time, then sense again: m/s ahead and to the left, rad/s, s."""
 
     def __init__(self, *, ahead: float, left: float = 0.0, turn: float = 0.0, until: float) -> None: ...
     @property
-    def ahead(self) -> float: ...
+    def ahead(self) -> float:
+        """m/s."""
     @property
-    def left(self) -> float: ...
+    def left(self) -> float:
+        """m/s."""
     @property
-    def turn(self) -> float: ...
+    def turn(self) -> float:
+        """rad/s, counter-clockwise."""
     @property
-    def until(self) -> float: ...
+    def until(self) -> float:
+        """s."""
 
 class FollowPiece:
     """Turn towards a leg or an arc, pause, and drive along it from rest to rest."""
 
     @property
-    def from_point(self) -> tuple[float, float]: ...
+    def from_point(self) -> tuple[float, float]:
+        """Where it begins, m."""
     @property
-    def to_point(self) -> tuple[float, float]: ...
+    def to_point(self) -> tuple[float, float]:
+        """Where it ends, m."""
     @property
     def turn(self) -> float:
         """Of the arc, rad; 0 for a leg."""
     @property
-    def backward(self) -> bool: ...
+    def backward(self) -> bool:
+        """The robot drives it in reverse."""
     @property
-    def pause(self) -> float: ...
+    def pause(self) -> float:
+        """Before the drive, s."""
 
 class Wait:
     """Stand still until a time, s."""
 
     def __init__(self, *, until: float) -> None: ...
     @property
-    def until(self) -> float: ...
+    def until(self) -> float:
+        """s; may be infinite."""
 
-Command = DriveTwist | FollowPiece | Wait
+class DriveWheels:
+    """Drive with constant speeds of the wheels, rad/s in the order of the chassis, until a time; then sense again."""
+
+    def __init__(self, *, speeds: Sequence[float] | npt.NDArray[np.float64], until: float) -> None: ...
+    @property
+    def speeds(self) -> npt.NDArray[np.float64]:
+        """Four numbers, rad/s; what a chassis has no wheel for is 0. DriveMission.twist() tells the motion."""
+    @property
+    def until(self) -> float:
+        """s."""
+
+class FireInPassing:
+    """A shot fired while the robot drives along a straight leg."""
+
+    @property
+    def target(self) -> int:
+        """Number of the target."""
+    @property
+    def leg(self) -> int:
+        """Index of the waypoint at which the leg ends."""
+    @property
+    def after(self) -> float:
+        """Time of the shot, counted from the beginning of the leg, s."""
+    @property
+    def yaw(self) -> float:
+        """Of the barrel in the world, rad."""
+    @property
+    def pitch(self) -> float:
+        """Of the barrel, rad."""
+    @property
+    def speed(self) -> float:
+        """Of the ball at the muzzle, m/s; the velocity of the robot is added."""
+
+class FollowWaypoints:
+    """Turn in place towards the next waypoint, drive straight to it and stop, until the last one.
+
+    The command ends when all balls of its shots have landed.
+    """
+
+    def __init__(self, waypoints: Points, *, until_arrival: bool = False) -> None: ...
+    @property
+    def waypoints(self) -> npt.NDArray[np.float64]:
+        """Shape (n, 2), m; the first is where the robot is."""
+    @property
+    def until_arrival(self) -> bool:
+        """Stop at the next waypoint once an intruder enters."""
+    @property
+    def shots(self) -> list[FireInPassing]:
+        """In the order of time."""
+
+class AimGun:
+    """Turn the barrel to a yaw and a pitch in the world, rad."""
+
+    def __init__(self, *, yaw: float, pitch: float) -> None: ...
+    @property
+    def yaw(self) -> float:
+        """In the world, rad."""
+    @property
+    def pitch(self) -> float:
+        """rad."""
+
+class Fire:
+    """Fire along the barrel, and tell the outcome as a ShotResult: angles in rad, the speed at the muzzle in m/s."""
+
+    def __init__(self, *, target: int, yaw: float, pitch: float, speed: float) -> None: ...
+    @property
+    def target(self) -> int:
+        """Number of the target."""
+    @property
+    def yaw(self) -> float:
+        """Of the barrel in the world, rad."""
+    @property
+    def pitch(self) -> float:
+        """Of the barrel, rad."""
+    @property
+    def speed(self) -> float:
+        """Of the ball at the muzzle, m/s."""
+
+class Fill:
+    """Fill a store completely at the station where the robot stands."""
+
+    @property
+    def station(self) -> int:
+        """Index in GuardMission.stations."""
+    @property
+    def store(self) -> str:
+        """One of "water" and "charge"."""
+
+class StepToCell:
+    """Move one robot of a team to a neighbouring cell, or let it stay; the step takes one second."""
+
+    def __init__(self, cell: Cell, *, robot: int = 0) -> None: ...
+    @property
+    def robot(self) -> int:
+        """Its number in the team."""
+    @property
+    def cell(self) -> tuple[int, int]:
+        """Column and row."""
+
+Command = (
+    DriveTwist | DriveWheels | FollowPiece | FollowWaypoints | Wait | AimGun | Fire | Fill | StepToCell
+)
 
 class Robot(Protocol):
     """What carries a mission out: any class with these two methods."""
 
-    def sense(self) -> Observation: ...
+    def sense(self) -> Observation:
+        """Returns what it senses now; each event since the last observation once."""
     def act(self, command: Any, /) -> None:
         """Carries the command out and returns when it is done."""
 
 class Mission(Protocol):
     """What answers each observation with a command: any class with this method; None ends the mission."""
 
-    def step(self, observation: Observation, /) -> Command | None: ...
+    def step(self, observation: Observation, /) -> Command | None:
+        """Returns the next command, or None when the mission is over."""
 
 class CoverMission:
     """Drives the track of a plan, piece by piece."""
 
     def __init__(self, plan: CoverPlan, *, pause: float = 0.0) -> None: ...
-    def step(self, observation: Observation) -> FollowPiece | None: ...
+    def step(self, observation: Observation) -> FollowPiece | None:
+        """Returns the next command, or None after the last piece."""
 
 class ExploreMission:
-    """Maps a building that nobody knows, and comes home.
-
-    Its robot senses scans and takes DriveTwist. Options as in scenarios: strategy, planner, ..., robot_radius, ...,
-    slam_reach, ..., map_resolution, ...
-    """
+    """Maps a building that nobody knows, and comes home. Its robot senses scans and takes DriveTwist."""
 
     def __init__(self, start: Pose = (0.0, 0.0, 0.0), **options: Value) -> None: ...
-    def step(self, observation: Observation) -> DriveTwist | None: ...
+    def step(self, observation: Observation) -> DriveTwist | None:
+        """Returns the next command, or None when the mission is over."""
     @property
     def pose(self) -> npt.NDArray[np.float64]:
         """Where it believes to be."""
@@ -646,12 +1026,171 @@ class ExploreMission:
     def stop_reason(self) -> str:
         """complete, left_over, budget, leak, stuck, lost or blind; empty while it explores."""
     @property
-    def reason(self) -> str: ...
+    def reason(self) -> str:
+        """The stop reason as a sentence."""
     @property
-    def home(self) -> bool: ...
+    def home(self) -> bool:
+        """The robot is back at its start."""
     @property
     def map(self) -> OccupancyGrid:
         """A copy."""
+
+class DriveArrival(TypedDict):
+    """A stop at which the robot stood: the number of the waypoint, s, the believed pose, why it is unconfirmed."""
+
+    waypoint: int
+    time: float
+    pose: npt.NDArray[np.float64]
+    doubt: str
+
+class RobotCamera(TypedDict):
+    """A camera that looks straight ahead, and its place on the robot."""
+
+    width: int
+    height: int
+    matrix: npt.NDArray[np.float64]
+    distortion: npt.NDArray[np.float64]
+    ahead: float
+    above: float
+
+class DriveMission:
+    """Drives to the waypoints of a scenario of the job drive, by the tags in sight or open loop by time.
+
+    Its robot takes DriveWheels. In the closed loop it gives a TagImage: a robot of a fixed rate gives the newest one each
+    time. `set` has options by key, such as {"loop": "open"}.
+    """
+
+    def __init__(self, scenario: str | PathLike[str], *, set: dict[str, Value] = {}) -> None: ...
+    def step(self, observation: Observation) -> DriveWheels | None:
+        """Returns the next command, or None when the mission is over."""
+    def twist(self, speeds: Sequence[float] | npt.NDArray[np.float64]) -> tuple[float, float, float]:
+        """The motion that four speeds of the wheels make: m/s ahead and to the left, rad/s."""
+    @property
+    def status(self) -> str:
+        """done, unconfirmed, doubtful, lost or stuck; empty while it drives."""
+    @property
+    def reason(self) -> str:
+        """Why it is not done."""
+    @property
+    def pose(self) -> npt.NDArray[np.float64]:
+        """Where it believes to be."""
+    @property
+    def start(self) -> npt.NDArray[np.float64]:
+        """Where it starts."""
+    @property
+    def waypoints(self) -> npt.NDArray[np.float64]:
+        """Shape (n, 3)."""
+    @property
+    def arrivals(self) -> list[DriveArrival]:
+        """The stops at which it stood; `doubt` is empty where the tags confirm it."""
+    @property
+    def tags(self) -> dict[int, npt.NDArray[np.float64]]:
+        """By id: the corners in the world, m, in the order of TagImage; shape (4, 3)."""
+    @property
+    def camera(self) -> RobotCamera:
+        """Sides in px, camera matrix, distortion (k1, k2, p1, p2, k3), and its place on the robot in m.
+
+        The matrix counts from the centre of the first pixel, as calibration files do, TagImage from its corner: add half
+        a pixel.
+        """
+
+class GuardTarget(TypedDict):
+    """A target: the place of its base, m, and what has become of it."""
+
+    name: str
+    position: tuple[float, float, float]
+    status: str
+    reason: str
+    shots: int
+
+class GuardIntruder(TypedDict):
+    """An intruder: the number of its place, and when it enters and is there, s."""
+
+    name: str
+    place: int
+    enters: float
+    settles: float
+
+class GuardStation(TypedDict):
+    """A station, m, and what it fills."""
+
+    name: str
+    position: tuple[float, float]
+    water: bool
+    charge: bool
+
+class GuardMission:
+    """Hits the targets in the yard of a scenario of the job guard with a water gun.
+
+    It is planned when it is made; Ctrl-C ends that. Its robot knows its pose in the world and takes FollowWaypoints,
+    AimGun, Fire, Wait and, with limited supplies, Fill. It gives its gun, the outcome of each shot, its stores if they are
+    limited, and a TargetReport if intruders come, survive hits or walk about. The yard must be known.
+    """
+
+    def __init__(
+        self, scenario: str | PathLike[str], *, seed: int | None = None, set: dict[str, Value] = {}
+    ) -> None: ...
+    def step(self, observation: Observation) -> FollowWaypoints | AimGun | Fire | Wait | Fill | None:
+        """Returns the next command, or None when the mission is over."""
+    @property
+    def status(self) -> str:
+        """done if every target that can be hit was hit, else not_done; empty before the end."""
+    @property
+    def reason(self) -> str:
+        """Why not every target was hit."""
+    @property
+    def start(self) -> npt.NDArray[np.float64]:
+        """Where the robot starts: x, y in m and heading in rad."""
+    @property
+    def stops(self) -> npt.NDArray[np.float64]:
+        """Of the plan for targets that stand still; shape (n, 2)."""
+    @property
+    def cost(self) -> float:
+        """Time of that plan if every shot hits, s."""
+    @property
+    def lower_bound(self) -> float:
+        """Proven of that plan, as in run.json, s."""
+    @property
+    def targets(self) -> list[GuardTarget]:
+        """What has become of each: waiting, reached, failed or unreachable, with a sentence."""
+    @property
+    def intruders(self) -> list[GuardIntruder]:
+        """Those that the scenario lets come: the place of each, and when it enters and is there, s."""
+    @property
+    def stations(self) -> list[GuardStation]:
+        """Where stores are filled."""
+
+class PursuitMission:
+    """Catches the target of a problem with one robot or a team, and plans again while it learns where the target goes.
+
+    Its robot gives a GridObservation and takes StepToCell, which takes a second. The problem has the map and tells how
+    long the target is there; where the target is comes from the observations.
+    """
+
+    def __init__(self, problem: PursuitProblem, **options: Value) -> None: ...
+    def step(self, observation: Observation) -> StepToCell | None:
+        """Returns the next command, or None when the mission is over. Raises NoPath if it is proven that there is none."""
+    @property
+    def status(self) -> str:
+        """done if the target was caught, else not_done; empty before the end."""
+    @property
+    def reason(self) -> str:
+        """Why it was not caught."""
+    @property
+    def caught(self) -> bool:
+        """The target is caught."""
+    @property
+    def time(self) -> int:
+        """The present second."""
+    @property
+    def cost(self) -> int:
+        """Paid until now."""
+    @property
+    def lower_bound(self) -> int:
+        """Proven for the whole mission; 0 where the future is not known."""
+    @property
+    def paths(self) -> list[npt.NDArray[np.int64]]:
+        """For each robot, its cell in second 0, 1, ...; shape (n, 2)."""
 
 def run_mission(mission: Mission, robot: Robot, *, most_steps: int | None = None) -> int:
     """Senses, steps and acts until the mission is over, and returns the number of commands.
@@ -660,11 +1199,15 @@ def run_mission(mission: Mission, robot: Robot, *, most_steps: int | None = None
     """
 
 class Solids(TypedDict):
+    """Solids as arrays, one entry each."""
+
     name: list[str]
     kind: list[str]
     bounds: npt.NDArray[np.float64]
 
 class Outline(TypedDict):
+    """A convex obstacle: corners, shape (n, 2), m, grown by a radius, m."""
+
     corners: npt.NDArray[np.float64]
     radius: float
 
@@ -675,7 +1218,8 @@ class World:
     def load(path: str | PathLike[str]) -> World:
         """Reads SDF, a map of map_server, an image or slices; warns of what it repaired or left out."""
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """As in its file."""
     @property
     def bounds(self) -> npt.NDArray[np.float64]:
         """The lowest and the highest corner; shape (2, 2)."""
@@ -686,8 +1230,10 @@ class World:
         """What stands in the way of a robot of that height: convex corners, grown by a radius."""
     def clearances(self, points: Points, *, height: float = 0.2, most: float = 10.0) -> npt.NDArray[np.float64]:
         """The distance of each point to the nearest obstacle or edge, at most `most`; negative inside."""
+    def polygons(self, radius: float, *, height: float = 0.2) -> PolygonMap:
+        """The ground of a disk of that radius as polygons; round obstacles become slightly larger polygons."""
     def grid(self, radius: float, *, resolution: float = 0.1, height: float = 0.2) -> GridMap:
         """The ground of a disk of that radius."""
 
-def read_log(path: str | PathLike[str], *, topics: Sequence[str] = ...) -> dict[str, npt.NDArray[np.void]]:
+def read_log(path: str | PathLike[str], *, topics: Sequence[str] = []) -> dict[str, npt.NDArray[np.void]]:
     """The messages of a log (MCAP, ROS 1 bag, ROS 2 db3) as Run.log has them. Warns if the end of the file is missing."""

@@ -6,8 +6,14 @@
 namespace outrider::python {
 
 void bind_catalogues(pybind11::module_& module);
+void bind_commands(pybind11::module_& module);
 void bind_cover(pybind11::module_& module);
+/// Call it last.
+void bind_docstrings(pybind11::module_& module);
+void bind_guard(pybind11::module_& module);
 void bind_log(pybind11::module_& module);
+void bind_missions(pybind11::module_& module);
+void bind_observations(pybind11::module_& module);
 void bind_occupancy(pybind11::module_& module);
 void bind_path(pybind11::module_& module);
 void bind_pose_graph(pybind11::module_& module);

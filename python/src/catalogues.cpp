@@ -21,37 +21,25 @@ namespace py = pybind11;
 namespace {
 
 py::dict row_of(std::string_view sentence, std::string_view source, std::string_view guarantee,
-                py::dict options) {
-  py::dict row;
+                const std::vector<Option>& options) {
+  py::dict row, help;
+  for (const Option& option : options) help[py::str(option.name)] = sentence_of(option);
   row["sentence"] = py::str(std::string(sentence));
   row["source"] = py::str(std::string(source));
   row["guarantee"] = py::str(std::string(guarantee));
-  row["options"] = std::move(options);
+  row["options"] = options_dict(options);
+  row["help"] = help;
   return row;
 }
 
-/// Defines a function that returns the rows by name.
-template <class Rows, class RowOf>
-void bind_catalogue(py::module_& module, const char* name, const char* sentence, const Rows& rows,
-                    RowOf make) {
-  module.def(
-      name,
-      [&rows, make] {
-        py::dict result;
-        for (const auto& row : rows) result[py::str(std::string(row.name))] = make(row);
-        return result;
-      },
-      sentence);
-}
-
-/// The defaults of an options struct, which all rows of a catalogue share.
+/// The row with the defaults of an options struct, which all rows of a catalogue share.
 template <class Options>
-py::dict defaults() {
+py::dict row_with(std::string_view sentence, std::string_view source, std::string_view guarantee) {
   Options options;
-  return options_dict(describe(options));
+  return row_of(sentence, source, guarantee, describe(options));
 }
 
-py::dict options_of(const Job& job) {
+py::dict row_of(const Job& job) {
   const auto task = job.blank();
   std::vector<Option> options;
   for (const OptionGroup& group : task->options()) {
@@ -60,32 +48,38 @@ py::dict options_of(const Job& job) {
       options.push_back(option);
     }
   }
-  return options_dict(options);
+  return row_of(job.sentence, "", "", options);
+}
+
+/// Defines a function that returns the rows by name.
+template <class Rows, class RowOf>
+void bind_catalogue(py::module_& module, const char* name, const Rows& rows, RowOf make) {
+  module.def(name, [&rows, make] {
+    py::dict result;
+    for (const auto& row : rows) result[py::str(std::string(row.name))] = make(row);
+    return result;
+  });
 }
 
 }  // namespace
 
 void bind_catalogues(py::module_& module) {
   const auto configured = [](const auto& row) {
-    return row_of(row.sentence, row.paper, row.guarantee.sentence, options_dict(row.configure().options));
+    const auto planner = row.configure();
+    return row_of(row.sentence, row.paper, row.guarantee.sentence, planner.options);
   };
-  bind_catalogue(module, "path_planners", "Returns the path planners by name.", path_planners(), configured);
-  bind_catalogue(module, "pursuit_planners", "Returns the pursuit planners by name.", pursuit_planners(),
-                 configured);
-  bind_catalogue(module, "cover_methods", "Returns the methods of covering an area by name.", cover_methods(),
-                 [](const CoverMethod& row) {
-                   return row_of(row.sentence, row.paper, row.guarantee, defaults<CoverOptions>());
-                 });
-  bind_catalogue(module, "explore_strategies", "Returns the strategies of exploration by name.",
-                 explore_strategies(), [](const ExploreStrategy& row) {
-                   return row_of(row.sentence, row.paper, row.guarantee, defaults<ExploreOptions>());
-                 });
-  bind_catalogue(module, "guard_planners", "Returns the guard planners by name.", guard_planners(),
-                 [](const GuardPlanner& row) {
-                   return row_of(row.sentence, row.source, row.guarantee, defaults<GuardOptions>());
-                 });
-  bind_catalogue(module, "jobs", "Returns the jobs by name.", jobs(),
-                 [](const Job& job) { return row_of(job.sentence, "", "", options_of(job)); });
+  bind_catalogue(module, "path_planners", path_planners(), configured);
+  bind_catalogue(module, "pursuit_planners", pursuit_planners(), configured);
+  bind_catalogue(module, "cover_methods", cover_methods(), [](const CoverMethod& row) {
+    return row_with<CoverOptions>(row.sentence, row.paper, row.guarantee);
+  });
+  bind_catalogue(module, "explore_strategies", explore_strategies(), [](const ExploreStrategy& row) {
+    return row_with<ExploreOptions>(row.sentence, row.paper, row.guarantee);
+  });
+  bind_catalogue(module, "guard_planners", guard_planners(), [](const GuardPlanner& row) {
+    return row_with<GuardOptions>(row.sentence, row.source, row.guarantee);
+  });
+  bind_catalogue(module, "jobs", jobs(), [](const Job& job) { return row_of(job); });
 }
 
 }  // namespace outrider::python

@@ -87,7 +87,8 @@ py::array_t<double> missed_of(const CoverProof& proof) {
 }
 
 void bind_values(py::module_& module) {
-  py::class_<CoverProblem>(module, "CoverProblem", "Areas, and the robot that has to cover them.")
+  CoverProblem defaults;
+  py::class_<CoverProblem>(module, "CoverProblem", options_text(options_of(defaults)).c_str())
       .def(py::init(&make_problem), py::arg("boundary"), py::kw_only(), py::arg("holes") = py::tuple(),
            py::arg("others") = py::tuple(), py::arg("start") = py::none())
       .def_property_readonly("boundary",
@@ -100,7 +101,7 @@ void bind_values(py::module_& module) {
                              })
       .def_property_readonly("options",
                              [](CoverProblem& problem) { return options_dict(options_of(problem)); });
-  py::class_<CoverPlan>(module, "CoverPlan", "A track that covers the areas.")
+  py::class_<CoverPlan>(module, "CoverPlan")
       .def_readonly("method", &CoverPlan::method)
       .def_property_readonly("start", [](const CoverPlan& plan) { return array_of(plan.track.start); })
       .def_property_readonly(
@@ -115,8 +116,7 @@ void bind_values(py::module_& module) {
       .def_readonly("laps", &CoverPlan::laps)
       .def_readonly("lanes", &CoverPlan::lanes)
       .def_readonly("cells", &CoverPlan::cells);
-  py::class_<CoverProof>(module, "CoverProof",
-                         "What is proven of a track, from the track and the area alone.")
+  py::class_<CoverProof>(module, "CoverProof")
       .def_property_readonly("planned_fraction",
                              [](const CoverProof& proof) { return proof.planned.fraction; })
       .def_readonly("sure_fraction", &CoverProof::sure_fraction)
@@ -131,7 +131,8 @@ void bind_values(py::module_& module) {
 
 void bind_cover(py::module_& module) {
   bind_values(module);
-  py::class_<Planner>(module, "CoverPlanner", "A method of covering areas, with its options.")
+  CoverOptions options;
+  py::class_<Planner>(module, "CoverPlanner", options_text(describe(options)).c_str())
       .def(py::init<const std::string&, const py::kwargs&>())
       .def_property_readonly("name", [](const Planner& planner) { return std::string(planner.row().name); })
       .def_property_readonly("sentence",
@@ -141,8 +142,7 @@ void bind_cover(py::module_& module) {
       .def_property_readonly("options", &Planner::options)
       .def("plan", &Planner::plan, py::arg("problem"), py::kw_only(),
            py::arg("most_expansions") = py::none());
-  module.def("prove", &prove_plan, py::arg("plan"), py::arg("problem"),
-             "Returns what is proven of a track; raises BadInput if it is no track of the problem.");
+  module.def("prove", &prove_plan, py::arg("plan"), py::arg("problem"));
   module.def("check", &check_plan, py::arg("plan"), py::arg("problem"));
 }
 

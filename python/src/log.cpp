@@ -82,8 +82,7 @@ void bind_log(py::module_& module) {
         }
         return loaded(made);
       },
-      py::arg("path"), py::kw_only(), py::arg("topics") = std::vector<std::string>(),
-      "Returns the messages of a log as arrays, by topic.");
+      py::arg("path"), py::kw_only(), py::arg("topics") = std::vector<std::string>());
 }
 
 }  // namespace outrider::python

@@ -13,11 +13,11 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "faults.hpp"
+#include "mapper.hpp"
 #include "options.hpp"
 #include "outrider/jobs/explore/frontier.hpp"
 #include "outrider/path/grid/grid_map.hpp"
 #include "outrider/world/occupancy.hpp"
-#include "turn.hpp"
 
 namespace outrider::python {
 
@@ -51,6 +51,16 @@ class Frontiers {
     const auto turn = turn_.take("map");
     const py::gil_scoped_release others_may_run;
     map_.update(*grid, {.redrawn = true, .cells = {}});
+    mapper_ = 0;
+  }
+  /// Takes what has changed of the map since the last time; nothing is copied.
+  void follow(Laser& mapper) {
+    const auto turn = turn_.take("map");
+    mapper.with([&](LaserSlam& slam) {
+      const bool goes_on = std::exchange(mapper_, mapper.id) == mapper.id;
+      const std::uint64_t before = std::exchange(version_, mapper.changes.version());
+      map_.update(slam.map().occupancy(), goes_on ? mapper.changes.since(before) : MapUpdate{true, {}});
+    });
   }
 
   [[nodiscard]] py::list frontiers() {
@@ -73,7 +83,7 @@ class Frontiers {
 
   [[nodiscard]] std::shared_ptr<GridMap> ground() {
     const auto turn = turn_.take("map");
-    return std::make_shared<GridMap>(*map_.ground().grid());
+    return std::const_pointer_cast<GridMap>(map_.ground().grid());
   }
 
  private:
@@ -88,14 +98,15 @@ class Frontiers {
   }
 
   FrontierMap map_;
+  std::uint64_t mapper_ = 0;   // whose map it follows
+  std::uint64_t version_ = 0;  // of that map
   Turn turn_;
 };
 
 }  // namespace
 
 void bind_occupancy(py::module_& module) {
-  py::class_<Grid<std::uint8_t>, SharedOccupancy>(module, "OccupancyGrid",
-                                                  "A map of free, occupied and unknown cells, read-only.")
+  py::class_<Grid<std::uint8_t>, SharedOccupancy>(module, "OccupancyGrid")
       .def(py::init(&make_grid), py::arg("cells"), py::kw_only(), py::arg("resolution") = 0.05,
            py::arg("origin") = py::make_tuple(0.0, 0.0))
       .def_property_readonly("cells",
@@ -109,10 +120,11 @@ void bind_occupancy(py::module_& module) {
       .def("ground", [](const Grid<std::uint8_t>& grid) {
         return std::make_shared<GridMap>(value_of(GridMap::of(grid, GridModel::cells)));
       });
-  py::class_<Frontiers>(module, "FrontierMap",
-                        "The frontiers between free and unknown cells of a growing map.")
+  FrontierOptions options;
+  py::class_<Frontiers>(module, "FrontierMap", options_text(describe(options)).c_str())
       .def(py::init<double, const py::kwargs&>(), py::arg("radius"))
       .def("update", &Frontiers::update, py::arg("grid").none(false))
+      .def("update", &Frontiers::follow, py::arg("grid").none(false))
       .def_property_readonly("frontiers", &Frontiers::frontiers)
       .def_property_readonly("ground", &Frontiers::ground);
 }

@@ -1,5 +1,7 @@
 #include "options.hpp"
 
+#include <fmt/format.h>
+
 #include "faults.hpp"
 
 namespace outrider::python {
@@ -36,6 +38,25 @@ std::vector<Option> prefixed(const std::string& prefix, std::vector<Option> opti
 std::vector<Option> joined(std::vector<Option> options, std::vector<Option> more) {
   options.insert(options.end(), more.begin(), more.end());
   return options;
+}
+
+std::string sentence_of(const Option& option) {
+  std::string text = option.sentence;
+  if (!option.unit.empty()) text += ", " + option.unit;
+  const std::string_view type = type_name(option);
+  if (type == "number" || type == "integer") text += fmt::format("; {:g} to {:g}", option.low, option.high);
+  if (!option.choices.empty()) text += fmt::format("; one of {}", fmt::join(option.choices, ", "));
+  return text;
+}
+
+std::string options_text(const std::vector<Option>& options) {
+  std::string text;
+  for (const Option& option : options) {
+    const std::string value = value_text(option);
+    text += fmt::format("\n  {}: {}; default {}", option.name, sentence_of(option),
+                        value.empty() ? "empty" : value);
+  }
+  return text.empty() ? text : "Options:" + text;
 }
 
 py::dict options_dict(const std::vector<Option>& options) {

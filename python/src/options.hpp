@@ -22,6 +22,10 @@ void set_options(const std::vector<Option>& options, const pybind11::kwargs& val
 std::vector<Option> prefixed(const std::string& prefix, std::vector<Option> options);
 /// Returns all options of both lists.
 std::vector<Option> joined(std::vector<Option> options, std::vector<Option> more);
+/// Returns what an option means: sentence, unit, and range or choices.
+std::string sentence_of(const Option& option);
+/// Returns a line for each option: name, sentence, unit, range or choices, and its present value.
+std::string options_text(const std::vector<Option>& options);
 /// Returns the present values by name; angles in degrees.
 pybind11::dict options_dict(const std::vector<Option>& options);
 

@@ -17,6 +17,7 @@
 #include "options.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
+#include "polygons.hpp"
 #include "turn.hpp"
 
 namespace outrider::python {
@@ -52,8 +53,6 @@ py::array marks_of(const SharedMap& map) {
   return view;
 }
 
-using SharedPolygons = std::shared_ptr<PolygonGround>;
-
 SharedPolygons make_polygons(const py::handle& boundary, const py::iterable& obstacles, double radius_m) {
   std::vector<std::vector<Vec2>> rings;
   for (const py::handle& ring : obstacles) rings.push_back(points_of(ring, "obstacles"));
@@ -61,13 +60,32 @@ SharedPolygons make_polygons(const py::handle& boundary, const py::iterable& obs
       value_of(PolygonGround::of(points_of(boundary, "boundary"), std::move(rings), radius_m)));
 }
 
-/// A problem on a GridMap or a PolygonMap.
-Problem problem_on(const py::handle& map, Vec2 start, Vec2 goal) {
+/// A ground, and the robot if the ground is a World.
+struct Ground {
+  py::object map;
+  std::optional<double> radius_m;
+  double height_m;
+};
+
+/// A problem on a GridMap, a PolygonMap, or a World as polygons.
+Problem problem_on(const Ground& ground, Vec2 start, Vec2 goal) {
+  const py::object& map = ground.map;
+  if (py::isinstance<World>(map)) {
+    if (!ground.radius_m)
+      throw FaultError{
+          {FaultCode::bad_input, "missing; give that of the robot, m, to plan on a World", "radius"}};
+    return {nullptr, start, goal, polygons_of(map.cast<const World&>(), *ground.radius_m, ground.height_m)};
+  }
+  if (ground.radius_m) {
+    throw FaultError{{FaultCode::bad_input,
+                      "the map has the robot's radius already; give one only with a World", "radius"}};
+  }
   if (py::isinstance<GridMap>(map)) return {map.cast<SharedMap>(), start, goal};
   if (py::isinstance<PolygonGround>(map)) return {nullptr, start, goal, map.cast<SharedPolygons>()};
   throw FaultError{
       {FaultCode::bad_input,
-       fmt::format("{} is no ground; give a GridMap or a PolygonMap", Py_TYPE(map.ptr())->tp_name), "map"}};
+       fmt::format("{} is no ground; give a GridMap, a PolygonMap or a World", Py_TYPE(map.ptr())->tp_name),
+       "map"}};
 }
 
 /// A planner with its options and its memory.
@@ -85,9 +103,9 @@ class Planner {
   }
   py::dict options() { return options_dict(configured_.options); }
 
-  Plan plan(const py::handle& map, const py::handle& start, const py::handle& goal,
+  Plan plan(const Ground& ground, const py::handle& start, const py::handle& goal,
             std::optional<std::uint64_t> most_expansions, Trace* trace) {
-    const Problem problem = problem_on(map, point_of(start, "start"), point_of(goal, "goal"));
+    const Problem problem = problem_on(ground, point_of(start, "start"), point_of(goal, "goal"));
     const auto turn = turn_.take("planner");
     const py::gil_scoped_release others_may_run;
     workspace_.trace = trace;
@@ -97,7 +115,8 @@ class Planner {
   }
 
   /// The cost of each query: NaN where it is proven that there is no path.
-  py::array_t<double> costs(const py::handle& map, const py::handle& starts, const py::handle& goals) {
+  py::array_t<double> costs(const py::object& map, const py::handle& starts, const py::handle& goals,
+                            std::optional<double> radius_m, double height_m) {
     const std::vector<Vec2> from = points_of(starts, "starts"), to = points_of(goals, "goals");
     if (from.size() != to.size()) {
       throw FaultError{{FaultCode::bad_input,
@@ -106,7 +125,7 @@ class Planner {
     }
     py::array_t<double> result(static_cast<py::ssize_t>(from.size()));
     double* const costs = result.mutable_data();
-    Problem problem = problem_on(map, {}, {});
+    Problem problem = problem_on({map, radius_m, height_m}, {}, {});
     const auto turn = turn_.take("planner");
     const py::gil_scoped_release others_may_run;
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -129,10 +148,11 @@ class Planner {
   Turn turn_;
 };
 
-py::tuple plan_with_trace(Planner& planner, const py::handle& map, const py::handle& start,
-                          const py::handle& goal, std::optional<std::uint64_t> most_expansions) {
+py::tuple plan_with_trace(Planner& planner, const py::object& map, const py::handle& start,
+                          const py::handle& goal, std::optional<double> radius_m, double height_m,
+                          std::optional<std::uint64_t> most_expansions) {
   Trace trace;
-  Plan plan = planner.plan(map, start, goal, most_expansions, &trace);
+  Plan plan = planner.plan({map, radius_m, height_m}, start, goal, most_expansions, &trace);
   return py::make_tuple(
       std::move(plan),
       py::array_t<Expansion>(static_cast<py::ssize_t>(trace.expansions.size()), trace.expansions.data()));
@@ -148,7 +168,7 @@ py::dict guarantee_of(const Planner& planner) {
 }
 
 void bind_map(py::module_& module) {
-  py::class_<GridMap, SharedMap>(module, "GridMap", "Ground as a grid of free and blocked cells, read-only.")
+  py::class_<GridMap, SharedMap>(module, "GridMap")
       .def(py::init(&make_map), py::arg("blocked"), py::kw_only(), py::arg("resolution") = 1.0,
            py::arg("origin") = py::make_tuple(0.0, 0.0), py::arg("model") = "cells")
       .def_property_readonly(
@@ -161,8 +181,7 @@ void bind_map(py::module_& module) {
 }
 
 void bind_polygons(py::module_& module) {
-  py::class_<PolygonGround, SharedPolygons>(module, "PolygonMap",
-                                            "Ground as polygons for the centre of a disk, read-only.")
+  py::class_<PolygonGround, SharedPolygons>(module, "PolygonMap")
       .def(py::init(&make_polygons), py::arg("boundary"), py::kw_only(), py::arg("obstacles") = py::tuple(),
            py::arg("radius") = 0.18)
       .def_property_readonly("boundary",
@@ -178,7 +197,7 @@ void bind_polygons(py::module_& module) {
 
 void bind_plan(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(Expansion, state, parent, f, g, h);
-  py::class_<Plan>(module, "Plan", "A path with its cost and a proven lower bound.")
+  py::class_<Plan>(module, "Plan")
       .def_property_readonly("waypoints", [](const Plan& plan) { return array_of(plan.waypoints); })
       .def_readonly("cost", &Plan::cost)
       .def_readonly("lower_bound", &Plan::lower_bound)
@@ -186,11 +205,13 @@ void bind_plan(py::module_& module) {
       .def_property_readonly("expansions", [](const Plan& plan) { return plan.counters.expansions; });
   module.def(
       "check",
-      [](const Plan& plan, const py::handle& map, const py::handle& start, const py::handle& goal) {
-        require(check(plan, problem_on(map, point_of(start, "start"), point_of(goal, "goal"))));
+      [](const Plan& plan, const py::object& map, const py::handle& start, const py::handle& goal,
+         std::optional<double> radius_m, double height_m) {
+        require(check(
+            plan, problem_on({map, radius_m, height_m}, point_of(start, "start"), point_of(goal, "goal"))));
       },
-      py::arg("plan"), py::arg("map"), py::arg("start"), py::arg("goal"),
-      "Verifies a plan by code that shares nothing with the planners; raises BadInput if it is wrong.");
+      py::arg("plan"), py::arg("map"), py::arg("start"), py::arg("goal"), py::kw_only(),
+      py::arg("radius") = py::none(), py::arg("height") = 0.2);
 }
 
 }  // namespace
@@ -199,8 +220,7 @@ void bind_path(py::module_& module) {
   bind_map(module);
   bind_polygons(module);
   bind_plan(module);
-  py::class_<Planner>(module, "PathPlanner",
-                      "A planner of the catalogue with its options and its memory, for one thread at a time.")
+  py::class_<Planner>(module, "PathPlanner")
       .def(py::init<const std::string&, const py::kwargs&>())
       .def_property_readonly("name", [](const Planner& planner) { return std::string(planner.row().name); })
       .def_property_readonly("sentence",
@@ -211,15 +231,16 @@ void bind_path(py::module_& module) {
       .def("set", &Planner::set, py::arg("option"), py::arg("value"))
       .def(
           "plan",
-          [](Planner& planner, const py::handle& map, const py::handle& start, const py::handle& goal,
-             std::optional<std::uint64_t> most_expansions) {
-            return planner.plan(map, start, goal, most_expansions, nullptr);
+          [](Planner& planner, const py::object& map, const py::handle& start, const py::handle& goal,
+             std::optional<double> radius_m, double height_m, std::optional<std::uint64_t> most_expansions) {
+            return planner.plan({map, radius_m, height_m}, start, goal, most_expansions, nullptr);
           },
-          py::arg("map"), py::arg("start"), py::arg("goal"), py::kw_only(),
-          py::arg("most_expansions") = py::none())
+          py::arg("map"), py::arg("start"), py::arg("goal"), py::kw_only(), py::arg("radius") = py::none(),
+          py::arg("height") = 0.2, py::arg("most_expansions") = py::none())
       .def("trace", &plan_with_trace, py::arg("map"), py::arg("start"), py::arg("goal"), py::kw_only(),
-           py::arg("most_expansions") = py::none())
-      .def("costs", &Planner::costs, py::arg("map"), py::arg("starts"), py::arg("goals"));
+           py::arg("radius") = py::none(), py::arg("height") = 0.2, py::arg("most_expansions") = py::none())
+      .def("costs", &Planner::costs, py::arg("map"), py::arg("starts"), py::arg("goals"), py::kw_only(),
+           py::arg("radius") = py::none(), py::arg("height") = 0.2);
 }
 
 }  // namespace outrider::python

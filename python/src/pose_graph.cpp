@@ -143,10 +143,10 @@ PoseGraphOf<Pose> read(const py::handle& path) {
 }
 
 template <class Pose>
-void bind_graph(py::module_& module, const char* name, const char* solution_name, const char* sentence) {
+void bind_graph(py::module_& module, const char* name, const char* solution_name) {
   using Graph = PoseGraphOf<Pose>;
   using Solution = PoseGraphSolutionOf<Pose>;
-  py::class_<Solution>(module, solution_name, "The most likely poses of a graph.")
+  py::class_<Solution>(module, solution_name)
       .def_property_readonly("poses", [](const Solution& solution) { return array_from(solution.poses); })
       .def_readonly("cost", &Solution::cost)
       .def_readonly("start_cost", &Solution::start_cost)
@@ -156,7 +156,9 @@ void bind_graph(py::module_& module, const char* name, const char* solution_name
       .def_readonly("start", &Solution::start)
       .def_readonly("iterations", &Solution::iterations)
       .def_readonly("refused", &Solution::refused);
-  py::class_<Graph>(module, name, sentence)
+  PoseGraphOptions options;
+  const std::string help = options_text(describe(options));
+  py::class_<Graph>(module, name)
       .def(py::init<>())
       .def_static("load", &read<Pose>, py::arg("path"))
       .def("add_pose", &add_pose<Pose>, py::arg("pose"))
@@ -186,7 +188,7 @@ void bind_graph(py::module_& module, const char* name, const char* solution_name
             return cost(graph, checked_poses(graph, poses));
           },
           py::arg("poses"))
-      .def("optimise", &solve<Pose>, py::kw_only(), py::arg("most_iterations") = py::none())
+      .def("optimise", &solve<Pose>, py::kw_only(), py::arg("most_iterations") = py::none(), help.c_str())
       .def(
           "lower_bound",
           [](const Graph& graph, const py::handle& poses) {
@@ -205,10 +207,8 @@ void bind_graph(py::module_& module, const char* name, const char* solution_name
 }  // namespace
 
 void bind_pose_graph(py::module_& module) {
-  bind_graph<Pose2>(module, "PoseGraph", "PoseGraphSolution",
-                    "Poses in the plane and measurements between them.");
-  bind_graph<Pose3>(module, "PoseGraph3", "PoseGraphSolution3",
-                    "Poses in space and measurements between them.");
+  bind_graph<Pose2>(module, "PoseGraph", "PoseGraphSolution");
+  bind_graph<Pose3>(module, "PoseGraph3", "PoseGraphSolution3");
 }
 
 }  // namespace outrider::python

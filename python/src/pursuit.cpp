@@ -83,7 +83,7 @@ py::dict guarantee_of(const Planner& planner) {
 }
 
 void bind_values(py::module_& module) {
-  py::class_<PursuitProblem>(module, "PursuitProblem", "A robot on a grid of costs has to meet a target.")
+  py::class_<PursuitProblem>(module, "PursuitProblem")
       .def(py::init(&make_problem), py::arg("costs"), py::kw_only(), py::arg("threshold"), py::arg("start"),
            py::arg("target"), py::arg("start_s") = 0)
       .def_static(
@@ -96,7 +96,7 @@ void bind_values(py::module_& module) {
           [](const PursuitProblem& problem) { return py::make_tuple(problem.start.x, problem.start.y); })
       .def_property_readonly("target", [](const PursuitProblem& problem) { return array_of(problem.target); })
       .def_readonly("start_s", &PursuitProblem::start_s);
-  py::class_<PursuitPlan>(module, "PursuitPlan", "The robot's cell in each second until the catch.")
+  py::class_<PursuitPlan>(module, "PursuitPlan")
       .def_property_readonly("path", [](const PursuitPlan& plan) { return array_of(plan.path); })
       .def_readonly("catch_time_s", &PursuitPlan::catch_time_s)
       .def_readonly("cost", &PursuitPlan::cost)
@@ -117,8 +117,7 @@ void bind_values(py::module_& module) {
 
 void bind_pursuit(py::module_& module) {
   bind_values(module);
-  py::class_<Planner>(module, "PursuitPlanner",
-                      "A pursuit planner with its options and its memory, for one thread at a time.")
+  py::class_<Planner>(module, "PursuitPlanner")
       .def(py::init<const std::string&, const py::kwargs&>())
       .def_property_readonly("name", [](const Planner& planner) { return std::string(planner.row().name); })
       .def_property_readonly("sentence",

@@ -19,6 +19,7 @@
 #include "outrider/io/scenario.hpp"
 #include "outrider/job/write_run.hpp"
 #include "outrider/jobs/catalog.hpp"
+#include "scenario.hpp"
 
 namespace outrider::python {
 
@@ -37,10 +38,7 @@ std::shared_ptr<FinishedRun> run_scenario(const py::handle& scenario_path, std::
   const Job job = value_of(job_of_scenario(jobs(), path));
   const auto task = job.blank();
   require(read_scenario(*task, path));
-  Changes changes;
-  if (seed) changes.emplace_back("seed", std::to_string(*seed));
-  for (const auto& [key, value] : set) changes.emplace_back(py::str(key), option_text(value));
-  require(change(*task, changes));
+  change_task(*task, seed, set);
   const std::string scenario = scenario_text(task->options());
   auto run = interruptible([&](const std::stop_token& stop) {
     RunWatch watch;
@@ -100,7 +98,7 @@ py::dict save(FinishedRun& finished, const py::handle& path) {
 }  // namespace
 
 void bind_run(py::module_& module) {
-  py::class_<FinishedRun, std::shared_ptr<FinishedRun>>(module, "Run", "A finished run of a job.")
+  py::class_<FinishedRun, std::shared_ptr<FinishedRun>>(module, "Run")
       .def_property_readonly("status", [](const FinishedRun& finished) { return finished.run.report.status; })
       .def_property_readonly("job", [](const FinishedRun& finished) { return finished.run.report.job; })
       .def_property_readonly("reason", [](const FinishedRun& finished) { return finished.run.report.reason; })
@@ -115,7 +113,7 @@ void bind_run(py::module_& module) {
       .def_property_readonly("result", [](const FinishedRun& finished) { return result_text(finished.run); })
       .def("save", &save, py::arg("folder"));
   module.def("run", &run_scenario, py::arg("scenario"), py::kw_only(), py::arg("seed") = py::none(),
-             py::arg("set") = py::dict(), "Runs the job of a scenario file, with options set by key.");
+             py::arg("set") = py::dict());
 }
 
 }  // namespace outrider::python

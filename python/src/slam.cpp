@@ -11,11 +11,9 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "faults.hpp"
+#include "mapper.hpp"
 #include "occupancy.hpp"
 #include "options.hpp"
-#include "outrider/slam/landmark_slam.hpp"
-#include "outrider/slam/laser_slam.hpp"
-#include "turn.hpp"
 
 namespace outrider::python {
 
@@ -41,39 +39,29 @@ LaserScan make_scan(const py::handle& ranges, double first_rad, double step_rad,
   return scan;
 }
 
-/// A mapper that one thread uses at a time.
-template <class Slam, class Options>
-struct Mapper {
-  Slam slam;
-  Turn turn;
-
-  template <class Work>
-  auto with(Work work) {
-    const auto mine = turn.take("map");
-    const py::gil_scoped_release others_may_run;
-    return work(slam);
-  }
-};
-using Laser = Mapper<LaserSlam, LaserSlamOptions>;
-using Landmarks = Mapper<LandmarkSlam, LandmarkSlamOptions>;
+std::vector<Option> options_of(LaserSlamOptions& options) {
+  return joined(describe(options), prefixed("map_", describe(options.map)));
+}
 
 std::unique_ptr<Laser> begin_laser(const py::handle& start, const py::kwargs& values) {
   LaserSlamOptions options;
-  set_options(joined(describe(options), prefixed("map_", describe(options.map))), values);
-  return std::unique_ptr<Laser>(new Laser{value_of(LaserSlam::begin(options, pose_of(start, "start"))), {}});
+  set_options(options_of(options), values);
+  return std::make_unique<Laser>(value_of(LaserSlam::begin(options, pose_of(start, "start"))));
 }
 
 std::unique_ptr<Landmarks> begin_landmarks(const py::handle& start, const py::kwargs& values) {
   LandmarkSlamOptions options;
   set_options(describe(options), values);
-  return std::unique_ptr<Landmarks>(
-      new Landmarks{value_of(LandmarkSlam::begin(options, pose_of(start, "start"))), {}});
+  return std::make_unique<Landmarks>(value_of(LandmarkSlam::begin(options, pose_of(start, "start"))));
 }
 
 py::dict advance_laser(Laser& mapper, const py::handle& motion, const LaserScan& scan) {
   const Pose2 moved = pose_of(motion, "motion");
-  const LaserSlamStep step =
-      value_of(mapper.with([&](LaserSlam& slam) { return slam.advance(moved, scan); }));
+  const LaserSlamStep step = value_of(mapper.with([&](LaserSlam& slam) {
+    auto done = slam.advance(moved, scan);
+    if (done) mapper.changes.note(done->update, slam.map().occupancy().cells.size());
+    return done;
+  }));
   py::dict result;
   result["pose"] = array_of(step.pose);
   result["matched"] = step.matched;
@@ -82,10 +70,11 @@ py::dict advance_laser(Laser& mapper, const py::handle& motion, const LaserScan&
   return result;
 }
 
-/// Copies the cells, since the map goes on to change.
-SharedOccupancy map_of(Laser& mapper) {
-  return mapper.with(
-      [](LaserSlam& slam) { return std::make_shared<Grid<std::uint8_t>>(slam.map().occupancy()); });
+void settle(Laser& mapper) {
+  mapper.with([&](LaserSlam& slam) {
+    slam.settle();
+    mapper.changes.note({true, {}}, 0);
+  });
 }
 
 LogStep step_of(const py::handle& odometry, const py::handle& covariance, const py::handle& positions,
@@ -154,8 +143,7 @@ py::dict landmarks_of(Landmarks& mapper) {
 template <class Class>
 void bind_estimates(Class& type) {
   using M = typename Class::type;
-  type.def("settle", [](M& mapper) { mapper.with([](auto& slam) { slam.settle(); }); })
-      .def_property_readonly(
+  type.def_property_readonly(
           "pose",
           [](M& mapper) { return array_of(mapper.with([](auto& slam) { return Pose2(slam.pose()); })); })
       .def_property_readonly(
@@ -167,7 +155,7 @@ void bind_estimates(Class& type) {
 }
 
 void bind_laser(py::module_& module) {
-  py::class_<LaserScan>(module, "LaserScan", "One revolution of a planar laser range finder.")
+  py::class_<LaserScan>(module, "LaserScan")
       .def(py::init(&make_scan), py::arg("ranges"), py::kw_only(), py::arg("first"), py::arg("step"),
            py::arg("least"), py::arg("most"), py::arg("time") = 0.0)
       .def_property_readonly("ranges",
@@ -180,10 +168,13 @@ void bind_laser(py::module_& module) {
       .def_readonly("least", &LaserScan::least_m)
       .def_readonly("most", &LaserScan::most_m)
       .def_readonly("time", &LaserScan::time_s);
-  py::class_<Laser> laser(module, "LaserSlam", "Localisation and mapping with a laser range finder.");
+  LaserSlamOptions options;
+  py::class_<Laser> laser(module, "LaserSlam", options_text(options_of(options)).c_str());
   laser.def(py::init(&begin_laser), py::arg("start") = py::make_tuple(0.0, 0.0, 0.0))
       .def("advance", &advance_laser, py::arg("motion"), py::arg("scan"))
-      .def_property_readonly("map", &map_of)
+      .def("settle", &settle)
+      .def_property_readonly(
+          "map", [](Laser& mapper) { return mapper.with([&](LaserSlam&) { return mapper.snapshot(); }); })
       .def_property_readonly(
           "graph",
           [](Laser& mapper) { return mapper.with([](LaserSlam& slam) { return slam.pose_graph(); }); })
@@ -196,16 +187,18 @@ void bind_laser(py::module_& module) {
 
 void bind_slam(py::module_& module) {
   bind_laser(module);
-  py::class_<Landmarks> landmarks(module, "LandmarkSlam", "Localisation and mapping with landmarks.");
+  LandmarkSlamOptions options;
+  py::class_<Landmarks> landmarks(module, "LandmarkSlam", options_text(describe(options)).c_str());
   landmarks.def(py::init(&begin_landmarks), py::arg("start") = py::make_tuple(0.0, 0.0, 0.0))
       .def_static(
           "load",
           [](const std::string& state) {
-            return std::unique_ptr<Landmarks>(new Landmarks{value_of(LandmarkSlam::load(state)), {}});
+            return std::make_unique<Landmarks>(value_of(LandmarkSlam::load(state)));
           },
           py::arg("state"))
       .def("advance", &advance_landmarks, py::arg("odometry"), py::arg("covariance"), py::kw_only(),
            py::arg("positions"), py::arg("covariances"), py::arg("ids") = py::none())
+      .def("settle", [](Landmarks& mapper) { mapper.with([](LandmarkSlam& slam) { slam.settle(); }); })
       .def_property_readonly("landmarks", &landmarks_of)
       .def_property_readonly(
           "cost",

@@ -16,6 +16,7 @@
 #include "outrider/io/world_file.hpp"
 #include "outrider/path/from_world.hpp"
 #include "outrider/world/collision_map.hpp"
+#include "polygons.hpp"
 
 namespace outrider::python {
 
@@ -86,7 +87,7 @@ std::shared_ptr<GridMap> grid_of(const World& world, double radius_m, double res
 }  // namespace
 
 void bind_world(py::module_& module) {
-  py::class_<World>(module, "World", "The solids of a yard or a building, and its bounds.")
+  py::class_<World>(module, "World")
       .def_static("load", &load, py::arg("path"))
       .def_readonly("name", &World::name)
       .def_property_readonly("bounds", [](const World& world) { return bounds_array(world.bounds); })
@@ -94,6 +95,7 @@ void bind_world(py::module_& module) {
       .def("outlines", &outlines_of, py::kw_only(), py::arg("height") = 0.2)
       .def("clearances", &clearances, py::arg("points"), py::kw_only(), py::arg("height") = 0.2,
            py::arg("most") = 10.0)
+      .def("polygons", &polygons_of, py::arg("radius"), py::kw_only(), py::arg("height") = 0.2)
       .def("grid", &grid_of, py::arg("radius"), py::kw_only(), py::arg("resolution") = 0.1,
            py::arg("height") = 0.2);
 }

@@ -29,8 +29,3 @@ def test_types_are_right():
     checked = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir=/dev/null", *EXAMPLES, package],
                              capture_output=True, text=True, check=False)
     assert checked.returncode == 0, checked.stdout
-
-
-def test_every_name_has_a_description():
-    for name in outrider.__all__:
-        assert name == "__version__" or getattr(outrider, name).__doc__, name

@@ -199,5 +199,29 @@ def test_polygons_are_ground():
     assert {"least_time", "widest", "medial_axis", "safest"} <= costs.keys()
     with pytest.raises(outrider.BadInput):
         outrider.PolygonMap([(0, 0), (1, 1), (1, 0), (0, 1)])
-    with pytest.raises(outrider.BadInput, match="GridMap or a PolygonMap"):
+    with pytest.raises(outrider.BadInput, match="a GridMap, a PolygonMap or a World"):
         outrider.PathPlanner("a_star").plan(None, start, goal)
+
+
+def test_a_world_is_ground_as_polygons():
+    world = outrider.World.load("scenarios/yard/yard.sdf")
+    planner = outrider.PathPlanner("visibility_graph_reduced")
+    start, goal = (0.0, -6.3), (3.0, 5.0)
+    plan = planner.plan(world, start, goal, radius=0.2)
+    outrider.check(plan, world, start, goal, radius=0.2)
+    ground = world.polygons(0.2)
+    assert ground.radius == 0.2 and planner.plan(ground, start, goal).cost == plan.cost
+    between = np.linspace(plan.waypoints[:-1], plan.waypoints[1:], 200).reshape(-1, 2)
+    assert (world.clearances(between) >= 0.2 - 1e-6).all()
+    grid = outrider.PathPlanner("theta_star").plan(world.grid(0.2, resolution=0.1), start, goal)
+    assert plan.cost <= grid.cost + 1e-9
+    np.testing.assert_array_equal(planner.costs(world, [start], [goal], radius=0.2), [plan.cost])
+    assert planner.plan(world, start, goal, radius=0.2, height=5.0).cost >= plan.cost
+    with pytest.raises(outrider.BadInput, match="radius: missing"):
+        planner.plan(world, start, goal)
+    with pytest.raises(outrider.BadInput, match="only with a World"):
+        planner.plan(ground, start, goal, radius=0.2)
+    with pytest.raises(outrider.BadInput):
+        planner.plan(world, start, goal, radius=math.nan)
+    with pytest.raises(outrider.BadInput, match="grid"):
+        outrider.PathPlanner("jps").plan(world, start, goal, radius=0.2)

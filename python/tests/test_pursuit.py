@@ -95,6 +95,7 @@ def test_catalogues_are_listed(catalogue):
     rows = getattr(outrider, catalogue)()
     assert len(rows) > 2
     for name, row in rows.items():
-        assert row.keys() == {"sentence", "source", "guarantee", "options"} and row["sentence"], name
+        assert row.keys() == {"sentence", "source", "guarantee", "options", "help"} and row["sentence"], name
+        assert row["help"].keys() == row["options"].keys() and all(row["help"].values()), name
         assert row["guarantee"] or catalogue == "jobs"
     assert any(row["options"] for row in rows.values())

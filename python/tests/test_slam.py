@@ -179,6 +179,51 @@ def test_frontiers_are_those_of_a_full_computation():
         outrider.FrontierMap(math.nan)
 
 
+def test_frontiers_follow_a_map_by_its_changes():
+    slam = outrider.LaserSlam((0.6, 1.0, 0.0), map_resolution=0.05)
+    followed, told, late = (outrider.FrontierMap(0.1) for _ in range(3))
+    x = 0.6
+    for step in range(25):
+        slam.advance((0.05, 0.0, 0.02), laser_scan((x := x + 0.05, 1.0, 0.02 * step)))
+        if step == 15:
+            slam.settle()
+        followed.update(slam)
+        told.update(slam.map)
+        if step % 7 == 3:
+            late.update(slam)
+            same = {tuple(p) for one in late.frontiers for p in one["points"].round(6)}
+            assert same == {tuple(p) for one in told.frontiers for p in one["points"].round(6)}
+        assert len(followed.frontiers) == len(told.frontiers)
+        for mine, other in zip(followed.frontiers, told.frontiers):
+            np.testing.assert_array_equal(mine["points"], other["points"])
+        assert (followed.ground.marks == told.ground.marks).all()
+    followed.update(outrider.OccupancyGrid(np.zeros((9, 9), np.uint8)))
+    followed.update(slam)
+    assert len(followed.frontiers) == len(told.frontiers)
+    other = outrider.LaserSlam((0.6, 1.0, 0.0), map_resolution=0.05)
+    other.advance((0, 0, 0), laser_scan((0.6, 1.0, 0.0)))
+    followed.update(other)
+    fresh = outrider.FrontierMap(0.1)
+    fresh.update(other.map)
+    assert len(followed.frontiers) == len(fresh.frontiers)
+
+
+def test_a_map_that_is_held_stays_and_is_copied_only_where_it_changes():
+    slam = outrider.LaserSlam((1.0, 1.0, 0.0))
+    slam.advance((0, 0, 0), laser_scan((1.0, 1.0, 0.0)))
+    held = slam.map
+    assert slam.map is held
+    before = held.cells.copy()
+    for _ in range(5):
+        slam.advance((0.1, 0.0, 0.3), laser_scan((1.0, 1.0, 0.0)))
+        whole = outrider.OccupancyGrid(slam.map.cells, origin=slam.map.origin)
+        np.testing.assert_array_equal(whole.cells, slam.map.cells)
+    assert (held.cells == before).all() and slam.map is not held
+    view = slam.map.cells
+    slam.advance((0.1, 0.0, 0.3), laser_scan((1.2, 1.1, 0.3)))
+    assert slam.map.cells is not view
+
+
 def test_two_threads_on_one_map_are_refused_or_served():
     slam = outrider.LaserSlam((1.0, 1.0, 0.0))
     wrong = []

@@ -1,10 +1,9 @@
-// Pages of the docs site that are made from something else than Markdown: headers, examples, files, benchmarks.
-import { readFileSync } from "node:fs";
+// Pages of the docs site that are made from something else than Markdown: headers, examples, files, notebooks.
 import { basename, extname } from "node:path";
 
 /** Text for Markdown that the reader sees as it stands. */
-const plain = (text) => text.replace(/[&<>{}*_`[\]|]/g, (sign) => `&#${sign.charCodeAt(0)};`);
-const fence = (language, text) => `\`\`\`\`${language}\n${text.trimEnd()}\n\`\`\`\`\n`;
+export const plain = (text) => text.replace(/[&<>{}*_`[\]|]/g, (sign) => `&#${sign.charCodeAt(0)};`);
+export const fence = (language, text) => `\`\`\`\`${language}\n${text.trimEnd()}\n\`\`\`\`\n`;
 const languages = { ".cpp": "cpp", ".hpp": "cpp", ".py": "python", ".json": "json", ".yaml": "yaml", ".xml": "xml" };
 const languageOf = (path) => languages[extname(path)] ?? "text";
 
@@ -36,21 +35,9 @@ export const planFrame = (name) =>
 export const listPage = (title, entries) =>
   `# ${title}\n\n${entries.map(({ text, link }) => `- [${plain(text)}](${link})`).join("\n")}\n`;
 
-/** The times in a JSON file of Google Benchmark, as bars on a logarithmic scale; without a file, how to make one. */
-export function benchmarkPage(file) {
-  const how = `Nothing is stored, since times belong to a machine. To draw yours, after \`make bench\`:
-
-${fence("sh", `build/bench/bench_path --benchmark_out=out/bench.json --benchmark_out_format=json
-OUTRIDER_BENCH=$PWD/out/bench.json make site`)}`;
-  if (!file) return `# Benchmarks\n\n${how}`;
-  const { context, benchmarks } = JSON.parse(readFileSync(file, "utf8"));
-  const nanoseconds = { ns: 1, us: 1e3, ms: 1e6, s: 1e9 };
-  const rows = benchmarks.filter((row) => row.real_time > 0 && row.run_type !== "aggregate").map((row) => ({
-    name: row.name, text: `${row.real_time.toPrecision(3)} ${row.time_unit}`, ns: row.real_time * nanoseconds[row.time_unit] }));
-  const least = Math.log(Math.min(...rows.map((row) => row.ns)) / 2), most = Math.log(Math.max(...rows.map((row) => row.ns)));
-  const bars = rows.map(({ name, text, ns }) => {
-    const width = (100 * (Math.log(ns) - least)) / (most - least);
-    return `<div>${plain(name)}: ${text}<div style="height:8px;width:${width.toFixed(1)}%;background:var(--vp-c-brand-1)"></div></div>`;
-  });
-  return `# Benchmarks\n\nReal time of a call, logarithmic; measured ${plain(String(context?.date ?? ""))}.\n\n${bars.join("\n")}\n\n## Make it anew\n\n${how}`;
+/** A notebook that was not run: its text and its code. */
+export function notebookPage(source) {
+  const cells = JSON.parse(source).cells.map(({ cell_type, source: lines }) =>
+    cell_type === "markdown" ? lines.join("") : fence("python", lines.join("")));
+  return `${cells.join("\n\n")}\n\nIt was not run when this page was made, so there are no outputs.\n`;
 }

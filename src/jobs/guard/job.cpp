@@ -7,7 +7,7 @@
 #include "guard_log.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
-#include "outrider/jobs/guard/passing_plan.hpp"
+#include "outrider/jobs/guard/prepare.hpp"
 #include "outrider/jobs/guard/rigid_world.hpp"
 #include "outrider/jobs/guard/scout_run.hpp"
 #include "outrider/jobs/guard/simulate.hpp"
@@ -54,8 +54,8 @@ void finish(Run& run, Report report, double planning_s) {
 /// The plan of the still yard, with what its capabilities add. Stations are planned where everybody is there
 /// from the start and leaves when hit; else the mission goes to them as it must. Walkers need no plan of it.
 Outcome<GuardPlan> plan_still_yard(const GuardScenario& scenario, const GuardProblem& problem,
-                                   const FiringMap& firing_map, const GuardPlanner& planner,
-                                   const RunWatch& watch, Log& log, double time_s = 0.0) {
+                                   const FiringMap& firing_map, const RunWatch& watch, Log& log,
+                                   double time_s = 0.0) {
   if (auto ok = check_supplies(problem, firing_map); !ok) return pass_on(ok);
   if (scenario.wander.any()) return GuardPlan{};
   log_firing_map(log, firing_map, time_s);
@@ -63,17 +63,12 @@ Outcome<GuardPlan> plan_still_yard(const GuardScenario& scenario, const GuardPro
   const bool still = !scenario.arrivals.any() && scenario.arrivals.leave >= 1.0;
   DraftObserver observe;
   if (still) observe = [&](const TourDraft& tour) { log_tour(log, problem, tour, time_s); };
-  auto plan = planner.plan(problem, firing_map, scenario.options, watch.budget(), observe);
-  if (!plan || !still) return plan;
-  plan = supply_plan(problem, firing_map, std::move(*plan), watch.budget());
-  if (plan && scenario.options.shoot_on_the_move)
-    plan = shoot_in_passing(problem, firing_map, *plan, watch.stop);
-  if (plan) observe(draft_of(problem, *plan));
+  auto plan = plan_targets(scenario, problem, firing_map, watch.budget(), observe);
+  if (plan && still) observe(draft_of(problem, *plan));
   return plan;
 }
 
-Status guard_known_yard(const GuardScenario& scenario, const GuardPlanner& planner, Run& run,
-                        const RunWatch& watch) {
+Status guard_known_yard(const GuardScenario& scenario, Run& run, const RunWatch& watch) {
   RunSteps steps(watch, 3);
   const double began_s = wall_s();
   if (auto ok = steps.next("surveying from where each target can be hit"); !ok) return ok;
@@ -84,7 +79,7 @@ Status guard_known_yard(const GuardScenario& scenario, const GuardPlanner& plann
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
   if (scenario.regions) log_firing_regions(run.log, scenario.problem, *firing_map);
   if (auto ok = steps.next("planning the tour"); !ok) return ok;
-  auto plan = plan_still_yard(scenario, scenario.problem, *firing_map, planner, watch, run.log);
+  auto plan = plan_still_yard(scenario, scenario.problem, *firing_map, watch, run.log);
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const double planned_s = wall_s();
   if (auto ok = steps.next("driving and shooting"); !ok) return ok;
@@ -96,8 +91,8 @@ Status guard_known_yard(const GuardScenario& scenario, const GuardPlanner& plann
 }
 
 /// Plans and shoots on what was found.
-Status guard_found_yard(const GuardScenario& scenario, const GuardPlanner& planner, ScoutedYard& yard,
-                        RunSteps& steps, Run& run, const RunWatch& watch) {
+Status guard_found_yard(const GuardScenario& scenario, ScoutedYard& yard, RunSteps& steps, Run& run,
+                        const RunWatch& watch) {
   if (auto ok = steps.next("planning on the map found"); !ok) return ok;
   const double began_s = wall_s();
   const auto firing_map = build_firing_map(yard.found.problem, scenario.options, watch.budget());
@@ -106,7 +101,7 @@ Status guard_found_yard(const GuardScenario& scenario, const GuardPlanner& plann
   const GuardProblem& found = yard.found.problem;
   const double explored_s = metric(yard.run.report, "time_s");
   if (scenario.regions) log_firing_regions(run.log, found, *firing_map, explored_s);
-  const auto plan = plan_still_yard(scenario, found, *firing_map, planner, watch, run.log, explored_s);
+  const auto plan = plan_still_yard(scenario, found, *firing_map, watch, run.log, explored_s);
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const double planning_s = wall_s() - began_s;
   if (auto ok = steps.next("driving and shooting"); !ok) return ok;
@@ -120,8 +115,7 @@ Status guard_found_yard(const GuardScenario& scenario, const GuardPlanner& plann
 
 /// The exploring comes first, and all plans are made on what it found. Whoever cancels the planning keeps
 /// the exploring, and so does a plan that is refused.
-Status guard_unknown_yard(const GuardScenario& scenario, const GuardPlanner& planner, Run& run,
-                          const RunWatch& watch) {
+Status guard_unknown_yard(const GuardScenario& scenario, Run& run, const RunWatch& watch) {
   RunSteps steps(watch, 3);
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   if (auto ok = steps.next("exploring the yard"); !ok) return ok;
@@ -135,7 +129,7 @@ Status guard_unknown_yard(const GuardScenario& scenario, const GuardPlanner& pla
     run.report = unguarded(scenario.problem, *yard, yard->failure);
     return {};
   }
-  auto done = guard_found_yard(scenario, planner, *yard, steps, run, watch);
+  auto done = guard_found_yard(scenario, *yard, steps, run, watch);
   if (done) return done;
   if (done.error().code != FaultCode::cancelled) {
     run.report = unguarded(scenario.problem, *yard, done.error().sentence);
@@ -166,11 +160,10 @@ Outcome<Warnings> GuardJob::load() {
 
 Status GuardJob::run(Run& run, const RunWatch& watch) {
   if (scenario.pddl.any()) return run_pddl(scenario, run, watch);
-  const auto planner = find_guard_planner(scenario.options.planner);
   log_yard(run.log, scenario.problem, scenario.options, static_cast<std::uint64_t>(scenario.seed),
            scenario.sim == "physics");
-  return scenario.scout.unknown ? guard_unknown_yard(scenario, *planner, run, watch)
-                                : guard_known_yard(scenario, *planner, run, watch);
+  return scenario.scout.unknown ? guard_unknown_yard(scenario, run, watch)
+                                : guard_known_yard(scenario, run, watch);
 }
 
 Job guard_job() {

@@ -9,8 +9,6 @@
 namespace outrider {
 namespace {
 
-constexpr std::size_t missions_played = 40;  // of each policy
-constexpr std::int64_t played_beam = 4;      // of their plans, and of those that are carried out
 constexpr double longest_walk_s = 7200.0;    // walkers stay at their last place then
 
 Outcome<Report> run_arrivals(const ArrivalYard& yard, const PrecomputedStops& stops, const Policy& policy,
@@ -59,9 +57,8 @@ Outcome<Report> simulate_surviving_targets(const GuardProblem& problem, const Fi
   if (!yard) return tl::unexpected<Fault>(yard.error());
   const auto stops = precompute_stops(problem, firing_map, plan, arrivals, watch.budget());
   if (!stops) return tl::unexpected<Fault>(stops.error());
-  ArrivalOptions quick = arrivals;
-  quick.beam = std::min(arrivals.beam, played_beam);
-  const auto [policy, expected] = best_policy(problem, *stops, quick, missions_played, watch.stop);
+  const ArrivalOptions quick = survivor_options(arrivals);
+  const auto [policy, expected] = best_policy(problem, *stops, quick, survivor_missions, watch.stop);
   if (watch.stopped()) return fault(FaultCode::cancelled, "it was cancelled while it chose how to plan");
   log_event(log, 0.0, "plan",
             fmt::format("expects {:.1f} s, to a standard error of {:.1f} s; plans as {}, for the {}",

@@ -143,6 +143,11 @@ BestPolicy best_policy(const GuardProblem& problem, const PrecomputedStops& prec
   return *best;
 }
 
+ArrivalOptions survivor_options(ArrivalOptions options) {
+  options.beam = std::min<std::int64_t>(options.beam, 4);
+  return options;
+}
+
 Status check_survivors(const GuardProblem& problem, const ArrivalOptions& options) {
   if (options.leave < least_leave) {
     return bad_input(fmt::format("with {:g} the mission would not end; give a probability from {:g} to 1",

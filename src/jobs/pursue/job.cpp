@@ -7,25 +7,13 @@
 #include <limits>
 #include <utility>
 
-#include "outrider/job/clock.hpp"
 #include "outrider/jobs/pursue/report.hpp"
+#include "outrider/jobs/pursue/wall_watch.hpp"
 #include "outrider/pursuit/optimal.hpp"
 #include "summary.hpp"
 
 namespace outrider {
 namespace {
-
-class WallWatch : public StopWatch {
- public:
-  double lap_s() override {
-    const double now_s = wall_s();
-    return now_s - std::exchange(last_s_, now_s);
-  }
-  void restart() override { last_s_ = wall_s(); }
-
- private:
-  double last_s_ = wall_s();
-};
 
 double peak_mib() {
   struct rusage usage{};

@@ -38,8 +38,18 @@ void PursuitMission::take_in(const GridObservation& grid) {
     run.state = begin_pursuit(grid.robots);
   } else {
     const auto now_s = static_cast<std::size_t>(run.state.time_s) + 1;
+    const Cell sent_to = robot_at(run.state, run.state.duty, 1);
     pass_second(run.state, *belief_.believed.costs, grid.robots, target_[now_s]);
+    if (grid.robots[run.state.duty] != sent_to) forget_path();
   }
+}
+
+/// The robot on duty is not where it was sent: what was planned does not begin where it is.
+void PursuitMission::forget_path() {
+  run.state.ahead.clear();
+  sessions_.clear();
+  settled_ = called_ = false;
+  thinking_s_ = lead_s_ = 0;
 }
 
 bool PursuitMission::is_over() const {

@@ -94,22 +94,28 @@ std::vector<OptionGroup> describe(PursuitScenario& scenario) {
   return groups;
 }
 
-Outcome<PursuitTask> load_task(const PursuitScenario& scenario) {
-  if (auto ok = check_names(scenario); !ok) return pass_on(ok);
+Outcome<PursuitRules> rules_of(const PursuitScenario& scenario) {
   if (auto known = find_pursuit_planner(scenario.planner); !known) return pass_on(known);
   auto forecast = find_target_forecast(scenario.forecast);
   if (!forecast) return pass_on(forecast);
-  auto problem = load_pursuit_map(scenario.map);
-  if (!problem) return pass_on(problem);
-  auto robots = robots_of(scenario, *problem);
-  if (!robots) return pass_on(robots);
   PursuitRules rules;
   if (scenario.clock == "wall") rules.clock = PursuitClock::wall;
   if (scenario.known >= 0) rules.known_s = static_cast<int>(scenario.known);
   rules.forecast = std::move(*forecast);
   rules.ask = asked_by(scenario);
   rules.call_s = scenario.call_s;
-  return PursuitTask{std::move(*problem), std::move(*robots), std::move(rules)};
+  return rules;
+}
+
+Outcome<PursuitTask> load_task(const PursuitScenario& scenario) {
+  if (auto ok = check_names(scenario); !ok) return pass_on(ok);
+  auto rules = rules_of(scenario);
+  if (!rules) return pass_on(rules);
+  auto problem = load_pursuit_map(scenario.map);
+  if (!problem) return pass_on(problem);
+  auto robots = robots_of(scenario, *problem);
+  if (!robots) return pass_on(robots);
+  return PursuitTask{std::move(*problem), std::move(*robots), std::move(*rules)};
 }
 
 }  // namespace outrider

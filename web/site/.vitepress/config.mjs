@@ -1,18 +1,20 @@
-// The docs site. web/build/site.mjs stages its pages in web/.site, with sidebar.json, and builds them.
+// The docs site. web/build/site.mjs copies this folder to where it stages the pages, with sidebar.json, and builds it there.
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitepress";
 
-const staged = new URL("../../.site/", import.meta.url);
+const staged = new URL("../", import.meta.url);
+
+/** The name of a heading in links, as on GitHub, so that a link leads to it on both. */
+const slugify = (text) => text.trim().toLowerCase().replace(/[^\p{L}\p{N}\s_-]/gu, "").replace(/\s/g, "-");
 
 export default defineConfig({
   title: "Outrider",
   description: "Path planning and jobs for ground robots",
-  srcDir: fileURLToPath(staged),
-  cacheDir: fileURLToPath(new URL("../../node_modules/.vitepress", import.meta.url)),
+  cacheDir: fileURLToPath(new URL(".cache", import.meta.url)),
   ignoreDeadLinks: false,
   // Colours would cost most of the time of a build.
-  markdown: { highlight: (text) => `<pre v-pre><code>${text.replace(/&/g, "&amp;").replace(/</g, "&lt;")}</code></pre>` },
+  markdown: { anchor: { slugify }, highlight: (text) => `<pre v-pre><code>${text.replace(/&/g, "&amp;").replace(/</g, "&lt;")}</code></pre>` },
   vite: { publicDir: false, build: { chunkSizeWarningLimit: 8000 } },
   themeConfig: {
     sidebar: JSON.parse(readFileSync(new URL("sidebar.json", staged), "utf8")),

@@ -1,13 +1,46 @@
-// site_test.mjs OUT: builds the docs site in OUT, which fails on a dead link, and opens it in a browser without a network:
-// its search finds "any-angle", and a result opens.
-import { spawnSync } from "node:child_process";
-import { existsSync, readFileSync } from "node:fs";
+// site_test.mjs OUT: builds the docs site in OUT, twice at once. It has no dead link, and those that are planted are found; every
+// header is listed; the notebooks have outputs. In a browser without a network its search finds "any-angle", and a result opens.
+import { spawn, spawnSync } from "node:child_process";
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { extname, join, resolve } from "node:path";
+import { deadLinks } from "../../build/site_links.mjs";
 import { executable, launch } from "./browser.mjs";
 
 const out = resolve(process.argv[2]);
-const { status } = spawnSync(process.execPath, ["build/site.mjs", out], { stdio: "inherit" });
-if (status !== 0) throw new Error(`the site is not built: ${status}`);
+const built = (folder) => new Promise((done) => {
+  spawn(process.execPath, ["build/site.mjs", folder], { stdio: "inherit" }).on("exit", done);
+});
+const beside = `${out}-beside`;
+const statuses = await Promise.all([built(out), built(beside)]);
+if (statuses.some((status) => status !== 0)) throw new Error(`the site is not built: ${statuses}`);
+const pages = (folder) => readdirSync(folder, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".html")).sort().join();
+if (pages(out) !== pages(beside)) throw new Error("two builds at once differ");
+rmSync(beside, { recursive: true });
+
+const planted = mkdtempSync(join(tmpdir(), "site-"));
+writeFileSync(join(planted, "index.html"), '<h1 id="top">.</h1><a href="/page.html#there">.</a><a class="x" href="./none.html">.</a><a href="page#not-there">.</a><a href="#top">.</a><img src="/none.png">');
+writeFileSync(join(planted, "page.html"), '<h2 id="there">.</h2><a href="https://example.org/any">.</a>');
+const found = deadLinks(planted).sort().join("; ");
+rmSync(planted, { recursive: true });
+const expected = "index.html: ./none.html leads to no page; index.html: /none.png leads to no page; index.html: there is no #not-there on page.html";
+if (found !== expected) throw new Error(`of planted links are found: ${found}`);
+
+const web = resolve("."), html = (name) => readFileSync(join(out, name), "utf8");
+const side = html("docs/index.html");
+const listed = readdirSync(join(web, "../include/outrider"), { withFileTypes: true })
+  .map((entry) => `/include/outrider/${entry.name}${entry.isDirectory() ? "/" : ""}`).filter((address) => !side.includes(`href="${address}`));
+if (listed.length > 0) throw new Error(`no list has ${listed}`);
+const ran = spawnSync("/usr/bin/python3", ["-c", "import ipykernel, matplotlib, nbclient, outrider"],
+  { env: { ...process.env, PYTHONPATH: process.env.OUTRIDER_PYTHON ?? join(web, "../build/python") } }).status === 0;
+for (const name of readdirSync(join(web, "../python/notebooks")).filter((file) => file.endsWith(".ipynb"))) {
+  const page = html(`python/notebooks/${name}.html`);
+  if (!side.includes(`/python/notebooks/${name}.html`)) throw new Error(`no list has ${name}`);
+  if (ran ? !/<img [^>]*src="[^"]+[.]png"/.test(page) || !page.includes("language-text") : !page.includes("It was not run")) {
+    throw new Error(`${name} has no outputs`);
+  }
+}
+if (!/processor|cores/.test(html("benchmarks.html"))) throw new Error("the benchmarks have no machine");
 if (!executable) {
   console.log("skipped: no Chromium");
   process.exit(77);

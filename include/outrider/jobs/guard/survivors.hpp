@@ -52,6 +52,11 @@ struct BestPolicy {
 BestPolicy best_policy(const GuardProblem& problem, const PrecomputedStops& precomputed,
                        const ArrivalOptions& options, std::size_t missions, const std::stop_token& stop = {});
 
+inline constexpr std::size_t survivor_missions = 40;  ///< simulated for each policy before a mission
+
+/// Returns the options with which missions against survivors are simulated and planned: a beam of at most 4.
+ArrivalOptions survivor_options(ArrivalOptions options);
+
 /// Checks the options. Faults: a probability of leaving that is 0 or so small that a mission would not end,
 /// and fewer than two places.
 Status check_survivors(const GuardProblem& problem, const ArrivalOptions& options);

@@ -9,7 +9,8 @@
 //
 // If only `known_s` seconds of the future are known, the forecast predicts the rest. A second that differs
 // from the prediction causes a new forecast and a new plan. A target that the robot can never reach by the
-// forecast is predicted to stay where it is. The length of the target's path is always known.
+// forecast is predicted to stay where it is. The length of the target's path is always known. If the robot is
+// not in the cell to which it was sent, everything is planned anew from where it is.
 //
 // Thread rule: no shared state. The library reads no clock: time comes from the StopWatch.
 #pragma once
@@ -109,6 +110,7 @@ class PursuitMission {
   };
 
   void take_in(const GridObservation& grid);
+  void forget_path();
   [[nodiscard]] bool is_over() const;
   bool plan();
   [[nodiscard]] Command go() const;

@@ -38,6 +38,9 @@ struct PursuitTask {
   PursuitRules rules;
 };
 
+/// Returns the rules of the mission. Faults: bad_input for a planner or a forecast that does not exist.
+Outcome<PursuitRules> rules_of(const PursuitScenario& scenario);
+
 /// Reads the map and the names. Faults: bad_input with the file and line, or the key.
 Outcome<PursuitTask> load_task(const PursuitScenario& scenario);
 

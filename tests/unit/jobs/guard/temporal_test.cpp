@@ -50,12 +50,12 @@ std::vector<SupplyStep> steps_of(const std::vector<Visit>& visits) {
   return steps;
 }
 
-struct Case {
+struct JudgedCase {
   TemporalProblem problem;
   std::vector<TemporalAction> actions;
 };
 
-Case random_case(std::uint64_t seed) {
+JudgedCase random_case(std::uint64_t seed) {
   Rng rng = Rng(seed).child("visits");
   const auto goals = static_cast<std::size_t>(1 + rng.below(6));
   const auto table = seed % 2 == 0 ? random_yard(goals, 5, 3, seed) : random_table(goals, 4, seed);
@@ -141,7 +141,7 @@ using Change = std::function<bool(std::vector<TemporalAction>&, std::size_t)>;
 void expect_refused(const Change& change, const std::vector<std::string>& words) {
   int tried = 0;
   for (int seed = 0; seed < testing::cases(40); ++seed) {
-    const Case fine = random_case(static_cast<std::uint64_t>(seed));
+    const JudgedCase fine = random_case(static_cast<std::uint64_t>(seed));
     for (std::size_t i = 0; i < fine.actions.size(); ++i) {
       auto actions = fine.actions;
       if (!change(actions, i)) continue;
@@ -244,7 +244,7 @@ TEST(Temporal, AFillNeedsItsStationAndAGunAtRest) {
 }
 
 TEST(Temporal, WaitingIsAllowedAndCounted) {
-  Case fine = random_case(4);
+  JudgedCase fine = random_case(4);
   const double before = judge(fine.problem, fine.actions, tolerance_s).makespan_s;
   for (TemporalAction& action : fine.actions) action.start_s += 2.0;
   const TemporalVerdict later = judge(fine.problem, fine.actions, tolerance_s);

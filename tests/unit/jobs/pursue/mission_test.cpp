@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,28 @@ struct SteadyWatch final : StopWatch {
   void restart() override { ++restarts; }
   double each_s = 0.0;
   int restarts = 0;
+};
+
+/// A team that stays where it is in every second with an odd number.
+class LateTeam final : public Robot {
+ public:
+  LateTeam(Cell start, std::vector<Cell> target) : team_({start}, std::move(target)), here_(start) {}
+  Observation sense() override {
+    Observation seen = team_.sense();
+    here_ = seen.grid->robots.front();
+    return seen;
+  }
+  void act(const Command& command) override {
+    const auto to = std::get<StepToCell>(command);
+    farthest_step = std::max({farthest_step, std::abs(to.cell.x - here_.x), std::abs(to.cell.y - here_.y)});
+    team_.act(++second_ % 2 == 1 ? Command{StepToCell{0, here_}} : command);
+  }
+  int farthest_step = 0;
+
+ private:
+  SimulatedTeam team_;
+  Cell here_;
+  int second_ = 0;
 };
 
 /// The cells to which the robot is commanded.
@@ -125,6 +148,21 @@ TEST(PursuitMission, MoreThinkingIsNeverWorse) {
     }
   }
   EXPECT_GT(cheaper, pursuits / 2) << "it is no test if the first catch is the cheapest";
+}
+
+TEST(PursuitMission, ARobotThatIsLateIsSentOnFromWhereItIs) {
+  for (const PursuitClock clock : {PursuitClock::free_planning, PursuitClock::wall}) {
+    PursuitRules rules;
+    rules.clock = clock;
+    SteadyWatch watch;
+    watch.each_s = 2.5;
+    PursuitMission mission(corridor(), 12, rules, watch);
+    LateTeam team({0, 0}, corridor().target);
+    run_mission(mission, team, {}, [](const Observation&, const Command*) {});
+    EXPECT_LE(team.farthest_step, 1);
+    EXPECT_TRUE(mission.run.state.caught || clock == PursuitClock::wall);
+    EXPECT_TRUE(mission.run.state.caught || mission.run.state.time_s == 11);
+  }
 }
 
 TEST(PursuitMission, AFaultOfTheFirstCallEndsItWithoutACommand) {
