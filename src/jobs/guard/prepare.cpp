@@ -117,7 +117,7 @@ GuardVerdict verdict_of(const GuardMission& mission) {
   GuardVerdict verdict{reached + unreachable == records.size() ? "done" : "not_done", {}};
   if (reached < records.size())
     verdict.reason =
-        fmt::format("{} of {} targets reached, {} out of reach", reached, records.size(), unreachable);
+        fmt::format("{} of {} targets reached, no shot found at {}", reached, records.size(), unreachable);
   if (mission.stores.stranded) verdict.reason += "; " + mission.stores.reason;
   return verdict;
 }
