@@ -9,7 +9,7 @@
 namespace outrider {
 namespace {
 
-constexpr double longest_walk_s = 7200.0;    // walkers stay at their last place then
+constexpr double longest_walk_s = 7200.0;  // walkers stay at their last place then
 
 Outcome<Report> run_arrivals(const ArrivalYard& yard, const PrecomputedStops& stops, const Policy& policy,
                              std::int64_t beam, const ArrivalOptions& arrivals, const GuardOptions& options,
