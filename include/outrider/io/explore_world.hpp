@@ -21,7 +21,7 @@ struct ExploreWorldFiles {
   std::string walls = {};      ///< additional walls, "x1,y1,x2,y2 ..." in m
   double resolution_m = 0.05;  ///< side of a pixel, for an image without a YAML file
   double wall_height_m = 0.5;  ///< height of slices, walls and the blocks of a map
-  SdfOptions sdf = {};
+  SdfOptions sdf = {};         ///< where an SDF world finds its models
 };
 
 Outcome<LoadedWorld> load_explore_world(const ExploreWorldFiles& files);

@@ -50,7 +50,7 @@ struct LoadedMap {
 struct LoadMapOptions {
   double image_resolution_m = 0.05;      ///< side of a pixel, for an image without a YAML file
   std::size_t most_cells = 100'000'000;  ///< a map of more cells is refused
-  SdfOptions sdf = {};
+  SdfOptions sdf = {};                   ///< where an SDF world finds its models
 };
 
 Outcome<LoadedMap> load_map(const std::string& path, const LoadMapOptions& options = {});

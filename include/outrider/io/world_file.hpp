@@ -24,7 +24,7 @@ namespace outrider {
 struct WorldFileOptions {
   double resolution_m = 0.05;  ///< side of a pixel, for an image without a YAML file
   double wall_height_m = 0.5;  ///< height of slices and the blocks of a map
-  SdfOptions sdf = {};
+  SdfOptions sdf = {};         ///< where an SDF world finds its models
 };
 
 Outcome<LoadedWorld> load_world(const std::string& path, const WorldFileOptions& options = {});

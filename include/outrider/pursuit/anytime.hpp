@@ -9,10 +9,11 @@
 // improve() returns after each better catch, when the bound equals the cost, and when its budget ends, which
 // is no fault: the next call continues. The cost of best() never increases, and lower_bound() never
 // decreases. With budgets of expansions alone, the same calls give the same answers. The first catch is the
-// earliest one; it takes one flood of the cells that are as near. Methods and memory are those of
-// optimal.hpp. Limits of wall time hold except while the map is prepared and while the path of the last step
-// is extracted. keep_to() is for a robot that goes on meanwhile. To plan from a place elsewhere, construct a
-// new search from the problem with that cell and that second.
+// earliest one, after one flood of the cells that are as near; where few cells can matter, it is the cheapest
+// one (stage 0 of optimal.hpp). Methods and memory are those of optimal.hpp. Limits of wall time hold except
+// while the map is prepared and while the path of the last step is extracted. keep_to() is for a robot that
+// goes on meanwhile. To plan from a place elsewhere, construct a new search from the problem with that cell
+// and that second.
 #pragma once
 
 #include <memory>

@@ -29,15 +29,15 @@ namespace outrider {
 
 /// The settings of the job.
 struct DriveScenario {
-  std::string world;  ///< path of an SDF file; empty: open ground around waypoints and tags
-  SdfOptions sdf;
-  std::string bounds;                      ///< low x, low y, high x, high y in m; empty: the box of the walls
-  std::string start = "0,0,0";             ///< x, y in m, heading in degrees
-  std::string waypoints;                   ///< as above
-  std::string goal;                        ///< as the start
-  std::string planner;                     ///< a name of the catalogue of path planners
-  std::string tags;                        ///< as above
-  std::string map_tags;                    ///< where the robot believes the tags; empty: as `tags`
+  std::string world;            ///< path of an SDF file; empty: open ground around waypoints and tags
+  SdfOptions sdf;               ///< where it finds models
+  std::string bounds;           ///< low x, low y, high x, high y in m; empty: the box of the walls
+  std::string start = "0,0,0";  ///< x, y in m, heading in degrees
+  std::string waypoints;        ///< as above
+  std::string goal;             ///< as the start
+  std::string planner;          ///< a name of the catalogue of path planners
+  std::string tags;             ///< as above
+  std::string map_tags;         ///< where the robot believes the tags; empty: as `tags`
   double tag_size_m = default_tag_size_m;  ///< side of a tag
   std::string tag_family = "tag36h11";     ///< of all tags
   std::string loop = "closed";             ///< or open

@@ -29,8 +29,8 @@ std::vector<Option> describe(PddlOptions& options);
 
 /// The settings of a guard mission.
 struct GuardScenario {
-  std::string world;  ///< path of an SDF file
-  SdfOptions sdf;
+  std::string world;         ///< path of an SDF file
+  SdfOptions sdf;            ///< where it finds models
   std::string terrain;       ///< path of a height field (terrain.hpp); empty: the ground of the world
   std::string terrain_size;  ///< size of an image terrain: length, width, height in m
   std::string

@@ -31,8 +31,8 @@ using ChosenPlanner = std::pair<PathPlanner, ConfiguredPlanner>;
 struct PlanScenario {
   PlanScenario();
 
-  std::string map;  ///< path of a file
-  SdfOptions sdf;
+  std::string map;    ///< path of a file
+  SdfOptions sdf;     ///< where it finds models
   std::string from;   ///< x,y
   std::string to;     ///< one or several goals x,y, separated by blanks
   std::string query;  ///< number of a query in a polygon file, or "all"; replaces from and to
