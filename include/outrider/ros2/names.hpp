@@ -1,0 +1,32 @@
+// Names of ROS 2 and what they are called on the wire.
+//
+// A relative name belongs to the namespace, and one that begins with ~ to the node in it. On the wire the
+// topic
+// "/scan" is "rt/scan", and the type "sensor_msgs/msg/LaserScan" is "sensor_msgs::msg::dds_::LaserScan_".
+// Source: design.ros2.org, "Topic and Service name mapping to DDS".
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "outrider/core/outcome.hpp"
+
+namespace outrider {
+
+/// Whose names are resolved.
+struct RosNamespace {
+  std::string space = "/";        ///< absolute, such as "/robot_1"
+  std::string node = "outrider";  ///< name without slashes
+};
+
+/// Returns the absolute name of a topic. Faults: bad_input for a name that ROS 2 does not take: its parts,
+/// between slashes, are letters, digits and underscores, do not begin with a digit, and are not empty.
+Outcome<std::string> resolve_topic(std::string_view name, const RosNamespace& of = {});
+
+/// Returns the name of an absolute topic on the wire.
+std::string topic_on_wire(std::string_view topic);
+
+/// Returns the name of a message type, such as "sensor_msgs/msg/LaserScan", on the wire.
+std::string type_on_wire(std::string_view type);
+
+}  // namespace outrider

@@ -1,0 +1,172 @@
+// A node on another implementation of DDS, which knows the types from their ROS 2 definitions and nothing of
+// Outrider.
+//
+//   fastdds_peer DOMAIN
+//
+// It answers every geometry_msgs/msg/Twist on /asked by one of twice its numbers on /answered. For each
+// nav_msgs/msg/OccupancyGrid on /map, latched, it sends a Twist on /map_seen: width, height, resolution, the
+// x of the origin, the length of the frame's name, and the sum of the cells. It ends after a Twist whose
+// linear.x is -1.
+#include <fastcdr/Cdr.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastdds/dds/topic/TopicDataType.hpp>
+#include <fastdds/dds/topic/TypeSupport.hpp>
+#include <numeric>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+namespace fast = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+using eprosima::fastcdr::Cdr;
+
+struct Twist {
+  double linear_x = 0, linear_y = 0, linear_z = 0, angular_x = 0, angular_y = 0, angular_z = 0;
+
+  static constexpr const char* type = "geometry_msgs::msg::dds_::Twist_";
+  [[nodiscard]] std::uint32_t most_bytes() const { return 4 + 6 * 8; }
+  template <class Visit>
+  void visit(Visit visit) {
+    visit(linear_x), visit(linear_y), visit(linear_z), visit(angular_x), visit(angular_y), visit(angular_z);
+  }
+};
+
+struct OccupancyGrid {
+  std::int32_t stamp_sec = 0;
+  std::uint32_t stamp_nanosec = 0;
+  std::string frame_id;
+  std::int32_t loaded_sec = 0;
+  std::uint32_t loaded_nanosec = 0;
+  float resolution = 0;
+  std::uint32_t width = 0, height = 0;
+  double x = 0, y = 0, z = 0, qx = 0, qy = 0, qz = 0, qw = 1;
+  std::vector<std::int8_t> data;
+
+  static constexpr const char* type = "nav_msgs::msg::dds_::OccupancyGrid_";
+  [[nodiscard]] std::uint32_t most_bytes() const {
+    return 200 + static_cast<std::uint32_t>(frame_id.size() + data.size());
+  }
+  template <class Visit>
+  void visit(Visit visit) {
+    visit(stamp_sec), visit(stamp_nanosec), visit(frame_id), visit(loaded_sec), visit(loaded_nanosec);
+    visit(resolution), visit(width), visit(height);
+    visit(x), visit(y), visit(z), visit(qx), visit(qy), visit(qz), visit(qw), visit(data);
+  }
+};
+
+template <class Message>
+class MessageSupport final : public fast::TopicDataType {
+ public:
+  MessageSupport() {
+    setName(Message::type);
+    m_typeSize = 20'000'000;
+    m_isGetKeyDefined = false;
+  }
+  bool serialize(void* message, rtps::SerializedPayload_t* payload) override {
+    eprosima::fastcdr::FastBuffer buffer(reinterpret_cast<char*>(payload->data), payload->max_size);
+    Cdr out(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
+    payload->encapsulation = CDR_LE;
+    out.serialize_encapsulation();
+    static_cast<Message*>(message)->visit([&](auto& field) { out << field; });
+    payload->length = static_cast<std::uint32_t>(out.getSerializedDataLength());
+    return true;
+  }
+  bool deserialize(rtps::SerializedPayload_t* payload, void* message) override {
+    eprosima::fastcdr::FastBuffer buffer(reinterpret_cast<char*>(payload->data), payload->length);
+    Cdr in(buffer, Cdr::DEFAULT_ENDIAN, Cdr::DDS_CDR);
+    in.read_encapsulation();
+    static_cast<Message*>(message)->visit([&](auto& field) { in >> field; });
+    return true;
+  }
+  std::function<std::uint32_t()> getSerializedSizeProvider(void* message) override {
+    return [message] { return static_cast<Message*>(message)->most_bytes(); };
+  }
+  void* createData() override { return new Message; }
+  void deleteData(void* message) override { delete static_cast<Message*>(message); }
+  bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
+};
+
+/// A topic of ROS 2 in that domain.
+template <class Message>
+fast::Topic* topic(fast::DomainParticipant& participant, const std::string& name) {
+  fast::TypeSupport support(new MessageSupport<Message>);
+  support.register_type(&participant);
+  return participant.create_topic("rt" + name, Message::type, fast::TOPIC_QOS_DEFAULT);
+}
+
+/// Sends a Twist made of each message.
+template <class Message>
+class Answer final : public fast::DataReaderListener {
+ public:
+  Answer(fast::DataWriter* to, Twist (*made_of)(Message&)) : to_(to), made_of_(made_of) {}
+  void on_data_available(fast::DataReader* reader) override {
+    Message message;
+    fast::SampleInfo info;
+    while (reader->take_next_sample(&message, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
+      if (!info.valid_data) continue;
+      Twist answer = made_of_(message);
+      if (answer.linear_x == -2.0) over = true;
+      to_->write(&answer);
+    }
+  }
+  std::atomic<bool> over = false;
+
+ private:
+  fast::DataWriter* to_;
+  Twist (*made_of_)(Message&);
+};
+
+Twist doubled(Twist& asked) {
+  asked.visit([](double& number) { number *= 2.0; });
+  return asked;
+}
+
+Twist summed(OccupancyGrid& map) {
+  return {static_cast<double>(map.width),           static_cast<double>(map.height),
+          static_cast<double>(map.resolution),      map.x,
+          static_cast<double>(map.frame_id.size()), std::accumulate(map.data.begin(), map.data.end(), 0.0)};
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count != 2) return 2;
+  auto* participant = fast::DomainParticipantFactory::get_instance()->create_participant(
+      static_cast<std::uint32_t>(std::atoi(words[1])), fast::PARTICIPANT_QOS_DEFAULT);
+  if (participant == nullptr) return 1;
+  auto* publisher = participant->create_publisher(fast::PUBLISHER_QOS_DEFAULT);
+  auto* subscriber = participant->create_subscriber(fast::SUBSCRIBER_QOS_DEFAULT);
+
+  fast::DataWriterQos reliable = fast::DATAWRITER_QOS_DEFAULT;
+  reliable.reliability().kind = fast::RELIABLE_RELIABILITY_QOS;
+  reliable.durability().kind = fast::TRANSIENT_LOCAL_DURABILITY_QOS;
+  auto* answers = publisher->create_datawriter(topic<Twist>(*participant, "/answered"), reliable);
+  auto* seen = publisher->create_datawriter(topic<Twist>(*participant, "/map_seen"), reliable);
+  Answer<Twist> answer(answers, doubled);
+  Answer<OccupancyGrid> look(seen, summed);
+
+  fast::DataReaderQos usual = fast::DATAREADER_QOS_DEFAULT;
+  usual.reliability().kind = fast::RELIABLE_RELIABILITY_QOS;
+  subscriber->create_datareader(topic<Twist>(*participant, "/asked"), usual, &answer);
+  usual.durability().kind = fast::TRANSIENT_LOCAL_DURABILITY_QOS;
+  subscriber->create_datareader(topic<OccupancyGrid>(*participant, "/map"), usual, &look);
+  while (!answer.over) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  participant->delete_contained_entities();
+  fast::DomainParticipantFactory::get_instance()->delete_participant(participant);
+  return 0;
+}

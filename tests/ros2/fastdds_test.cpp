@@ -1,0 +1,99 @@
+// Both ways between Outrider and a node on another implementation of DDS, in processes of their own.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <numeric>
+#include <optional>
+#include <string>
+
+#include "outrider/log/ros_messages.hpp"
+#include "outrider/ros2/node.hpp"
+#include "support/eventually.hpp"
+
+namespace outrider {
+namespace {
+
+using testing::eventually;
+
+using geometry_msgs::Twist;
+using nav_msgs::OccupancyGrid;
+
+class FastDds : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string domain = std::to_string(domain_);
+    peer_ = fork();
+    ASSERT_GE(peer_, 0);
+    if (peer_ == 0) {
+      execl(FASTDDS_PEER, FASTDDS_PEER, domain.c_str(), nullptr);
+      _exit(127);
+    }
+    auto node = RosNode::open({domain_, false});
+    ASSERT_TRUE(node) << to_string(node.error());
+    node_ = std::move(*node);
+  }
+  void TearDown() override {
+    if (peer_ <= 0) return;
+    kill(peer_, SIGKILL);
+    waitpid(peer_, nullptr, 0);
+  }
+  RosWriter writer(const std::string& topic, const MessageType& type, RosQos qos) {
+    auto made = node_->writer(topic, type, qos);
+    EXPECT_TRUE(made) << to_string(made.error());
+    return *made;
+  }
+  RosReader reader(const std::string& topic, const MessageType& type, RosQos qos) {
+    auto made = node_->reader(topic, type, qos);
+    EXPECT_TRUE(made) << to_string(made.error());
+    return *made;
+  }
+
+  std::int64_t domain_ = 77;
+  pid_t peer_ = 0;
+  std::optional<RosNode> node_;
+};
+
+TEST_F(FastDds, AnswersWhatItIsAsked) {
+  RosWriter asked = writer("/asked", message_type<Twist>(), RosQos::reliable);
+  RosReader answered = reader("/answered", message_type<Twist>(), RosQos::reliable);
+  ASSERT_TRUE(eventually([&] { return asked.readers() == 1 && answered.writers() == 1; }));
+  for (int i = 1; i <= 100; ++i) {
+    Twist twist;
+    twist.linear = {0.1 * i, -0.2 * i, 3.0};
+    twist.angular = {0.0, 1e-300, -7.5 * i};
+    ASSERT_TRUE(asked.send(&twist));
+    Twist answer;
+    ASSERT_TRUE(eventually([&] { return answered.take(&answer).value_or(false); })) << i;
+    EXPECT_EQ(answer.linear.x, 2.0 * twist.linear.x);
+    EXPECT_EQ(answer.linear.y, 2.0 * twist.linear.y);
+    EXPECT_EQ(answer.angular.y, 2e-300);
+    EXPECT_EQ(answer.angular.z, 2.0 * twist.angular.z);
+  }
+}
+
+/// The map is sent before anybody listens. Its frame has a length that leaves the fields after it unaligned.
+TEST_F(FastDds, GetsALatchedMapOf4000By4000Cells) {
+  RosWriter maps = writer("/map", message_type<OccupancyGrid>(), RosQos::latched);
+  OccupancyGrid map;
+  map.header.frame_id = "map_7";
+  map.info.resolution = 0.05F;
+  map.info.width = map.info.height = 4000;
+  map.info.origin.position.x = -12.5;
+  map.data.resize(16'000'000);
+  for (std::size_t i = 0; i < map.data.size(); ++i) map.data[i] = static_cast<std::int8_t>(i * 7 % 102) - 1;
+  ASSERT_TRUE(maps.send(&map));
+  RosReader seen = reader("/map_seen", message_type<Twist>(), RosQos::latched);
+  Twist told;
+  ASSERT_TRUE(eventually([&] { return seen.take(&told).value_or(false); }));
+  EXPECT_EQ(told.linear.x, 4000.0);
+  EXPECT_EQ(told.linear.y, 4000.0);
+  EXPECT_EQ(told.linear.z, static_cast<double>(0.05F));
+  EXPECT_EQ(told.angular.x, -12.5);
+  EXPECT_EQ(told.angular.y, 5.0);
+  EXPECT_EQ(told.angular.z, std::accumulate(map.data.begin(), map.data.end(), 0.0));
+}
+
+}  // namespace
+}  // namespace outrider

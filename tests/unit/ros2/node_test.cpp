@@ -1,0 +1,152 @@
+// Two nodes in one process, in a domain of their own and on this machine alone.
+#include "outrider/ros2/node.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "outrider/log/codecs.hpp"
+#include "outrider/log/ros_messages.hpp"
+#include "support/eventually.hpp"
+
+namespace outrider {
+namespace {
+
+using testing::eventually;
+
+RosNode node() {
+  auto made = RosNode::open({100 + getpid() % 100, true});
+  EXPECT_TRUE(made) << to_string(made.error());
+  return std::move(*made);
+}
+
+geometry_msgs::Point point(double x) {
+  geometry_msgs::Point made;
+  made.x = x;
+  return made;
+}
+
+double x_of_next(RosReader& reader) {
+  geometry_msgs::Point seen;
+  EXPECT_TRUE(eventually([&] { return reader.take(&seen).value_or(false); }));
+  return seen.x;
+}
+
+TEST(RosNode, MessagesArriveInOrderAndToTheBit) {
+  RosNode one = node(), other = node();
+  auto writer = one.writer("/place", message_type<geometry_msgs::Point>(), RosQos::reliable);
+  auto reader = other.reader("/place", message_type<geometry_msgs::Point>(), RosQos::reliable);
+  ASSERT_TRUE(writer && reader);
+  ASSERT_TRUE(eventually([&] { return writer->readers() == 1 && reader->writers() == 1; }));
+  geometry_msgs::Point seen;
+  EXPECT_EQ(reader->take(&seen), false);
+  for (int i = 0; i < 200; ++i) {
+    const geometry_msgs::Point sent = point(0.1 * i);
+    ASSERT_TRUE(writer->send(&sent));
+    EXPECT_EQ(x_of_next(*reader), 0.1 * i);
+  }
+}
+
+TEST(RosNode, WhoComesLateGetsTheNewestLatchedMessageAndNoOther) {
+  RosNode one = node(), other = node();
+  auto latched = one.writer("/map", message_type<geometry_msgs::Point>(), RosQos::latched);
+  auto usual = one.writer("/plan", message_type<geometry_msgs::Point>(), RosQos::reliable);
+  ASSERT_TRUE(latched && usual);
+  for (double x : {1.0, 2.0, 3.0}) {
+    const geometry_msgs::Point sent = point(x);
+    ASSERT_TRUE(latched->send(&sent));
+    ASSERT_TRUE(usual->send(&sent));
+  }
+  auto late = other.reader("/map", message_type<geometry_msgs::Point>(), RosQos::latched);
+  auto none = other.reader("/plan", message_type<geometry_msgs::Point>(), RosQos::reliable);
+  ASSERT_TRUE(late && none);
+  EXPECT_EQ(x_of_next(*late), 3.0);
+  ASSERT_TRUE(eventually([&] { return usual->readers() == 1; }));
+  EXPECT_FALSE(none->take_bytes());
+  const geometry_msgs::Point now = point(4.0);
+  ASSERT_TRUE(usual->send(&now));
+  EXPECT_EQ(x_of_next(*none), 4.0);
+}
+
+/// A map of 4000 x 4000 cells goes over the network in many fragments.
+TEST(RosNode, LargeMessagesArriveWhole) {
+  RosNode one = node(), other = node();
+  auto writer = one.writer("/map", message_type<nav_msgs::OccupancyGrid>(), RosQos::latched);
+  auto reader = other.reader("/map", message_type<nav_msgs::OccupancyGrid>(), RosQos::latched);
+  ASSERT_TRUE(writer && reader);
+  nav_msgs::OccupancyGrid map;
+  map.info.width = map.info.height = 4000;
+  map.data.resize(16'000'000);
+  for (std::size_t i = 0; i < map.data.size(); ++i) map.data[i] = static_cast<std::int8_t>(i * 7 % 101);
+  ASSERT_TRUE(writer->send(&map));
+  nav_msgs::OccupancyGrid seen;
+  ASSERT_TRUE(eventually([&] { return reader->take(&seen).value_or(false); }));
+  EXPECT_EQ(seen.data, map.data);
+}
+
+TEST(RosNode, BytesThatAreNoSuchMessageAreRefused) {
+  RosNode one = node(), other = node();
+  auto writer = one.writer("/place", message_type<geometry_msgs::Point>(), RosQos::reliable);
+  auto reader = other.reader("/place", message_type<geometry_msgs::Point>(), RosQos::reliable);
+  ASSERT_TRUE(writer && reader);
+  ASSERT_TRUE(eventually([&] { return writer->readers() == 1 && reader->writers() == 1; }));
+  const std::string whole = encode(MessageEncoding::cdr, point(1.0));
+  ASSERT_TRUE(writer->send_bytes(whole.substr(0, whole.size() - 3)));
+  ASSERT_TRUE(writer->send_bytes(whole));
+  geometry_msgs::Point seen;
+  std::optional<Fault> refused;
+  ASSERT_TRUE(eventually([&] {
+    const auto taken = reader->take(&seen);
+    if (!taken) refused = taken.error();
+    return taken && *taken;
+  }));
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->code, FaultCode::bad_input);
+  EXPECT_EQ(seen.x, 1.0);
+}
+
+TEST(RosNode, WhoDoesNotReadCostsNothing) {
+  RosNode one = node(), other = node();
+  auto writer = one.writer("/place", message_type<geometry_msgs::Point>(), RosQos::reliable);
+  auto reader = other.reader("/place", message_type<geometry_msgs::Point>(), RosQos::reliable);
+  ASSERT_TRUE(writer && reader);
+  ASSERT_TRUE(eventually([&] { return writer->readers() == 1 && reader->writers() == 1; }));
+  for (int i = 0; i < 5000; ++i) {
+    const geometry_msgs::Point sent = point(i);
+    ASSERT_TRUE(writer->send(&sent));
+  }
+  double last = -1.0;
+  int taken = 0;
+  ASSERT_TRUE(eventually([&] {
+    geometry_msgs::Point seen;
+    while (reader->take(&seen).value_or(false)) {
+      EXPECT_GT(seen.x, last);
+      last = seen.x;
+      ++taken;
+    }
+    return last == 4999.0;
+  }));
+  EXPECT_LE(taken, 5000);
+}
+
+TEST(RosNode, OddNamesAndDomainsAreRefused) {
+  RosNode one = node();
+  EXPECT_EQ(one.writer("/no topic", message_type<geometry_msgs::Point>(), RosQos::reliable).error().code,
+            FaultCode::bad_input);
+  EXPECT_EQ(RosNode::open({233, false}).error().where, "domain");
+  for (const char* domain : {"x", "-1", "7.5", "233"}) {
+    setenv("ROS_DOMAIN_ID", domain, 1);
+    EXPECT_EQ(ros_environment().error().where, "ROS_DOMAIN_ID") << domain;
+  }
+  setenv("ROS_DOMAIN_ID", "77", 1);
+  setenv("ROS_LOCALHOST_ONLY", "1", 1);
+  EXPECT_EQ(ros_environment()->domain, 77);
+  EXPECT_TRUE(ros_environment()->localhost_only);
+  unsetenv("ROS_DOMAIN_ID");
+  unsetenv("ROS_LOCALHOST_ONLY");
+  EXPECT_EQ(ros_environment()->domain, 0);
+}
+
+}  // namespace
+}  // namespace outrider
