@@ -214,12 +214,10 @@ Status check_folders(const std::string& model_path) {
   return {};
 }
 
-/// Adds the first thing that the world names and that was not found: it may be the cause.
-std::string with_missing(const std::string& sentence, const SdfWarnings& warnings) {
-  for (const std::string& warning : warnings.sentences()) {
-    if (warning.find("was not found") != std::string::npos) return sentence + "; " + warning;
-  }
-  return sentence;
+/// Returns the fault with the first file that the world names and that was not found: it may be the cause.
+tl::unexpected<Fault> refused(const Fault& cause, const SdfWarnings& warnings) {
+  const std::string& missing = warnings.first_missing();
+  return fault(cause.code, missing.empty() ? cause.sentence : cause.sentence + "; " + missing, cause.where);
 }
 
 }  // namespace
@@ -242,8 +240,7 @@ Outcome<LoadedWorld> sdf_from_text(std::string_view text, const std::string& nam
   const sdf::World* parsed = root->WorldByIndex(0);
   if (parsed == nullptr) return bad_input("sdformat finds no world in it", name);
   auto found = find_collisions(*parsed, *repaired, name);
-  if (!found)
-    return fault(found.error().code, with_missing(found.error().sentence, warnings), found.error().where);
+  if (!found) return refused(found.error(), warnings);
 
   World world;
   world.name = excerpt(parsed->Name());
@@ -254,8 +251,7 @@ Outcome<LoadedWorld> sdf_from_text(std::string_view text, const std::string& nam
     world.solids.insert(world.solids.begin(), Solid{"floor", {}, HalfSpaceShape{}});
     floors.push_back({});
   }
-  if (auto floor = set_floor_and_bounds(world, floors, name); !floor)
-    return fault(floor.error().code, with_missing(floor.error().sentence, warnings), floor.error().where);
+  if (auto floor = set_floor_and_bounds(world, floors, name); !floor) return refused(floor.error(), warnings);
   return LoadedWorld{std::move(world), warnings.sentences()};
 }
 

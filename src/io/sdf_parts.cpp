@@ -110,8 +110,9 @@ bool repair_geometry(const SdfFile& file, SdfElement& collision, const std::stri
   const std::string uri(xml_text(*kept, "uri"));
   const auto found = find_uri(uri, file.folders);
   if (!found) {
-    file.warn(*kept, fmt::format("the {} '{}' of collision '{}' was not found, so the collision was left out",
-                                 kept->Name(), excerpt(uri, 200), path));
+    file.warn_missing(
+        *kept, fmt::format("the {} '{}' of collision '{}' was not found, so the collision was left out",
+                           kept->Name(), excerpt(uri, 200), path));
     return false;
   }
   if (kept->FirstChildElement("submesh") != nullptr) {

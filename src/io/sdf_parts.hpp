@@ -42,6 +42,9 @@ struct SdfFile {
   void warn(const SdfElement& element, const std::string& sentence) const {
     session.warnings.add(where(element), sentence);
   }
+  void warn_missing(const SdfElement& element, const std::string& sentence) const {
+    session.warnings.add_missing(where(element), sentence);
+  }
 };
 
 /// Repairs a pose: three numbers get a rotation of zero. Refuses everything else that is not a pose.

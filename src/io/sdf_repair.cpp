@@ -131,9 +131,10 @@ Outcome<Element*> expand_include(const SdfFile& file, Element& include, tinyxml2
   const auto found = find_model(uri, file.folders);
   const std::string_view built_in = built_in_model(uri);
   if (!found && built_in.empty()) {
-    file.warn(include, fmt::format("the include of '{}' was not found and was left out; give the folder that "
-                                   "has '{}' as model_path",
-                                   excerpt(uri, 200), excerpt(last_part(uri))));
+    file.warn_missing(include,
+                      fmt::format("the include of '{}' was not found and was left out; give the folder that "
+                                  "has '{}' as model_path",
+                                  excerpt(uri, 200), excerpt(last_part(uri))));
     return nullptr;
   }
   if (file.depth == deepest_include || ++file.session.includes > most_includes) {
@@ -192,6 +193,11 @@ void SdfWarnings::add(const std::string& where, const std::string& sentence) {
   const auto [found, fresh] = by_text_.emplace(sentence, entries_.size());
   if (fresh) entries_.push_back({where, sentence});
   ++entries_[found->second].count;
+}
+
+void SdfWarnings::add_missing(const std::string& where, const std::string& sentence) {
+  if (first_missing_.empty()) first_missing_ = fmt::format("{}: {}", where, sentence);
+  add(where, sentence);
 }
 
 std::vector<std::string> SdfWarnings::sentences() const {

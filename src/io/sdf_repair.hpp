@@ -17,6 +17,10 @@ namespace outrider {
 class SdfWarnings {
  public:
   void add(const std::string& where, const std::string& sentence);
+  /// Adds that a file which the world names was not found.
+  void add_missing(const std::string& where, const std::string& sentence);
+  /// Returns the first of these, with its place; empty if all files were found.
+  [[nodiscard]] const std::string& first_missing() const { return first_missing_; }
   [[nodiscard]] std::vector<std::string> sentences() const;
 
  private:
@@ -27,6 +31,7 @@ class SdfWarnings {
   };
   std::vector<Repair> entries_;                 // in the order of first appearance
   std::map<std::string, std::size_t> by_text_;  // sentence -> entry
+  std::string first_missing_;
 };
 
 struct RepairedSdf {

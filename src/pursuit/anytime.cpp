@@ -309,14 +309,13 @@ bool AnytimePursuit::Search::work(BudgetMeter& meter) {
 Status AnytimePursuit::Search::begin() {
   if (Status good = check(problem); !good) return good;
   const std::uint64_t cells = problem.costs->cells.size();
-  small.emplace(problem);
-  if (cells >= least_for_boxes && small->work() <= std::min(box_share * cells, most_box_work) &&
-      small->prepare()) {
+  if (cells >= least_for_boxes) small.emplace(problem);
+  if (small && small->work() <= std::min(box_share * cells, most_box_work) && small->prepare()) {
     stage = Stage::boxes;
-  } else {
-    small.reset();
-    begin_reach();
+    return {};
   }
+  small.reset();
+  begin_reach();
   return {};
 }
 

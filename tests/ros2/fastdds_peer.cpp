@@ -5,12 +5,10 @@
 //
 // It answers every geometry_msgs/msg/Twist on /asked by one of twice its numbers on /answered. For each
 // nav_msgs/msg/OccupancyGrid on /map, latched, it sends a Twist on /map_seen: width, height, resolution, the
-// x of the origin, the length of the frame's name, and the sum of the cells. It ends after a Twist whose
-// linear.x is -1.
+// x of the origin, the length of the frame's name, and the sum of the cells.
 #include <fastcdr/Cdr.h>
+#include <unistd.h>
 
-#include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
@@ -25,7 +23,6 @@
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <numeric>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace {
@@ -119,11 +116,9 @@ class Answer final : public fast::DataReaderListener {
     while (reader->take_next_sample(&message, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
       if (!info.valid_data) continue;
       Twist answer = made_of_(message);
-      if (answer.linear_x == -2.0) over = true;
       to_->write(&answer);
     }
   }
-  std::atomic<bool> over = false;
 
  private:
   fast::DataWriter* to_;
@@ -164,9 +159,6 @@ int main(int count, char** words) {
   subscriber->create_datareader(topic<Twist>(*participant, "/asked"), usual, &answer);
   usual.durability().kind = fast::TRANSIENT_LOCAL_DURABILITY_QOS;
   subscriber->create_datareader(topic<OccupancyGrid>(*participant, "/map"), usual, &look);
-  while (!answer.over) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  participant->delete_contained_entities();
-  fast::DomainParticipantFactory::get_instance()->delete_participant(participant);
+  pause();  // until it is ended
   return 0;
 }

@@ -202,49 +202,6 @@ TEST(Sdf, IncludesAreExpandedInPlace) {
                 "'shed' as model_path");
 }
 
-TEST(Sdf, ModelsAreFoundWhereSimulatorsFindThem) {
-  const test::Folder folder;
-  const std::string tree =
-      "<sdf version='1.6'><model name='tree'><link name='trunk'><collision name='c'><geometry>" + unit_box +
-      "</geometry></collision></link></model></sdf>";
-  folder.write("above/models/tree/model.sdf", tree);
-  folder.write("far/bush/model.sdf", tree);
-  folder.write("cache/oak/model.sdf", tree);
-  const auto include = [](const std::string& uri, const std::string& name) {
-    return "<include><uri>" + uri + "</uri><name>" + name + "</name></include>\n";
-  };
-  const std::string path = folder.write(
-      "above/deep/worlds/w.sdf",
-      world_of(include("https://fuel.gazebosim.org/1.0/OpenRobotics/models/Ground Plane", "plane") +
-               include("https://fuel.gazebosim.org/1.0/OpenRobotics/models/Sun", "sun") +
-               include("file://models/tree", "above") + include("model://bush", "far") +
-               include("https://fuel.gazebosim.org/1.0/OpenRobotics/models/oak", "fuel")));
-  ASSERT_EQ(setenv("GZ_SIM_RESOURCE_PATH", (folder.path / "cache").string().c_str(), 1), 0);
-  const auto loaded = load_sdf(path, {(folder.path / "far").string()});
-  unsetenv("GZ_SIM_RESOURCE_PATH");
-  ASSERT_TRUE(loaded) << to_string(loaded.error());
-  EXPECT_TRUE(loaded->warnings.empty()) << loaded->warnings[0];
-  for (const char* name : {"above", "far", "fuel"}) solid(loaded->world, name);
-  EXPECT_EQ(loaded->world.solids.size(), 4U);
-  EXPECT_EQ(loaded->world.floor_z_m, 0.0);
-  const auto without = load_sdf(path);
-  ASSERT_TRUE(without) << to_string(without.error());
-  EXPECT_EQ(without->warnings.size(), 2U);
-}
-
-TEST(Sdf, ARefusalNamesTheModelThatIsMissing) {
-  const test::Folder folder;
-  const std::string path = folder.write("w.sdf", world_of("<include><uri>model://asphalt</uri></include>\n" +
-                                                          model("box", "0 0 1 0 0 0", unit_box)));
-  const auto refused = load_sdf(path);
-  ASSERT_FALSE(refused);
-  for (const char* word : {"no floor", "'model://asphalt' was not found", "as model_path"})
-    EXPECT_NE(refused.error().sentence.find(word), std::string::npos) << refused.error().sentence;
-  const auto nowhere = load_sdf(path, {(folder.path / "nowhere").string()});
-  ASSERT_FALSE(nowhere);
-  EXPECT_EQ(nowhere.error().where, "model_path");
-}
-
 TEST(Sdf, IncludesInACircleAreRefused) {
   const test::Folder folder;
   const std::string path = folder.write(

@@ -70,7 +70,7 @@ TEST(BoxSweep, CellsOutsideOfTheBoxesAreNotRead) {
   EXPECT_EQ(sweep.plan()->cost, 20U);
 }
 
-TEST(BoxSweep, IsTakenOnWideMapsAndLeftWhereTheFloodIsQuicker) {
+TEST(BoxSweep, IsTakenWhereTheBoxesHoldFewCells) {
   PursuitProblem problem = testing::smooth_pursuit({100, 90, 1, 100, testing::Walk::wander, 5});
   AnytimePursuit search(problem);
   ASSERT_TRUE(search.improve(Budget{}));
