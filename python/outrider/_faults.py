@@ -39,7 +39,7 @@ class NoPath(Fault):
 
 
 class NoShot(Fault):
-    """Proven at the stated resolution: no flight hits the target."""
+    """Of all flights of the stated resolution none hits the target."""
 
     code = "no_shot"
 

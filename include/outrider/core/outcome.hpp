@@ -16,7 +16,7 @@ enum class FaultCode {
   goal_blocked,      ///< the goal collides with an obstacle
   outside_map,       ///< the start or the goal lies outside the known world
   no_path,           ///< proven: no path connects the start and the goal
-  no_shot,           ///< proven at the stated resolution: no flight hits the target
+  no_shot,           ///< of all flights of the stated resolution none hits the target
   budget_exhausted,  ///< the budget of expansions or of wall time ended first
   cancelled,         ///< the caller's stop token was raised
   bad_input,         ///< a file, key or value is wrong; the sentence names the remedy

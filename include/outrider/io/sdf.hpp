@@ -4,9 +4,9 @@
 // without change. A capsule becomes a cylinder and two spheres. An ellipsoid becomes a mesh around it that is
 // at most 1 % larger. Poses in a saved <state> override those of the models, as in Gazebo. Plain paths and
 // file:// in <include> and <mesh> are relative to the folder of the file or, if there is no such file, to the
-// next folder above it that has one. model://, package:// and the last part of https:// (a model of Gazebo
-// Fuel) are searched in that folder, in its parent folder, in the folders "models" of both, in
-// SdfOptions::model_path, and in the folders of the environment variables GZ_SIM_RESOURCE_PATH and
+// nearest of the four folders above it that has one. model://, package:// and the last part of https:// (a
+// model of Gazebo Fuel) are searched in that folder, in its parent folder, in the folders "models" of both,
+// in SdfOptions::model_path, and in the folders of the environment variables GZ_SIM_RESOURCE_PATH and
 // GAZEBO_MODEL_PATH. The models ground_plane and sun are built in, for when they are not found.
 //
 // Repaired, each with a warning that names file and line (docs/formats.md lists them all): poses of three

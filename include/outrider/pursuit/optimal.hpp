@@ -2,8 +2,9 @@
 //
 // Complete and optimal, in integers. The search stops as soon as the proof is complete:
 //   0. In each second the robot is in a box: it can have come there, and can still come to the target. If the
-//      boxes of all seconds hold at most 24 times the cells of the map, and 2^24, dynamic programming sweeps
-//      them from the start on, with 4 bytes for each cell of a box, and that is all.
+//      boxes of all seconds hold at most 24 times the cells of the map, of which there are 4096 or more, and
+//      2^24, dynamic programming sweeps them from the start on, with 4 bytes for each cell of a box, and that
+//      is all.
 //   1. A flood of steps from the robot finds the earliest catch, a first path, and the cells that matter. Now
 //      the work of stage 5 is known; if it is little, stage 5 follows at once.
 //   2. Dijkstra floods from the target ignore the clock but put a price on each second. Each yields a lower
