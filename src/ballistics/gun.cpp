@@ -29,6 +29,16 @@ Vec2 muzzle(const GunModel& gun, double pitch_rad) {
           gun.pivot_height_m + gun.tip_forward_m * s + gun.tip_up_m * c};
 }
 
+double barrel_reach(const GunModel& gun) { return std::hypot(gun.tip_forward_m, gun.tip_up_m); }
+
+double barrel_top(const GunModel& gun) {
+  // The muzzle is highest where the line from the joint to it points straight up, or as near to that as it
+  // gets.
+  const double above = std::atan2(gun.tip_up_m, gun.tip_forward_m);
+  const double pitch = std::clamp(0.5 * pi - above, gun.pitch_low_rad, gun.pitch_high_rad);
+  return std::max(gun.pivot_height_m, muzzle(gun, pitch).y) + gun.ball_radius_m;
+}
+
 double aim_time(const GunModel& gun, double yaw_change_rad, double pitch_change_rad) {
   return std::max(std::abs(wrap_angle(yaw_change_rad)) / gun.yaw_rate_radps,
                   std::abs(pitch_change_rad) / gun.pitch_rate_radps);

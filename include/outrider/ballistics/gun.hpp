@@ -31,6 +31,13 @@ std::vector<Option> describe(GunModel& gun);
 /// Returns the position of the muzzle at a pitch: (metres ahead of the yaw axis, metres above the floor).
 Vec2 muzzle(const GunModel& gun, double pitch_rad);
 
+/// Returns the distance of the tip from the joint: no part of the barrel is farther from the yaw axis, at any
+/// yaw and pitch.
+double barrel_reach(const GunModel& gun);
+
+/// Returns the height above the floor that no ball in the barrel exceeds at any pitch of the gun.
+double barrel_top(const GunModel& gun);
+
 /// Returns the time to change yaw and pitch of the barrel, with both axes moving at once, s.
 double aim_time(const GunModel& gun, double yaw_change_rad, double pitch_change_rad);
 

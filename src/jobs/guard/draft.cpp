@@ -3,13 +3,20 @@
 #include <algorithm>
 #include <limits>
 
+#include "draft_shots.hpp"
 #include "outrider/core/parallel.hpp"
 #include "outrider/jobs/guard/plan.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double near_m = 1.2;  // how far from a stop of the tour a better one is looked for
+/// How closely better stops are looked for around those of a tour.
+struct Closeness {
+  double near_m;      // distance from a stop
+  double tile_cells;  // side of the tiles, by cells of the firing map
+};
+constexpr Closeness wide{1.2, 2.0};
+constexpr Closeness close{0.4, 1.0};
 constexpr double coarse_tile_m = 0.8;
 constexpr std::size_t most_alone = 40;  // targets, beyond which one search for a tour finds too little
 constexpr std::size_t searches = 4;     // for so many
@@ -96,9 +103,6 @@ Status cover_all(Drafting& drafting, std::vector<std::size_t>& cells) {
   cells.insert(cells.end(), drafting.needed.begin(), drafting.needed.end());
   return drafting.budget.stop.stop_requested() ? Status(cancelled()) : Status{};
 }
-
-/// Flights until the first hit, on average, times the length of one.
-double expected_flight(const PlannedShot& shot) { return shot.flight_s / std::max(shot.hit_rate, 0.05); }
 
 /// The shots offered to the tour, by cell: those that hit nearly always, or where a target has none of
 /// these, any.
@@ -220,17 +224,17 @@ Status settle(const Drafting& drafting, Draft& draft, double& told_s) {
 }
 
 /// The stops of a tour and the cells around them.
-std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft) {
+std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft, Closeness within) {
   std::vector<std::size_t> cells = drafting.needed;
   std::vector<Vec2> around;
   for (const Visit& visit : draft.tour.visits) {
     cells.push_back(draft.cells[visit.stop]);
     around.push_back(drafting.place(cells.back()));
   }
-  const double tile = 2.0 * drafting.firing_map.frame.resolution_m;
+  const double tile = within.tile_cells * drafting.firing_map.frame.resolution_m;
   const auto most = static_cast<std::size_t>(drafting.options.stops);
   for (const std::size_t cell :
-       choose_stops(drafting.firing_map, drafting.hits, tile, most, around, near_m)) {
+       choose_stops(drafting.firing_map, drafting.hits, tile, most, around, within.near_m)) {
     cells.push_back(cell);
   }
   std::sort(cells.begin(), cells.end());
@@ -255,13 +259,17 @@ Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_m
   auto cells = choose_stops(firing_map, drafting.hits, coarse_tile_m, most, {}, 0.0);
   if (auto ok = cover_all(drafting, cells); !ok) return pass_on(ok);
   auto best = solve_over(drafting, cells, told_s);
-  for (std::int64_t i = 0; best && i < options.refinements; ++i) {
-    auto closer = solve_over(drafting, cells_near(drafting, *best), told_s);
-    if (!closer) return closer;
-    if (closer->tour.cost_s >= best->tour.cost_s) break;
-    best = std::move(closer);
+  for (const Closeness within : {wide, close}) {
+    for (std::int64_t i = 0; best && i < options.refinements; ++i) {
+      choose_shots(problem, firing_map, book, *best);
+      auto closer = solve_over(drafting, cells_near(drafting, *best, within), told_s);
+      if (!closer) return closer;
+      if (closer->tour.cost_s >= best->tour.cost_s) break;
+      best = std::move(closer);
+    }
   }
   if (!best) return best;
+  choose_shots(problem, firing_map, book, *best);
   if (auto settled = settle(drafting, *best, told_s); !settled) return pass_on(settled);
   return best;
 }

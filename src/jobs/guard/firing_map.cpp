@@ -36,6 +36,17 @@ Status check_ranges(const std::vector<Option>& options, const std::string& secti
   return {};
 }
 
+/// The room of the robot is that of its barrel, too, which may point anywhere.
+Status check_barrel(const GuardProblem& problem) {
+  const double reach = barrel_reach(problem.gun);
+  if (reach <= problem.robot.radius_m) return {};
+  return bad_input(
+      fmt::format("a disk of {:g} m does not contain the barrel, whose tip is {:.4g} m from the yaw "
+                  "axis; give robot.radius at least that, or a smaller gun.tip_forward",
+                  problem.robot.radius_m, reach),
+      "robot.radius");
+}
+
 Status check_air(const GuardProblem& problem) {
   const double wind = problem.air.wind_mps;
   if (wind >= problem.gun.muzzle_speed_mps) {
@@ -73,6 +84,7 @@ Status check_numbers(GuardProblem problem, GuardOptions options) {
   if (auto ok = check_ranges(describe(problem.robot), "robot"); !ok) return ok;
   if (auto ok = check_ranges(describe(problem.gun), "gun"); !ok) return ok;
   if (auto ok = check_ranges(describe(problem.air), "air"); !ok) return ok;
+  if (auto ok = check_barrel(problem); !ok) return ok;
   if (auto ok = check_air(problem); !ok) return ok;
   if (auto ok = check_terrain(problem); !ok) return ok;
   if (auto ok = check_ranges(describe(problem.errors), "errors"); !ok) return ok;
@@ -281,7 +293,7 @@ Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOpti
   FiringMap firing_map{
       rules_of(problem, options),
       flight_spaces(problem),
-      CollisionMap::of(driving_world(problem), problem.robot.height_m, 1e-3, problem.robot.max_slope_rad),
+      CollisionMap::of(driving_world(problem), room_height(problem), 1e-3, problem.robot.max_slope_rad),
       *frame,
       std::vector<std::uint8_t>(frame->size(), 0),
       std::vector<std::uint8_t>(frame->size(), 0),

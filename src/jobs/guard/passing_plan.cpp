@@ -112,6 +112,10 @@ class Assembly {
   std::map<std::tuple<std::size_t, std::size_t, double>, std::optional<PlannedShot>> standing_;
 };
 
+const GuardPlan& sooner(const GuardPlan& standing, const GuardPlan& passing) {
+  return passing.cost_s < standing.cost_s - worth_s ? passing : standing;
+}
+
 }  // namespace
 
 GuardPlan shoot_in_passing(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
@@ -133,10 +137,13 @@ GuardPlan shoot_in_passing(const GuardProblem& problem, const FiringMap& firing_
 
   Assembly assembly(problem, firing_map, standing, *standing.routes);
   Choice choice = choice_of(plan);
+  // Every candidate has its shots solved again, so the one that all are compared with has, too. That alone
+  // may cost time, which is why the given plan is kept in mind.
+  if (auto again = assembly.plan_of(choice)) best = std::move(*again);
   for (bool shorter = true; std::exchange(shorter, false);) {
     Choice chosen;
     for (Choice& next : lighter(choice)) {
-      if (stop.stop_requested()) return best;
+      if (stop.stop_requested()) return sooner(standing, best);
       auto candidate = assembly.plan_of(next);
       if (!candidate || candidate->cost_s > best.cost_s - worth_s) continue;
       best = std::move(*candidate);
@@ -145,7 +152,7 @@ GuardPlan shoot_in_passing(const GuardProblem& problem, const FiringMap& firing_
     }
     if (shorter) choice = std::move(chosen);
   }
-  return best;
+  return sooner(standing, best);
 }
 
 double moving_bound(const GuardProblem& problem, const FiringMap& firing_map,

@@ -1,8 +1,14 @@
 #include "outrider/jobs/guard/problem.hpp"
 
+#include <algorithm>
+
 #include "outrider/jobs/guard/catalog.hpp"
 
 namespace outrider {
+
+double room_height(const GuardProblem& problem) {
+  return std::max(problem.robot.height_m, barrel_top(problem.gun));
+}
 
 std::vector<Option> describe(GuardOptions& options) {
   return {

@@ -15,7 +15,7 @@
 namespace outrider {
 namespace {
 
-outrider_msgs::Solid solid_entry(const Solid& solid, const World& world, const RobotModel& robot) {
+outrider_msgs::Solid solid_entry(const Solid& solid, const World& world, double room_height_m) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const Box3 box = bounds(solid);
   const double floor = world.floor_z_m;
@@ -25,7 +25,7 @@ outrider_msgs::Solid solid_entry(const Solid& solid, const World& world, const R
                              rounded_of(footprint(solid, -inf, inf)),
                              box.low.z,
                              box.high.z,
-                             !footprint(solid, under.low + 1e-3, under.high + robot.height_m).empty()};
+                             !footprint(solid, under.low + 1e-3, under.high + room_height_m).empty()};
   if (!std::isfinite(entry.low_z)) entry.low_z = floor;  // the ground
   if (!std::isfinite(entry.high_z)) entry.high_z = floor;
   return entry;
@@ -111,7 +111,7 @@ void log_run(Log& log, const GuardProblem& problem, const GuardOptions& options,
 void log_world(Log& log, const GuardProblem& problem) {
   outrider_msgs::Solids solids;
   for (const Solid& solid : problem.world.solids) {
-    solids.solids.push_back(solid_entry(solid, problem.world, problem.robot));
+    solids.solids.push_back(solid_entry(solid, problem.world, room_height(problem)));
   }
   log.append(topic::solids, 0.0, std::move(solids));
   if (problem.world.terrain)

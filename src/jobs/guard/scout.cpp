@@ -50,7 +50,7 @@ Grid<std::uint8_t> cut_out(const Grid<std::uint8_t>& occupancy) {
 
 /// By how much the robot may be wider, so that it still fits where it stands.
 double spare_at(const GuardProblem& problem, double wanted_m) {
-  const CollisionMap ground = CollisionMap::of(problem.world, problem.robot.height_m);
+  const CollisionMap ground = CollisionMap::of(problem.world, room_height(problem));
   const double most_m = problem.robot.radius_m + wanted_m;
   const double room_m = ground.clearance(problem.start.position, most_m) - problem.robot.radius_m;
   return std::clamp(room_m - 1e-6, 0.0, wanted_m);

@@ -25,6 +25,25 @@ TEST(Gun, MuzzleIsTheTurnedTip) {
   }
 }
 
+TEST(Gun, NoBallInTheBarrelIsFartherOrHigherThanItsBounds) {
+  Rng rng(11);
+  for (int i = 0; i < cases(50); ++i) {
+    GunModel gun;
+    gun.tip_forward_m = rng.uniform(0.0, 0.5);
+    gun.tip_up_m = rng.uniform(-0.2, 0.2);
+    gun.pitch_low_rad = rng.uniform(-1.5, 0.5);
+    gun.pitch_high_rad = rng.uniform(gun.pitch_low_rad, 1.5);
+    double top = 0.0;
+    for (int k = 0; k <= 1000; ++k) {
+      const Vec2 tip = muzzle(gun, gun.pitch_low_rad + 1e-3 * k * (gun.pitch_high_rad - gun.pitch_low_rad));
+      top = std::max({top, tip.y, gun.pivot_height_m});
+      EXPECT_LE(std::abs(tip.x), barrel_reach(gun) + 1e-12);
+    }
+    EXPECT_NEAR(barrel_top(gun), top + gun.ball_radius_m, 1e-6);
+    EXPECT_GE(barrel_top(gun), top + gun.ball_radius_m - 1e-12);
+  }
+}
+
 TEST(Gun, AimingMovesBothAxesAtOnceTheShortWayRound) {
   const GunModel gun;
   EXPECT_DOUBLE_EQ(aim_time(gun, 0.0, 0.0), 0.0);

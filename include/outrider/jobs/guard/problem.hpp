@@ -28,6 +28,11 @@ struct GuardProblem {
   std::int64_t tries = 3;      ///< number of missed shots after which a target has failed
 };
 
+/// Returns the height below which the robot needs room: of its body, or of its barrel at the steepest pitch.
+/// The gun may point anywhere while the robot drives and aims, so it passes under nothing that a raised
+/// barrel touches.
+double room_height(const GuardProblem& problem);
+
 /// Options of the planning.
 struct GuardOptions {
   std::string planner = "best_tour";     ///< a name of the catalogue (catalog.hpp)

@@ -91,6 +91,42 @@ TEST(Survey, ReachesWhatASampledFloodReaches) {
   EXPECT_GT(shut, 0U) << "no yard has a place that is shut off";
 }
 
+/// A board 0.21 m above the floor with a cat on it, in the middle of a yard.
+GuardProblem cat_on_a_table() {
+  GuardProblem problem;
+  problem.world.name = "table";
+  problem.world.bounds = {{-3.0, -3.0}, {3.0, 3.0}};
+  problem.world.solids = {testing::floor_at(0.0), box_at("board", {0.0, 0.0, 0.22}, {2.0, 2.0, 0.02})};
+  problem.start = {{0.0, -2.5}, radians(90.0)};
+  problem.targets.push_back({"cat", {0.0, 0.0, 0.23}, {0.3, 0.3, 0.3}, 0.0});
+  return problem;
+}
+
+/// The body would fit under the board, which is 0.21 m high; the barrel would be in it.
+TEST(Survey, LeavesRoomForTheBarrel) {
+  const GuardProblem problem = cat_on_a_table();
+  ASSERT_LT(problem.robot.height_m, 0.21);
+  ASSERT_GT(barrel_top(problem.gun), 0.23);
+  const auto firing_map = build_firing_map(problem, {});
+  ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+  EXPECT_GT(firing_map->regions[0].hits, 100U);
+  for (std::size_t c = 0; c < firing_map->frame.size(); ++c) {
+    const Vec2 p = firing_map->frame.centre(firing_map->frame.cell(c));
+    if (std::max(std::abs(p.x), std::abs(p.y)) >= 1.0 + problem.robot.radius_m) continue;
+    if (std::hypot(std::max(0.0, std::abs(p.x) - 1.0), std::max(0.0, std::abs(p.y) - 1.0)) >=
+        problem.robot.radius_m)
+      continue;
+    EXPECT_EQ(firing_map->reachable[c], 0) << p.x << " " << p.y;
+    EXPECT_EQ(firing_map->regions[0].pitch[c], FiringRegion::no_shot);
+  }
+  GuardProblem low = problem;  // a barrel that never rises above the body passes under it
+  low.gun.pitch_high_rad = radians(5.0);
+  ASSERT_LT(barrel_top(low.gun), 0.2);
+  const auto under = build_firing_map(low, {});
+  ASSERT_TRUE(under.has_value()) << under.error().sentence;
+  EXPECT_EQ(under->reachable[under->frame.index(under->frame.cell_at({0.0, 0.0}))], 1);
+}
+
 TEST(Survey, FindsTheRegionsOfTheReachableGroundWhateverTheThreads) {
   Rng rng(62);
   for (int i = 0; i < cases(4); ++i) {
@@ -194,6 +230,9 @@ TEST(Survey, RefusesNumbersThatAreNoneOrOutOfRange) {
     EXPECT_FALSE(build_firing_map(plain(), {.pitch_step_rad = bad}).has_value());
   }
   GuardProblem problem = plain();
+  problem.robot.radius_m = 0.2;
+  expect_refused(problem, {}, FaultCode::bad_input, "robot.radius", "0.2584 m from the yaw axis");
+  problem = plain();
   problem.targets[0].size.y = 0.0;
   EXPECT_FALSE(build_firing_map(problem, {}).has_value());
   problem = plain();

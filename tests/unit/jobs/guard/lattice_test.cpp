@@ -72,6 +72,7 @@ TEST(Lattice, IsNeverAboveAFreeWay) {
   for (int i = 0; i < cases(30); ++i) {
     GuardProblem problem = random_guard_problem(rng, 4 + rng.below(20), 1, 2.5);
     problem.robot.radius_m = rng.uniform(0.02, 0.3);
+    problem.gun.tip_forward_m = problem.gun.tip_up_m = 0.0;  // within the smallest of these robots
     const FiringMap firing_map = surveyed(problem, rng.uniform(0.05, 0.4));
     const Lattice lattice(firing_map, problem.robot.radius_m);
     std::vector<std::size_t> cells;

@@ -88,28 +88,30 @@ TEST_F(RunGuardInPhysics, GivesTheSameBytesTwice) {
 
 TEST_F(RunGuardInPhysics, SaysWhatAMissTouchedAndWhere) {
   Rng rng(623);
-  auto problem = testing::random_guard_problem(rng, 4, 3, 2.5);
-  problem.errors.aim = {0.4, 0.3};
+  auto problem = testing::random_guard_problem(rng, 4, 5, 3.5);
+  problem.errors.aim = {0.5, 0.5};
   problem.tries = 2;
-  const auto run = carry_out(problem, 1);
-  const auto misses = events_of(run.log, "miss");
   int missed = 0;
-  for (const auto& [time_ns, shot] : testing::shots_of(run.log)) {
-    if (shot.hit) continue;
-    ++missed;
-    EXPECT_NE(shot.contact, shot.target);
-    EXPECT_TRUE(std::ranges::any_of(misses, [&said = shot](const auto& event) {
-      const std::string& text = event.message.msg;
-      return text.starts_with("misses " + said.target) &&
-             text.find("touches " + said.contact + " at (") != std::string::npos &&
-             text.find("m from it") != std::string::npos;
-    })) << shot.contact;
+  for (std::uint64_t seed = 1; missed == 0 && seed <= 4; ++seed) {
+    const auto run = carry_out(problem, seed);
+    const auto misses = events_of(run.log, "miss");
+    for (const auto& [time_ns, shot] : testing::shots_of(run.log)) {
+      if (shot.hit) continue;
+      ++missed;
+      EXPECT_NE(shot.contact, shot.target);
+      EXPECT_TRUE(std::ranges::any_of(misses, [&said = shot](const auto& event) {
+        const std::string& text = event.message.msg;
+        return text.starts_with("misses " + said.target) &&
+               text.find("touches " + said.contact + " at (") != std::string::npos &&
+               text.find("m from it") != std::string::npos;
+      })) << shot.contact;
+    }
+    for (const auto& target : testing::targets_of(run.log)) {
+      if (target.status != "failed") continue;
+      EXPECT_NE(target.reason.find("; the last shot touches "), std::string::npos) << target.reason;
+    }
   }
   EXPECT_GT(missed, 0);
-  for (const auto& target : testing::targets_of(run.log)) {
-    if (target.status != "failed") continue;
-    EXPECT_NE(target.reason.find("; the last shot touches "), std::string::npos) << target.reason;
-  }
 }
 
 }  // namespace
