@@ -66,6 +66,18 @@ struct Approach {
   }
 };
 
+std::vector<Box3> boxes_of(const std::vector<Solid>& solids) {
+  std::vector<Box3> boxes;
+  boxes.reserve(solids.size());
+  for (const Solid& solid : solids) boxes.push_back(bounds(solid));
+  return boxes;
+}
+
+/// The solids whose boxes the flight may come as near to, in their order.
+std::vector<std::uint32_t> passed(const BoxTree& tree, const Flight& flight, double by_m, double until_s) {
+  return tree.near([&](const Box3& box) { return passage(flight, box, by_m, 0.0, until_s).has_value(); });
+}
+
 }  // namespace
 
 double fall_time(const Flight& flight, double height_m) {
@@ -99,15 +111,13 @@ bool touches(const Flight& flight, double ball_radius_m, const Solid& solid, dou
          touches(flight, ball_radius_m, solid, middle + clear, until_s);
 }
 
-FlightSpace::FlightSpace(std::vector<Solid> solids) : solids_(std::move(solids)) {
-  boxes_.reserve(solids_.size());
-  for (const Solid& solid : solids_) boxes_.push_back(bounds(solid));
-}
+FlightSpace::FlightSpace(std::vector<Solid> solids)
+    : solids_(std::move(solids)), boxes_(boxes_of(solids_)), tree_(boxes_) {}
 
 std::optional<Contact> FlightSpace::first_contact(const Flight& flight, double ball_radius_m,
                                                   double until_s) const {
   std::optional<Contact> first;
-  for (std::size_t i = 0; i < solids_.size(); ++i) {
+  for (const std::uint32_t i : passed(tree_, flight, ball_radius_m + contact_tolerance_m, until_s)) {
     const auto near = passage(flight, boxes_[i], ball_radius_m + contact_tolerance_m, 0.0, until_s);
     if (!near) continue;
     const auto time = contact_time(flight, ball_radius_m, solids_[i], near->low, near->high);
@@ -121,7 +131,7 @@ std::optional<Contact> FlightSpace::first_contact(const Flight& flight, double b
 Clearance FlightSpace::clearance(const Flight& flight, double ball_radius_m, double until_s,
                                  double most_m) const {
   Clearance least{most_m, 0.0, 0};
-  for (std::size_t i = 0; i < solids_.size(); ++i) {
+  for (const std::uint32_t i : passed(tree_, flight, most_m + ball_radius_m, until_s)) {
     const auto near = passage(flight, boxes_[i], least.distance_m + ball_radius_m, 0.0, until_s);
     if (!near) continue;
     Approach approach{flight, solids_[i], least.distance_m + ball_radius_m, near->low};

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "outrider/ballistics/box_tree.hpp"
 #include "outrider/ballistics/flight.hpp"
 #include "outrider/world/solid.hpp"
 
@@ -49,7 +50,7 @@ class FlightSpace {
   [[nodiscard]] const std::vector<Solid>& solids() const { return solids_; }
 
   /// Returns the first contact with any solid until `until_s`. For equal times the solid listed first wins.
-  /// O(solids).
+  /// O(log(solids) + solids near the flight).
   [[nodiscard]] std::optional<Contact> first_contact(const Flight& flight, double ball_radius_m,
                                                      double until_s) const;
   /// Returns the nearest approach of the ball's surface to any solid until `until_s`, accurate to 0.1 mm. The
@@ -61,6 +62,7 @@ class FlightSpace {
  private:
   std::vector<Solid> solids_;
   std::vector<Box3> boxes_;
+  BoxTree tree_;
 };
 
 /// Returns the last time at which the flight is at `height_m`, on its way down; 0 if it never reaches that

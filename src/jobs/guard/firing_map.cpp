@@ -300,13 +300,17 @@ Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOpti
       std::vector<float>(frame->size(), 0.0F),
       std::vector<std::uint32_t>(frame->size(), 0),
       std::vector<FiringRegion>(problem.targets.size()),
-      std::vector<NoShot>(problem.targets.size())};
+      std::vector<NoShot>(problem.targets.size()),
+      {}};
   if (auto ok = check_start(problem, firing_map.ground); !ok) return pass_on(ok);
 
   const double spare = std::max(problem.errors.position_m, 1.5 * options.resolution_m);
   find_standable(firing_map, problem.robot.radius_m, spare);
   find_reachable(firing_map, problem.start.position, problem.robot.radius_m);
   if (search == RegionSearch::none) return firing_map;
+  auto corners = find_corners(firing_map.ground, problem.robot, {}, {}, budget);
+  if (!corners) return pass_on(corners);
+  firing_map.corners = std::move(*corners);
   parallel_for(problem.targets.size(), [&](std::size_t i) {
     const Target& target = problem.targets[i];
     firing_map.regions[i] = firing_region(firing_map.rules, firing_map.space(i), target, firing_map.frame,

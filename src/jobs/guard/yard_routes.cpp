@@ -48,7 +48,10 @@ bool all_connected(const Routes& routes, std::size_t stops) {
 
 Outcome<Routes> yard_routes(const GuardProblem& problem, const FiringMap& firing_map,
                             const std::vector<Vec2>& stops, const Budget& budget) {
-  auto routes = routes_between(firing_map.ground, problem.robot, stops, {}, {}, budget);
+  const auto& corners = firing_map.corners;
+  auto routes = corners && corners->robot().radius_m == problem.robot.radius_m
+                    ? routes_between(*corners, stops, budget)
+                    : routes_between(firing_map.ground, problem.robot, stops, {}, {}, budget);
   if (!routes) return routes;
   if (all_connected(*routes, stops.size())) return routes;
   // The first stop joins them as a node, and the start, where all ways home meet.

@@ -18,18 +18,22 @@ using routes::same_place_m;
 using routes::SightLine;
 using routes::SightLines;
 
-struct RouteTable {
+struct CornerTable {
   CollisionMap ground;
   RobotModel robot;
-  std::vector<Vec2> stops;
   std::vector<Vec2> nodes;
-  SightLines node_lines;         // node to node
+  SightLines lines;  // node to node
+};
+
+struct RouteTable {
+  std::shared_ptr<const CornerTable> corners;
+  std::vector<Vec2> stops;
   std::vector<RouteTree> trees;  // from each stop to the later ones
 };
 
 namespace {
 
-constexpr std::size_t most_nodes = 4096;
+constexpr std::size_t most_nodes = 16'384;
 constexpr std::size_t most_stops = 2048;
 
 Status check_place(const CollisionMap& ground, const RobotModel& robot, Vec2 p, FaultCode blocked,
@@ -50,8 +54,8 @@ Status check_place(const CollisionMap& ground, const RobotModel& robot, Vec2 p, 
                            name, p.x, p.y, clearance, robot.radius_m));
 }
 
-Status check_request(const CollisionMap& ground, const RobotModel& robot, const std::vector<Vec2>& stops,
-                     const std::vector<Vec2>& extra_nodes, const RouteOptions& options) {
+Status check_request(const RobotModel& robot, const std::vector<Vec2>& extra_nodes,
+                     const RouteOptions& options) {
   if (!(robot.radius_m >= 0.0) || !std::isfinite(robot.radius_m)) {
     return bad_input(fmt::format("the robot's radius of {} m is not valid; it is 0 or more", robot.radius_m));
   }
@@ -64,12 +68,19 @@ Status check_request(const CollisionMap& ground, const RobotModel& robot, const 
     return bad_input(fmt::format("an arc step of {:g} degrees is not valid; expected 1 to 90",
                                  degrees(options.arc_step_rad)));
   }
-  if (stops.size() > most_stops || extra_nodes.size() > most_nodes) {
-    return bad_input(fmt::format("{} stops and {} extra nodes are too many; at most {} and {} fit",
-                                 stops.size(), extra_nodes.size(), most_stops, most_nodes));
+  if (extra_nodes.size() > most_nodes) {
+    return bad_input(
+        fmt::format("{} extra nodes are too many; give at most {}", extra_nodes.size(), most_nodes));
   }
   if (!std::ranges::all_of(extra_nodes, [](Vec2 p) { return finite(p); })) {
     return bad_input("an extra node has a coordinate that is not a finite number");
+  }
+  return {};
+}
+
+Status check_stops(const CollisionMap& ground, const RobotModel& robot, const std::vector<Vec2>& stops) {
+  if (stops.size() > most_stops) {
+    return bad_input(fmt::format("{} stops are too many; give at most {}", stops.size(), most_stops));
   }
   for (std::size_t i = 0; i < stops.size(); ++i) {
     Status status = check_place(ground, robot, stops[i], FaultCode::goal_blocked, fmt::format("stop {}", i));
@@ -109,14 +120,14 @@ std::vector<Vec2> Routes::waypoints(std::size_t from, std::size_t to) const {
   if (!std::isfinite(time_s)) return {};
   if (time_s == 0.0) return {table_->stops[from]};
   const auto [low, high] = std::minmax({from, to});
-  auto points = points_of(table_->trees[low], table_->nodes, table_->stops[low],
+  auto points = points_of(table_->trees[low], table_->corners->nodes, table_->stops[low],
                           static_cast<std::uint32_t>(high), table_->stops[high]);
   if (from > to) std::reverse(points.begin(), points.end());
   return points;
 }
 
 Outcome<Route> Routes::route(const Pose2& start, Vec2 goal) const {
-  const RouteTable& t = *table_;
+  const CornerTable& t = *table_->corners;
   if (!std::isfinite(start.heading_rad)) return bad_input("the start's heading is not a finite number");
   Status start_status = check_place(t.ground, t.robot, start.position, FaultCode::start_blocked, "the start");
   if (!start_status) return pass_on(start_status);
@@ -139,7 +150,7 @@ Outcome<Route> Routes::route(const Pose2& start, Vec2 goal) const {
   RouteTree tree;
   const RouteQuery query{from_ends->row(0), direct_line, wrap_angle(start.heading_rad), 1, 2};
   BudgetMeter meter(unlimited);
-  routes::search_routes(t.robot, t.node_lines, to_ends, query, meter, tree);
+  routes::search_routes(t.robot, t.lines, to_ends, query, meter, tree);
   if (!std::isfinite(tree.arrivals[1].drive.time_s)) {
     return fault(
         FaultCode::no_path,
@@ -153,36 +164,47 @@ Outcome<Route> Routes::route(const Pose2& start, Vec2 goal) const {
   return route;
 }
 
-Outcome<Routes> routes_between(const CollisionMap& ground, const RobotModel& robot,
-                               const std::vector<Vec2>& stops, const std::vector<Vec2>& extra_nodes,
-                               const RouteOptions& options, const Budget& budget) {
-  Status request = check_request(ground, robot, stops, extra_nodes, options);
+const RobotModel& Corners::robot() const { return table_->robot; }
+std::size_t Corners::size() const { return table_->nodes.size(); }
+
+namespace {
+
+/// find_corners() and routes_between(), which take what they spend off the budget.
+Outcome<Corners> corners_of(const CollisionMap& ground, const RobotModel& robot,
+                            const std::vector<Vec2>& extra_nodes, const RouteOptions& options,
+                            Budget& remaining) {
+  Status request = check_request(robot, extra_nodes, options);
   if (!request) return pass_on(request);
-  RouteTable table{ground, robot,
-                   stops,  routes::route_nodes(ground, robot.radius_m, options.arc_step_rad, extra_nodes),
-                   {},     std::vector<RouteTree>(stops.size())};
+  CornerTable table{
+      ground, robot, routes::route_nodes(ground, robot.radius_m, options.arc_step_rad, extra_nodes), {}};
   if (table.nodes.size() > most_nodes) {
     return bad_input(
         fmt::format("the ground has {} free corners to drive around, more than {}; take a part of it "
                     "(bounds), or take away what nobody drives between (removed)",
                     table.nodes.size(), most_nodes));
   }
+  auto lines = routes::sight_lines(ground, robot, table.nodes, remaining);
+  if (!lines) return pass_on(lines);
+  table.lines = std::move(*lines);
+  return Corners(std::make_shared<const CornerTable>(std::move(table)));
+}
 
-  Budget remaining = budget;
-  auto node_lines = routes::sight_lines(ground, robot, table.nodes, remaining);
-  if (!node_lines) return pass_on(node_lines);
-  auto stop_lines = routes::sight_lines(ground, robot, stops, table.nodes, remaining);
+Outcome<Routes> routes_over(const Corners& corners, const std::vector<Vec2>& stops, Budget& remaining) {
+  const CornerTable& c = *corners.table();
+  Status request = check_stops(c.ground, c.robot, stops);
+  if (!request) return pass_on(request);
+  auto stop_lines = routes::sight_lines(c.ground, c.robot, stops, c.nodes, remaining);
   if (!stop_lines) return pass_on(stop_lines);
-  auto direct = routes::sight_lines(ground, robot, stops, remaining);
+  auto direct = routes::sight_lines(c.ground, c.robot, stops, remaining);
   if (!direct) return pass_on(direct);
-  table.node_lines = std::move(*node_lines);
-  const SightLines to_stops = routes::reversed(*stop_lines, stops, table.nodes);
+  const SightLines to_stops = routes::reversed(*stop_lines, stops, c.nodes);
 
+  RouteTable table{corners.table(), stops, std::vector<RouteTree>(stops.size())};
   Status searched = routes::in_parallel(stops.size(), remaining, [&](std::size_t i, BudgetMeter& meter) {
     RouteTree& tree = table.trees[i];
     const RouteQuery query{stop_lines->row(i), direct->row(i), std::nullopt,
                            static_cast<std::uint32_t>(i + 1), static_cast<std::uint32_t>(stops.size())};
-    if (!routes::search_routes(robot, table.node_lines, to_stops, query, meter, tree)) return false;
+    if (!routes::search_routes(c.robot, c.lines, to_stops, query, meter, tree)) return false;
     for (std::size_t k = i + 1; k < stops.size(); ++k) {
       if (distance(stops[i], stops[k]) <= same_place_m)
         tree.arrivals[k] = {{0.0, 0.0, 0.0}, routes::no_label};
@@ -191,6 +213,30 @@ Outcome<Routes> routes_between(const CollisionMap& ground, const RobotModel& rob
   });
   if (!searched) return pass_on(searched);
   return Routes(std::make_shared<const RouteTable>(std::move(table)));
+}
+
+}  // namespace
+
+Outcome<Corners> find_corners(const CollisionMap& ground, const RobotModel& robot,
+                              const std::vector<Vec2>& extra_nodes, const RouteOptions& options,
+                              const Budget& budget) {
+  Budget remaining = budget;
+  return corners_of(ground, robot, extra_nodes, options, remaining);
+}
+
+Outcome<Routes> routes_between(const Corners& corners, const std::vector<Vec2>& stops, const Budget& budget) {
+  Budget remaining = budget;
+  return routes_over(corners, stops, remaining);
+}
+
+Outcome<Routes> routes_between(const CollisionMap& ground, const RobotModel& robot,
+                               const std::vector<Vec2>& stops, const std::vector<Vec2>& extra_nodes,
+                               const RouteOptions& options, const Budget& budget) {
+  Budget remaining = budget;
+  if (auto ok = check_stops(ground, robot, stops); !ok) return pass_on(ok);
+  auto corners = corners_of(ground, robot, extra_nodes, options, remaining);
+  if (!corners) return pass_on(corners);
+  return routes_over(*corners, stops, remaining);
 }
 
 }  // namespace outrider

@@ -165,5 +165,43 @@ TEST(FallTime, IsWhenTheFlightIsBelowForGood) {
   EXPECT_EQ(fall_time({{0, 0, 1}, {1, 0, -3}, 10.0}, 1.5), 0.0);
 }
 
+/// The first contact among many solids is the first of those with each of them alone, whatever else is there.
+TEST(Contact, AmongManySolidsIsTheFirstOfAll) {
+  Rng rng(27);
+  int touched = 0;
+  for (int i = 0; i < cases(60); ++i) {
+    std::vector<Solid> solids{floor_at(0.0)};
+    for (int k = 0; k < 40; ++k) {
+      Solid solid = random_solid(rng, rng.below(7), 0.2);
+      solid.world_T_solid.position =
+          solid.world_T_solid.position + Vec3{rng.uniform(-4.0, 4.0), rng.uniform(-4.0, 4.0), 0.0};
+      solids.push_back(std::move(solid));
+    }
+    const FlightSpace space(solids);
+    for (int k = 0; k < 20; ++k) {
+      const Flight flight = random_flight(rng);
+      const double end = fall_time(flight, -0.5);
+      const auto contact = space.first_contact(flight, 0.01, end);
+      std::optional<Contact> first;
+      for (std::size_t j = 0; j < solids.size(); ++j) {
+        const auto alone = FlightSpace({solids[j]}).first_contact(flight, 0.01, end);
+        if (alone && (!first || alone->time_s < first->time_s))
+          first = Contact{alone->time_s, j, alone->position};
+      }
+      ASSERT_EQ(contact.has_value(), first.has_value());
+      if (!contact) continue;
+      EXPECT_EQ(contact->time_s, first->time_s);
+      EXPECT_EQ(contact->solid, first->solid);
+      touched += contact->solid == 0 ? 0 : 1;
+      const double until = 0.9 * contact->time_s;
+      double least = 1.0;
+      for (const Solid& solid : solids)
+        least = std::min(least, FlightSpace({solid}).clearance(flight, 0.01, until, 1.0).distance_m);
+      EXPECT_NEAR(space.clearance(flight, 0.01, until, 1.0).distance_m, least, 2e-4);
+    }
+  }
+  EXPECT_GT(touched, 50);
+}
+
 }  // namespace
 }  // namespace outrider

@@ -12,6 +12,7 @@
 #include "outrider/ballistics/firing_region.hpp"
 #include "outrider/core/outcome.hpp"
 #include "outrider/jobs/guard/problem.hpp"
+#include "outrider/path/routes/routes.hpp"
 #include "outrider/world/collision_map.hpp"
 #include "outrider/world/grid.hpp"
 
@@ -40,6 +41,7 @@ struct FiringMap {
   std::vector<std::uint32_t> homeward;
   std::vector<FiringRegion> regions;  ///< by target, over the reachable cells
   std::vector<NoShot> no_shots;       ///< by target
+  std::optional<Corners> corners;     ///< of `ground`, for the robot of the problem; unset without regions
 
   /// Returns the obstacles of flights to a target.
   [[nodiscard]] const FlightSpace& space(std::size_t target) const {
@@ -55,8 +57,9 @@ enum class RegionSearch : std::uint8_t {
 };
 
 /// Builds the firing map. Faults: an empty grid, or one too fine for the memory limit; a start that is
-/// blocked or outside; a target whose centre is inside a solid; numbers that are not finite or out of range.
-/// O(cells * targets). Regions are computed in parallel; the result does not depend on the number of threads.
+/// blocked or outside; a target whose centre is inside a solid; numbers that are not finite or out of range;
+/// those of find_corners(). O(cells * targets). Regions are computed in parallel; the result does not depend
+/// on the number of threads.
 Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOptions& options,
                                     const Budget& budget = {},
                                     RegionSearch search = RegionSearch::exhaustive);

@@ -78,12 +78,38 @@ class Routes {
   std::shared_ptr<const RouteTable> table_;
 };
 
-/// Builds the graph over the corners and `extra_nodes` (those that are not free are skipped) and searches
-/// from every stop. Faults: goal_blocked for a blocked stop and outside_map for a stop outside the bounds,
-/// with its index; bad_input for numbers that are not finite, more than 4096 nodes or more than 2048 stops;
-/// those of the budget. One expansion is a point whose lines of sight are found, or a settled label. Time:
-/// O((n + s)^2) exact sight tests and O(s n^2) relaxations at worst for n nodes and s stops. Memory: O(n^2 +
-/// s n + s^2).
+struct CornerTable;
+
+/// The nodes of a ground for one robot, with what they see of each other: the part of routes that is the same
+/// for every list of stops. Immutable and cheap to copy.
+class Corners {
+ public:
+  explicit Corners(std::shared_ptr<const CornerTable> table) : table_(std::move(table)) {}
+
+  /// Returns the robot that the nodes have room for.
+  [[nodiscard]] const RobotModel& robot() const;
+  [[nodiscard]] std::size_t size() const;
+  [[nodiscard]] const std::shared_ptr<const CornerTable>& table() const { return table_; }
+
+ private:
+  std::shared_ptr<const CornerTable> table_;
+};
+
+/// Finds the corners of the ground, adds `extra_nodes` (those that are not free are skipped), and finds which
+/// of them see each other. Faults: bad_input for numbers that are not finite or more than 16,384 nodes; those
+/// of the budget. One expansion is a node whose lines of sight are found. O(n^2) exact sight tests, O(n^2)
+/// memory at worst.
+Outcome<Corners> find_corners(const CollisionMap& ground, const RobotModel& robot,
+                              const std::vector<Vec2>& extra_nodes, const RouteOptions& options,
+                              const Budget& budget);
+
+/// Searches from every stop. Faults: goal_blocked for a blocked stop and outside_map for a stop outside the
+/// bounds, with its index; bad_input for numbers that are not finite or more than 2048 stops; those of the
+/// budget. One expansion is a stop whose lines of sight are found, or a settled label. Time: O(s (n + s))
+/// exact sight tests and O(s n^2) relaxations at worst for n nodes and s stops. Memory: O(s n + s^2).
+Outcome<Routes> routes_between(const Corners& corners, const std::vector<Vec2>& stops, const Budget& budget);
+
+/// Both together. The budget counts for the sum.
 Outcome<Routes> routes_between(const CollisionMap& ground, const RobotModel& robot,
                                const std::vector<Vec2>& stops, const std::vector<Vec2>& extra_nodes,
                                const RouteOptions& options, const Budget& budget);
