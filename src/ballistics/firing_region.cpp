@@ -90,14 +90,15 @@ FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, con
   const auto all = blockers(space, rules.gun.ball_radius_m + rules.margin_m);
   const Vec3 centre = target.centre();
   FiringRegion region;
-  region.pitch.assign(frame.size(), FiringRegion::no_shot);
-  region.error_ratio.assign(frame.size(), std::numeric_limits<float>::infinity());
+  const double range = longest_range(rules, target);
+  region.pitch = GridPart(frame, xy(centre), range, FiringRegion::no_shot);
+  region.error_ratio = GridPart(frame, xy(centre), range, std::numeric_limits<float>::infinity());
   region.blocked_by.assign(space.solids().size(), 0);
   for (const std::uint8_t cell : standable) region.places += cell;
 
   ShotRules here = rules;  // with the height of the ground at each place
   Sight sight(here, target);
-  sweep(all, xy(centre), longest_range(rules, target), largest_lean_m(rules), frame, standable,
+  sweep(all, xy(centre), range, largest_lean_m(rules), frame, standable,
         [&](std::size_t cell, const std::vector<const Blocker*>& near) {
           const Vec2 position = frame.centre(frame.cell(cell));
           if (stop.stop_requested()) return false;
@@ -105,8 +106,8 @@ FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, con
           const Stance stance = stance_at(rules, position);
           here.floor_z_m = stance.ground_z_m;
           const Choice choice = choose(here, sight, lattice, {stance, position, near}, centre);
-          region.pitch[cell] = choice.pitch;
-          region.error_ratio[cell] = choice.error_ratio;
+          region.pitch.set(cell, choice.pitch);
+          region.error_ratio.set(cell, choice.error_ratio);
           region.in_range += choice.in_range ? 1 : 0;
           region.hits += choice.pitch != FiringRegion::no_shot ? 1 : 0;
           if (choice.blocker != nullptr) ++region.blocked_by[choice.blocker->solid];

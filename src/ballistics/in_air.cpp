@@ -199,13 +199,13 @@ FiringRegion firing_region_in_air(const ShotRules& rules, const FlightSpace& spa
                                   const GridFrame& frame, const std::vector<std::uint8_t>& standable,
                                   const std::stop_token& stop) {
   FiringRegion region;
-  region.pitch.assign(frame.size(), FiringRegion::no_shot);
-  region.error_ratio.assign(frame.size(), std::numeric_limits<float>::infinity());
   region.blocked_by.assign(space.solids().size(), 0);
   Range range(rules, space, target);
   const Vec3 centre = target.centre();
   const Reach reach(rules, range.pitches, target, centre.z, stop);
   const double longest = reach.longest();
+  region.pitch = GridPart(frame, xy(centre), longest, FiringRegion::no_shot);
+  region.error_ratio = GridPart(frame, xy(centre), longest, std::numeric_limits<float>::infinity());
   std::vector<std::optional<Aimed>> last(range.pitches.size());
   for (std::size_t cell = 0; cell < frame.size() && !stop.stop_requested(); ++cell) {
     if (standable[cell] == 0) continue;
@@ -227,8 +227,8 @@ FiringRegion firing_region_in_air(const ShotRules& rules, const FlightSpace& spa
         if (first) ++region.blocked_by[*solid];
         continue;
       }
-      region.error_ratio[cell] = shot_error_ratio;
-      region.pitch[cell] = static_cast<std::uint8_t>(i);
+      region.error_ratio.set(cell, shot_error_ratio);
+      region.pitch.set(cell, static_cast<std::uint8_t>(i));
     }
     region.in_range += in_range ? 1 : 0;
     region.hits += region.pitch[cell] != FiringRegion::no_shot ? 1 : 0;

@@ -11,12 +11,13 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <stop_token>
 #include <vector>
 
 #include "outrider/ballistics/shot.hpp"
-#include "outrider/world/grid.hpp"
+#include "outrider/world/grid_part.hpp"
 
 namespace outrider {
 
@@ -28,11 +29,12 @@ std::vector<double> pitch_lattice(const ShotRules& rules);
 struct FiringRegion {
   static constexpr std::uint8_t no_shot = 255;
 
-  std::vector<std::uint8_t> pitch;  ///< by cell: index in the pitch lattice, or no_shot
-  std::vector<float> error_ratio;   ///< by cell: error_ratio() of that shot (shot.hpp); infinite if none
-  std::size_t places = 0;           ///< number of standable cells
-  std::size_t in_range = 0;         ///< number of these within range, ignoring obstacles
-  std::size_t hits = 0;             ///< number of these with a shot
+  GridPart<std::uint8_t> pitch{no_shot};  ///< by cell: index in the pitch lattice, or no_shot
+  /// By cell: error_ratio() of that shot (shot.hpp); infinite if none.
+  GridPart<float> error_ratio{std::numeric_limits<float>::infinity()};
+  std::size_t places = 0;                 ///< number of standable cells
+  std::size_t in_range = 0;               ///< number of these within range, ignoring obstacles
+  std::size_t hits = 0;                   ///< number of these with a shot
   std::vector<std::uint32_t> blocked_by;  ///< by solid: number of places at which it stops the flattest shot
 };
 

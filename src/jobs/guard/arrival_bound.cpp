@@ -19,12 +19,12 @@ Nearest nearest(const ArrivalYard& watch, std::size_t i) {
   const GuardProblem& problem = watch.problem;
   const GridFrame& frame = watch.firing_map.frame;
   Nearest least;
-  for (std::size_t c = 0; c < frame.size(); ++c) {
-    if (watch.firing_map.regions[i].pitch[c] == FiringRegion::no_shot) continue;
+  watch.firing_map.regions[i].pitch.each([&](std::size_t c, std::uint8_t pitch) {
+    if (pitch == FiringRegion::no_shot) return;
     const Vec2 place = frame.centre(frame.cell(c));
     least.from_start_m = std::min(least.from_start_m, distance(problem.start.position, place));
     least.to_target_m = std::min(least.to_target_m, distance(xy(problem.targets[i].base), place));
-  }
+  });
   least.from_start_m = std::max(0.0, least.from_start_m - problem.errors.position_m);
   least.to_target_m = std::max(0.0, least.to_target_m - problem.errors.position_m);
   return least;

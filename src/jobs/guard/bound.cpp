@@ -76,19 +76,19 @@ class Relaxed {
 
   Lattice lattice_;
   double unit_s_ = 0.0;
-  std::uint32_t overhead_ = 0;        // of a drive, to speed up and to slow down
-  std::size_t home_ = 0;              // the cell nearest to the start
-  double to_home_s_ = 0.0;            // no value there exceeds that at the start by more
-  std::vector<Field> flight_;         // by index: the least flight from each cell of the region
-  std::vector<std::uint16_t> least_;  // by index: the least of these
-  std::vector<std::size_t> chosen_;   // bit of a set -> index
-  std::vector<Field> value_;          // set -> by cell, the least time to hit it
+  std::uint32_t overhead_ = 0;                   // of a drive, to speed up and to slow down
+  std::size_t home_ = 0;                         // the cell nearest to the start
+  double to_home_s_ = 0.0;                       // no value there exceeds that at the start by more
+  std::vector<GridPart<std::uint16_t>> flight_;  // by index: the least flight from each cell of the region
+  std::vector<std::uint16_t> least_;             // by index: the least of these
+  std::vector<std::size_t> chosen_;              // bit of a set -> index
+  std::vector<Field> value_;                     // set -> by cell, the least time to hit it
 };
 
 Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
                  const std::vector<std::size_t>& targets)
     : lattice_(firing_map, problem.robot.radius_m),
-      flight_(targets.size(), Field(firing_map.frame.size(), endless)),
+      flight_(targets.size(), GridPart<std::uint16_t>(endless)),
       least_(targets.size(), endless),
       value_(1, Field(firing_map.frame.size(), 0)) {
   const Limits straight = problem.robot.straight();
@@ -105,12 +105,13 @@ Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
   to_home_s_ = 2.0 * nearest / straight.speed;
   parallel_for(targets.size(), [&](std::size_t i) {
     const std::size_t t = targets[i];
-    for (std::size_t c = 0; c < firing_map.frame.size(); ++c) {
-      if (firing_map.regions[t].pitch[c] == FiringRegion::no_shot) continue;
+    flight_[i] = firing_map.regions[t].pitch.mapped(endless, [&](std::size_t c, std::uint8_t pitch) {
+      if (pitch == FiringRegion::no_shot) return endless;
       const double units = least_flight(firing_map.rules, problem.targets[t], place(c)) / unit_s_;
-      flight_[i][c] = static_cast<std::uint16_t>(std::min<double>(endless - 1, units));
-      least_[i] = std::min(least_[i], flight_[i][c]);
-    }
+      const auto flight = static_cast<std::uint16_t>(std::min<double>(endless - 1, units));
+      least_[i] = std::min(least_[i], flight);
+      return flight;
+    });
   });
 }
 
@@ -119,9 +120,9 @@ Field Relaxed::arrived(std::size_t set) const {
   Field value(value_[0].size(), endless);
   for (std::size_t bit = 0; bit < chosen_.size(); ++bit) {
     if ((set >> bit & 1U) == 0) continue;
-    const Field& flight = flight_[chosen_[bit]];
     const Field& then = value_[without(set, bit)];
-    for (std::size_t c = 0; c < value.size(); ++c) value[c] = std::min(value[c], sum(flight[c], then[c]));
+    flight_[chosen_[bit]].each(
+        [&](std::size_t c, std::uint16_t flight) { value[c] = std::min(value[c], sum(flight, then[c])); });
   }
   return value;
 }
@@ -207,7 +208,8 @@ std::optional<std::size_t> Relaxed::hardest() const {
   for (std::size_t i = 0; i < flight_.size(); ++i) {
     if (is_chosen(i)) continue;
     std::uint16_t least = endless;
-    for (std::size_t c = 0; c < way.size(); ++c) least = std::min(least, sum(way[c], flight_[i][c]));
+    flight_[i].each(
+        [&](std::size_t c, std::uint16_t flight) { least = std::min(least, sum(way[c], flight)); });
     const auto more = static_cast<std::uint16_t>(least - least_[i]);
     if (more > most) {
       most = more;

@@ -69,9 +69,9 @@ Status fill(const Drafting& drafting, const std::vector<std::size_t>& cells) {
 std::optional<std::size_t> any_cell_with_shot(Drafting& drafting, std::size_t t) {
   const FiringRegion& region = drafting.firing_map.regions[t];
   std::vector<std::size_t> cells;
-  for (std::size_t i = 0; i < region.pitch.size(); ++i) {
-    if (region.pitch[i] != FiringRegion::no_shot) cells.push_back(i);
-  }
+  region.pitch.each([&](std::size_t i, std::uint8_t pitch) {
+    if (pitch != FiringRegion::no_shot) cells.push_back(i);
+  });
   std::stable_sort(cells.begin(), cells.end(), [&](std::size_t a, std::size_t b) {
     return region.error_ratio[a] < region.error_ratio[b];
   });

@@ -14,6 +14,7 @@ namespace outrider {
 namespace {
 
 constexpr double too_many_bytes = std::numeric_limits<double>::infinity();
+constexpr double too_far = std::numeric_limits<double>::infinity();
 
 ShotRules rules_of(const GuardProblem& problem, const GuardOptions& options) {
   return {problem.gun,
@@ -123,12 +124,20 @@ Status check_targets(const GuardProblem& problem) {
   return {};
 }
 
-/// Bytes that planning holds at most for each cell: this struct's vectors, one pitch and one error_ratio a
-/// target, and the candidate masks.
-double bytes_needed(const GridFrame& frame, std::size_t targets) {
-  const double per_cell = 3.0 + 4.0 + 4.0 + 5.0 * static_cast<double>(targets) +
-                          8.0 * std::ceil(static_cast<double>(targets) / 64.0) * 2.0;
-  return per_cell * static_cast<double>(frame.width) * static_cast<double>(frame.height);
+/// Bytes that planning holds at most but for the fields of its bound, which take what is left: the vectors of
+/// FiringMap and the sure hits, by cell; pitch, error_ratio and least flight of each target, by cell in its
+/// reach (in air, of the whole grid: the reach takes long to find).
+double bytes_needed(const GridFrame& frame, const GuardProblem& problem, const GuardOptions& options) {
+  const double cells = static_cast<double>(frame.width) * static_cast<double>(frame.height);
+  const double words = std::ceil(static_cast<double>(problem.targets.size()) / 64.0);
+  double bytes = cells * (3.0 + 4.0 + 4.0 + 8.0 * words);
+  const ShotRules rules = rules_of(problem, options);
+  for (const Target& target : problem.targets) {
+    const double range = rules.air.none() ? longest_range(rules, target) : too_far;
+    const double side = 2.0 * range / frame.resolution_m + 4.0;
+    bytes += 7.0 * std::min(cells, side * side);
+  }
+  return bytes;
 }
 
 Outcome<GridFrame> frame_for(const GuardProblem& problem, const GuardOptions& options) {
@@ -140,7 +149,7 @@ Outcome<GridFrame> frame_for(const GuardProblem& problem, const GuardOptions& op
   }
   const bool few = cells <= 1e9 && size.x / options.resolution_m < 1e6 && size.y / options.resolution_m < 1e6;
   const GridFrame frame = few ? covering(problem.world.bounds, options.resolution_m) : GridFrame{};
-  const double bytes = few ? bytes_needed(frame, problem.targets.size()) : too_many_bytes;
+  const double bytes = few ? bytes_needed(frame, problem, options) : too_many_bytes;
   if (bytes > cap) {
     return bad_input(fmt::format("a resolution of {:g} m makes {:.3g} places and needs more than {} MiB; "
                                  "take a coarser one or raise plan.memory_cap",
@@ -256,9 +265,9 @@ void try_all(FiringMap& firing_map, const Target& target, std::size_t t, const s
     const auto index =
         std::ranges::min_element(pitches, {}, [pitch](double p) { return std::abs(p - pitch); }) -
         pitches.begin();
-    region.pitch[*tried.found] = static_cast<std::uint8_t>(index);
-    region.error_ratio[*tried.found] =
-        static_cast<float>(error_ratio(firing_map.rules, target, place, tried.shot));
+    region.pitch.set(*tried.found, static_cast<std::uint8_t>(index));
+    region.error_ratio.set(*tried.found,
+                           static_cast<float>(error_ratio(firing_map.rules, target, place, tried.shot)));
     region.hits = 1;
     return;
   }

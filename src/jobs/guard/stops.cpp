@@ -118,14 +118,14 @@ SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map) {
     const FiringRegion& region = firing_map.regions[t];
     std::vector<std::size_t> sure;
     std::vector<std::size_t> possible;
-    for (std::size_t i = 0; i < firing_map.frame.size(); ++i) {
-      if (region.pitch[i] == FiringRegion::no_shot) continue;
+    region.pitch.each([&](std::size_t i, std::uint8_t pitch) {
+      if (pitch == FiringRegion::no_shot) return;
       possible.push_back(i);
       if (region.error_ratio[i] <= sure_ratio && firing_map.clearance_m[i] >= roomy &&
           hit_all_around(firing_map, region, firing_map.frame.cell(i), around)) {
         sure.push_back(i);
       }
-    }
+    });
     for (const std::size_t i : sure.empty() ? possible : sure) {
       hits.add(i, t);
     }
