@@ -114,6 +114,7 @@ void SimulatedRobot::drive_straight(WaypointBody& body, Vec2 goal, std::span<con
 
 void SimulatedRobot::follow(WaypointBody& body, const FollowWaypoints& command) {
   if (command.waypoints.size() < 2) return;
+  sample();  // the way before may have ended with an error of the heading
   const std::vector<Vec2> waypoints = body.displaced_waypoints(command.waypoints);
   if (Log* const log = log_now()) log_plan(*log, body.time_s(), waypoints);
   tell(body.time_s(), "drive",

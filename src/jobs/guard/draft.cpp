@@ -10,13 +10,22 @@
 namespace outrider {
 namespace {
 
+constexpr std::size_t usual_stops = 300;  // the first rounds offer no more, so that more never harm
+
 /// How closely better stops are looked for around those of a tour.
 struct Closeness {
   double near_m;      // distance from a stop
   double tile_cells;  // side of the tiles, by cells of the firing map
+  std::size_t most;   // stops that are offered
 };
-constexpr Closeness wide{1.2, 2.0};
-constexpr Closeness close{0.4, 1.0};
+
+/// One after another: all around, closely, and both again where more stops are wanted.
+std::vector<Closeness> rounds(std::size_t most) {
+  const std::size_t first = std::min(most, usual_stops);
+  std::vector<Closeness> all{{1.2, 2.0, first}, {0.4, 1.0, first}};
+  if (most > first) all.insert(all.end(), {{1.2, 2.0, most}, {0.4, 1.0, most}});
+  return all;
+}
 constexpr double coarse_tile_m = 0.8;
 constexpr std::size_t most_alone = 40;  // targets, beyond which one search for a tour finds too little
 constexpr std::size_t searches = 4;     // for so many
@@ -232,9 +241,8 @@ std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft
     around.push_back(drafting.place(cells.back()));
   }
   const double tile = within.tile_cells * drafting.firing_map.frame.resolution_m;
-  const auto most = static_cast<std::size_t>(drafting.options.stops);
   for (const std::size_t cell :
-       choose_stops(drafting.firing_map, drafting.hits, tile, most, around, within.near_m)) {
+       choose_stops(drafting.firing_map, drafting.hits, tile, within.most, around, within.near_m)) {
     cells.push_back(cell);
   }
   std::sort(cells.begin(), cells.end());
@@ -253,13 +261,14 @@ Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_m
   for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
     if (firing_map.regions[t].hits > 0) drafting.targets.push_back(t);
   }
-  auto most = static_cast<std::size_t>(options.stops);
+  const auto wanted = static_cast<std::size_t>(options.stops);
+  std::size_t most = std::min(wanted, usual_stops);
   // Among fewer stops a search finds better which parts of the yard to go to; near these it then gets all.
   if (drafting.targets.size() > most_alone) most = most * 2 / 5;
   auto cells = choose_stops(firing_map, drafting.hits, coarse_tile_m, most, {}, 0.0);
   if (auto ok = cover_all(drafting, cells); !ok) return pass_on(ok);
   auto best = solve_over(drafting, cells, told_s);
-  for (const Closeness within : {wide, close}) {
+  for (const Closeness& within : rounds(wanted)) {
     for (std::int64_t i = 0; best && i < options.refinements; ++i) {
       choose_shots(problem, firing_map, book, *best);
       auto closer = solve_over(drafting, cells_near(drafting, *best, within), told_s);

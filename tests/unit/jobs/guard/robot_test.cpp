@@ -69,6 +69,26 @@ TEST(SimulatedGuard, ArrivesUniformlyWithinTheErrors) {
   EXPECT_GT(heading_most, 0.99 * problem.errors.heading_rad);
 }
 
+/// A drive ends with an error of the heading. The next one begins with it, and the log says so.
+TEST(SimulatedGuard, LogsWhereADriveBegins) {
+  GuardProblem problem = open_yard();
+  problem.errors.heading_rad = 0.2;
+  const FiringMap firing_map = site_of(problem);
+  Log log;
+  auto robot = simulated_guard(problem, firing_map, log, 5);
+  robot.act(FollowWaypoints{{{0.0, 0.0}, {1.0, 0.0}}});
+  for (int i = 0; i < 4; ++i) {
+    const auto before = robot.sense();
+    const std::size_t rows = poses_of(log).size();
+    ASSERT_NE(before.odometry.heading_rad, poses_of(log).back().heading_rad) << "no error to tell of";
+    robot.act(FollowWaypoints{{before.odometry.position, {i % 2 == 0 ? 2.0 : -2.0, 0.5 * i}}});
+    const auto poses = poses_of(log);
+    ASSERT_GT(poses.size(), rows);
+    EXPECT_EQ(poses[rows].position, before.odometry.position);
+    EXPECT_NEAR(wrap_angle(poses[rows].heading_rad - before.odometry.heading_rad), 0.0, 1e-12);
+  }
+}
+
 TEST(SimulatedGuard, NeverArrivesInsideAnObstacle) {
   Rng rng(101);
   for (int i = 0; i < cases(5); ++i) {
