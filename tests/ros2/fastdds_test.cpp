@@ -39,12 +39,12 @@ class FastDds : public ::testing::Test {
     kill(peer_, SIGKILL);
     waitpid(peer_, nullptr, 0);
   }
-  RosWriter writer(const std::string& topic, const MessageType& type, RosQos qos) {
+  RosWriter writer(const std::string& topic, const MessageType& type, Delivery qos) {
     auto made = node_->writer(topic, type, qos);
     EXPECT_TRUE(made) << to_string(made.error());
     return *made;
   }
-  RosReader reader(const std::string& topic, const MessageType& type, RosQos qos) {
+  RosReader reader(const std::string& topic, const MessageType& type, Delivery qos) {
     auto made = node_->reader(topic, type, qos);
     EXPECT_TRUE(made) << to_string(made.error());
     return *made;
@@ -56,8 +56,8 @@ class FastDds : public ::testing::Test {
 };
 
 TEST_F(FastDds, AnswersWhatItIsAsked) {
-  RosWriter asked = writer("/asked", message_type<Twist>(), RosQos::reliable);
-  RosReader answered = reader("/answered", message_type<Twist>(), RosQos::reliable);
+  RosWriter asked = writer("/asked", message_type<Twist>(), Delivery::reliable);
+  RosReader answered = reader("/answered", message_type<Twist>(), Delivery::reliable);
   ASSERT_TRUE(eventually([&] { return asked.readers() == 1 && answered.writers() == 1; }));
   for (int i = 1; i <= 100; ++i) {
     Twist twist;
@@ -75,7 +75,7 @@ TEST_F(FastDds, AnswersWhatItIsAsked) {
 
 /// The map is sent before anybody listens. Its frame has a length that leaves the fields after it unaligned.
 TEST_F(FastDds, GetsALatchedMapOf4000By4000Cells) {
-  RosWriter maps = writer("/map", message_type<OccupancyGrid>(), RosQos::latched);
+  RosWriter maps = writer("/map", message_type<OccupancyGrid>(), Delivery::latched);
   OccupancyGrid map;
   map.header.frame_id = "map_7";
   map.info.resolution = 0.05F;
@@ -84,7 +84,7 @@ TEST_F(FastDds, GetsALatchedMapOf4000By4000Cells) {
   map.data.resize(16'000'000);
   for (std::size_t i = 0; i < map.data.size(); ++i) map.data[i] = static_cast<std::int8_t>(i * 7 % 102) - 1;
   ASSERT_TRUE(maps.send(&map));
-  RosReader seen = reader("/map_seen", message_type<Twist>(), RosQos::latched);
+  RosReader seen = reader("/map_seen", message_type<Twist>(), Delivery::latched);
   Twist told;
   ASSERT_TRUE(eventually([&] { return seen.take(&told).value_or(false); }));
   EXPECT_EQ(told.linear.x, 4000.0);
