@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "node_clock.hpp"
+#include "outrider/job/clock.hpp"
 #include "outrider/ros2/names.hpp"
 
 namespace outrider {
@@ -16,6 +17,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto pause = 1ms;
+constexpr double farewell_s = 1.0;
 
 /// A message that came, and the index of its topic.
 struct Arrival {
@@ -74,8 +76,8 @@ Status send_all(Node& node, Wiring& wiring, const HearNode& hear) {
 
 }  // namespace
 
-Status run_node(Node& node, const RunNodeOptions& options, const std::stop_token& stop, const HearNode& hear,
-                const std::function<bool()>& done) {
+Status run_node(Node& node, const RunNodeOptions& options, const std::stop_token& stop,
+                const HearNode& hear) {
   auto space = resolve_namespace(options.space);
   if (!space) return pass_on(space);
   const RosNamespace as{*space, node.name()};
@@ -89,7 +91,10 @@ Status run_node(Node& node, const RunNodeOptions& options, const std::stop_token
   if (!clock) return pass_on(clock);
   if (auto ok = network->announce(as); !ok) return ok;
   std::optional<double> due_s;
+  std::optional<double> over_wall_s;
   while (!stop.stop_requested()) {
+    if (node.is_over() && !over_wall_s) over_wall_s = wall_s();
+    if (over_wall_s && wall_s() - *over_wall_s > farewell_s) break;
     if (const auto why = clock->silent()) hear({0.0, NodeLevel::warning, *why});
     const auto now_s = clock->now(node.period_s());
     if (now_s) {
@@ -100,7 +105,6 @@ Status run_node(Node& node, const RunNodeOptions& options, const std::stop_token
         due_s = *now_s + node.period_s();
       }
       if (auto ok = send_all(node, *wiring, hear); !ok) return ok;
-      if (done && done()) return {};
     }
     std::this_thread::sleep_for(pause);
   }

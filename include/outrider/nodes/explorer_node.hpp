@@ -44,6 +44,7 @@ class ExplorerNode final : public Node {
   /// Fault: bad_input for a home that is none.
   static Outcome<ExplorerNodeOptions> checked(ExplorerNodeOptions options);
   explicit ExplorerNode(ExplorerNodeOptions options);
+  [[nodiscard]] bool is_over() const override { return over_; }
 
  private:
   Status take_map(const nav_msgs::OccupancyGrid& map);

@@ -70,6 +70,9 @@ class Node {
   [[nodiscard]] const std::vector<NodeTopic>& outputs() const { return outputs_; }
   [[nodiscard]] const NodeStatus& status() const { return status_; }
 
+  /// Returns true once it has nothing to do any more.
+  [[nodiscard]] virtual bool is_over() const { return false; }
+
   /// Takes a message of the topic inputs()[input].
   void receive(std::size_t input, std::string_view cdr, double time_s);
   /// Acts at a time.

@@ -30,9 +30,8 @@ struct RunNodeOptions {
 
 using HearNode = std::function<void(const NodeEvent&)>;
 
-/// Runs until the stop token is raised, or until `done` returns true, which is asked after each tick. Faults:
-/// bad_input for names and domains; cannot_write if the network takes no message any more.
-Status run_node(Node& node, const RunNodeOptions& options, const std::stop_token& stop, const HearNode& hear,
-                const std::function<bool()>& done = {});
+/// Runs until the stop token is raised, or for a second after the node is over, so that others hear of it.
+/// Faults: bad_input for names and domains.
+Status run_node(Node& node, const RunNodeOptions& options, const std::stop_token& stop, const HearNode& hear);
 
 }  // namespace outrider

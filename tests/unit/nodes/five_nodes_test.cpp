@@ -7,6 +7,7 @@
 #include "outrider/jobs/explore/reference.hpp"
 #include "outrider/jobs/explore/scenario.hpp"
 #include "outrider/nodes/checked.hpp"
+#include "outrider/nodes/explore_mission_node.hpp"
 #include "outrider/nodes/explorer_node.hpp"
 #include "outrider/nodes/follower_node.hpp"
 #include "outrider/nodes/mapper_node.hpp"
@@ -169,6 +170,33 @@ TEST_P(OneIsKilled, AndStartedAnew) {
 
 INSTANTIATE_TEST_SUITE_P(FiveNodes, OneIsKilled,
                          ::testing::Values("mapper", "planner", "explorer", "follower"));
+
+TEST(ExploreMissionNode, MapsTheOfficeAndComesHome) {
+  Office office({});
+  for (const char* name : {"mapper", "planner", "explorer", "follower"}) office.bus.kill(name);
+  ExploreMissionNodeOptions options;
+  options.task = office.setup.task;
+  office.bus.start(std::make_unique<ExploreMissionNode>(options));
+  const auto over = [&] { return office.bus.node<ExploreMissionNode>("explore").is_over(); };
+  ASSERT_TRUE(office.bus.run(1500.0, over));
+  EXPECT_EQ(office.bus.status("explore").state, "complete") << office.bus.status("explore").sentence;
+  const MapQuality quality = office.quality();
+  EXPECT_GT(quality.explored_fraction, 0.99);
+  EXPECT_EQ(office.contacts(), 0);
+  EXPECT_LT(distance(office.sim().pose().position, office.setup.task.start.position), 0.3);
+}
+
+TEST(ExploreMissionNode, StandsWithoutARobotAndSaysWhy) {
+  Office office({});
+  for (const char* name : {"mapper", "planner", "explorer", "follower"}) office.bus.kill(name);
+  office.bus.start(std::make_unique<ExploreMissionNode>(ExploreMissionNodeOptions()));
+  office.bus.run(20.0);
+  ASSERT_TRUE(office.moving);
+  office.bus.kill("sim");
+  office.bus.run(20.5);
+  EXPECT_FALSE(office.moving);
+  EXPECT_EQ(office.bus.status("explore").sentence, "no odometry has come for 0.4 s");
+}
 
 /// The base of the robot stops by itself when nobody commands it.
 TEST(FiveNodes, WithoutTheFollowerTheRobotStopsWithinHalfASecond) {
