@@ -44,7 +44,7 @@ std::vector<OptionGroup> describe(FollowerNodeOptions& options) {
         patience("pose_patience", "transform from map to odometry", &options.pose_patience_s),
         {"map_patience", "s", 0.0, 1e9, "age of the map at which it stops; 0: it never becomes too old",
          &options.map_patience_s},
-        {"delay", "s", 0.0, 2.0, "from a command until the robot obeys", &options.delay_s},
+        {"reaction", "s", 0.0, 2.0, "from a command until the robot obeys", &options.reaction_s},
         {"turn_within", "deg", 1.0, 180.0, "of the heading at the end of a path", &options.turn_within_rad}}},
       {"robot", "the robot, a disk on two wheels", describe(options.robot)},
       {"steer", "how it drives", describe(options.steer)},
@@ -167,10 +167,10 @@ std::pair<Pose2, Twist2> FollowerNode::predicted() const {
   Pose2 pose = odometry_;
   Twist2 twist = twist_;
   const double from_s = std::max(*odometries_.newest_s(), now_s() - longest_s);
-  for (double at_s = from_s; at_s < now_s() + options_.delay_s; at_s += step_s) {
+  for (double at_s = from_s; at_s < now_s() + options_.reaction_s; at_s += step_s) {
     Twist2 wanted;
     for (const Command& given : commands_) {
-      if (given.time_s + options_.delay_s <= at_s) wanted = given.twist;
+      if (given.time_s + options_.reaction_s <= at_s) wanted = given.twist;
     }
     twist.ahead_mps = approach(twist.ahead_mps, wanted.ahead_mps, options_.robot.acceleration_mps2 * step_s);
     twist.turn_radps =
@@ -229,7 +229,7 @@ void FollowerNode::drive() {
       return stand();
     }
     const double rate = std::min(options_.robot.turn_rate_radps,
-                                 std::abs(turn_rad) / (options_.steer.settle_s + options_.delay_s));
+                                 std::abs(turn_rad) / (options_.steer.settle_s + options_.reaction_s));
     return command({0.0, 0.0, std::copysign(rate, turn_rad)});
   }
   const Twist2 next = steer(*path_, pose, twist, obstacles(pose), options_.robot, options_.steer);

@@ -36,7 +36,7 @@ struct FollowerNodeOptions {
   double scan_patience_s = 0.4;
   double pose_patience_s = 0.4;  ///< of the transform from the map to the odometry
   double map_patience_s = 0.0;   ///< 0: a map never becomes too old
-  double delay_s = 0.1;          ///< from a command until the robot obeys
+  double reaction_s = 0.1;       ///< from a command until the robot obeys
   double turn_within_rad = 0.1;  ///< of the last heading of a path
   RobotModel robot;
   SteerOptions steer;
