@@ -17,7 +17,11 @@ constexpr double near_m = 1.2;         // obstacles that matter
 constexpr double beam_half_m = 0.005;  // of a beam's end
 constexpr double stand_s = 2.0;        // commands to stand are sent for
 constexpr double kept_s = 3.0;         // commands
-constexpr double blocked_s = 2.0;
+constexpr double blocked_s = 3.0;      // without getting on, after which the robot goes back
+constexpr double moved_m = 0.05;       // that count as getting on
+constexpr double back_s = 1.5;
+constexpr double trail_step_m = 0.02;
+constexpr std::size_t most_trail = 20;
 constexpr double there_m = 0.015;
 
 Option patience(std::string name, std::string what, double* value) {
@@ -29,8 +33,7 @@ double approach(double from, double to, double most) { return from + std::clamp(
 }  // namespace
 
 FollowerNodeOptions::FollowerNodeOptions() : robot(burger()) {
-  steer.gap_m = 0.04;
-  steer.least_gap_m = 0.025;
+  steer.gap_m = 0.03;
   steer.foresight_s = 0.8;
 }
 
@@ -205,6 +208,25 @@ void FollowerNode::command(const Twist2& twist) {
   options_.plain_twist ? send(command_output_, message.twist) : send(command_output_, message);
 }
 
+/// Keeps where the robot came from.
+void FollowerNode::note_trail(Vec2 at) {
+  if (!trail_.empty() && distance(trail_.back(), at) < trail_step_m) return;
+  trail_.push_back(at);
+  if (trail_.size() > most_trail) trail_.pop_front();
+}
+
+/// Drives backwards along the way it came.
+Twist2 FollowerNode::steer_back(const Pose2& pose, const Twist2& now, const Nearby& nearby) const {
+  PathProgress back{{pose.position}, 0.0};
+  for (auto at = trail_.rbegin(); at != trail_.rend(); ++at)
+    back.points.push_back(*frames_.map_T_odom() * *at);
+  RobotModel slow = options_.robot;
+  slow.speed_mps *= 0.5;
+  const Twist2 twist = steer(back, {pose.position, pose.heading_rad + pi},
+                             {-now.ahead_mps, 0.0, now.turn_radps}, nearby, slow, options_.steer);
+  return {-twist.ahead_mps, 0.0, twist.turn_radps};
+}
+
 /// Stands still; says so to the robot for a while only.
 void FollowerNode::stand() {
   if (now_s() - driven_s_ <= stand_s) command({});
@@ -218,9 +240,11 @@ void FollowerNode::drive() {
   }
   const auto [odom_T_robot, twist] = predicted();
   const Pose2 pose = compose(*map_T_odom, odom_T_robot);
-  const double before_m = path_->along_m;
   advance_along(*path_, pose.position);
-  if (path_->along_m > before_m + 0.005) moved_on_s_ = now_s();
+  if (distance(odom_T_robot.position, stood_) > moved_m) {
+    stood_ = odom_T_robot.position;
+    moved_on_s_ = now_s();
+  }
   const double left_m = std::max(remaining_m(*path_), distance(pose.position, path_->points.back()));
   const double turn_rad = wrap_angle(last_heading_rad_ - pose.heading_rad);
   if (left_m < there_m) {
@@ -232,9 +256,15 @@ void FollowerNode::drive() {
                                  std::abs(turn_rad) / (options_.steer.settle_s + options_.reaction_s));
     return command({0.0, 0.0, std::copysign(rate, turn_rad)});
   }
-  const Twist2 next = steer(*path_, pose, twist, obstacles(pose), options_.robot, options_.steer);
+  const Nearby nearby = obstacles(pose);
+  if (now_s() < backs_until_s_) return command(steer_back(pose, twist, nearby));
+  note_trail(odom_T_robot.position);
+  const Twist2 next = steer(*path_, pose, twist, nearby, options_.robot, options_.steer);
   if (now_s() - moved_on_s_ > blocked_s && next.ahead_mps < 0.01) {
-    set_status(NodeLevel::warning, "stopped", "the scan or the map shows something in the way");
+    set_status(NodeLevel::warning, "stopped",
+               "the scan or the map shows something in the way; the robot goes back a little");
+    backs_until_s_ = now_s() + back_s;
+    moved_on_s_ = backs_until_s_;
   } else {
     set_status(NodeLevel::info, "driving", "the robot drives along its path");
   }

@@ -12,9 +12,9 @@
 //
 // The robot stops, and the status says why, if the newest odometry, scan, or transform from the map to the
 // odometry came more than its patience ago; the patience and one period are less than 0.5 s. The patience
-// with the map itself has no limit by default, since a saved map comes once. It stops at the end of the path,
-// and turns to the heading of its last pose. While it stands, commands to stand are sent for 2 s only, so
-// that others may drive.
+// with the map itself has no limit by default, since a saved map comes once. A robot that something stops
+// goes back a little. It stops at the end of the path, and turns to the heading of its last pose. While it
+// stands, commands to stand are sent for 2 s only, so that others may drive.
 #pragma once
 
 #include <deque>
@@ -64,6 +64,8 @@ class FollowerNode final : public Node {
   void drive();
   [[nodiscard]] std::pair<Pose2, Twist2> predicted() const;
   [[nodiscard]] Nearby obstacles(const Pose2& map_T_robot) const;
+  void note_trail(Vec2 at);
+  [[nodiscard]] Twist2 steer_back(const Pose2& pose, const Twist2& now, const Nearby& nearby) const;
   void command(const Twist2& twist);
   void stand();
 
@@ -82,6 +84,9 @@ class FollowerNode final : public Node {
   std::deque<Command> commands_;  ///< of the last seconds
   double driven_s_ = -1e9;        ///< when it last gave a command to move
   double moved_on_s_ = 0.0;       ///< when it last got on along the path
+  std::deque<Vec2> trail_;        ///< where it came from, on the odometry
+  Vec2 stood_;                    ///< where it last got on, on the odometry
+  double backs_until_s_ = -1e9;
   std::size_t command_output_;
 };
 

@@ -106,6 +106,24 @@ TEST(RosNode, BytesThatAreNoSuchMessageAreRefused) {
   EXPECT_EQ(seen.x, 1.0);
 }
 
+/// The reader is told of it by a sample without content.
+TEST(RosNode, AWriterThatLeavesCostsNothing) {
+  RosNode other = node();
+  auto reader = other.reader("/place", message_type<geometry_msgs::Point>(), Delivery::reliable);
+  ASSERT_TRUE(reader);
+  for (int i = 0; i < 3; ++i) {
+    RosNode one = node();
+    auto writer = one.writer("/place", message_type<geometry_msgs::Point>(), Delivery::reliable);
+    ASSERT_TRUE(writer);
+    ASSERT_TRUE(eventually([&] { return writer->readers() == 1 && reader->writers() == 1; }));
+    const geometry_msgs::Point sent = point(i);
+    ASSERT_TRUE(writer->send(&sent));
+    EXPECT_EQ(x_of_next(*reader), i);
+  }
+  ASSERT_TRUE(eventually([&] { return reader->writers() == 0; }));
+  EXPECT_FALSE(reader->take_bytes());
+}
+
 TEST(RosNode, WhoDoesNotReadCostsNothing) {
   RosNode one = node(), other = node();
   auto writer = one.writer("/place", message_type<geometry_msgs::Point>(), Delivery::reliable);
