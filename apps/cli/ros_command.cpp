@@ -138,7 +138,13 @@ int simulate(ExploreRequest& request, const Command& words, const std::stop_toke
                               static_cast<std::uint64_t>(request.job.scenario.seed), request.plain_twist,
                               request.patience_s, request.faults});
   request.ros.own_rate = request.rate;
-  return run(node, request.ros, words, stop);
+  const int status = run(node, request.ros, words, stop);
+  if (status != job_done) return status;
+  const auto& body = node.robot().body<TwistBody>();
+  show("{:.1f} s simulated, {:.2f} m driven, {} contacts; the robot is {:.2f} m from its start\n",
+       body.time_s(), body.driven_m(), body.contacts(),
+       distance(body.pose().position, setup->task.start.position));
+  return job_done;
 }
 
 void add_sim(Command& ros, const std::stop_token& stop) {
