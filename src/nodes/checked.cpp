@@ -93,6 +93,15 @@ Outcome<Grid<std::uint8_t>> checked_map(const nav_msgs::OccupancyGrid& map) {
   return grid;
 }
 
+bool grown_from(const GridFrame& frame, const GridFrame& before) {
+  constexpr double off = 1e-3;  // of a cell, by rounding
+  if (frame.resolution_m != before.resolution_m) return false;
+  const Vec2 low = 1.0 / frame.resolution_m * (before.origin - frame.origin);
+  const Vec2 whole{std::round(low.x), std::round(low.y)};
+  return norm(low - whole) < off && whole.x >= 0.0 && whole.y >= 0.0 &&
+         whole.x + before.width <= frame.width && whole.y + before.height <= frame.height;
+}
+
 bool MapBeginning::is_another(const nav_msgs::OccupancyGrid& map) {
   const std::int64_t begun_ns = nanoseconds_of(map.info.map_load_time);
   if (begun_ns == 0 || begun_ns == nanoseconds_of(map.header.stamp)) return false;

@@ -77,6 +77,13 @@ Status ExplorerNode::take_map(const nav_msgs::OccupancyGrid& map) {
                "the map was begun anew, so home is not known on it; start the explorer anew");
   }
   if (over_) return {};
+  if (has_map_ && !grown_from(grid->frame, frame_)) {
+    frontiers_ = FrontierMap(options_.explore.frontier, options_.robot.radius_m);
+    decision_.reset();
+    if (end_state_.empty()) goal_.reset();
+    narrow_way_.reset();
+  }
+  frame_ = grid->frame;
   frontiers_.update(*grid, {true, {}});
   has_map_ = new_map_ = true;
   return {};

@@ -70,6 +70,9 @@ Status PlannerNode::take_map(const nav_msgs::OccupancyGrid& map) {
     send(plan_output_, nothing);
     set_status(NodeLevel::warning, "waiting", "the map was begun anew, so the goal holds no more");
   }
+  if (has_map_ && !grown_from(grid->frame, frame_))
+    ground_ = TraversabilityGrid(options_.ground, options_.radius_m);
+  frame_ = grid->frame;
   ground_.update(*grid, {true, {}});
   has_map_ = true;
   return {};

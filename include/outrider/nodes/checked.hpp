@@ -35,6 +35,10 @@ Outcome<Pose2> plane_pose(const geometry_msgs::Pose& pose);
 /// origin.
 Outcome<Grid<std::uint8_t>> checked_map(const nav_msgs::OccupancyGrid& map);
 
+/// Returns true if a frame has the cells of the one before and more, on the same lattice, as that of a map
+/// that grows: what was computed of the map before can be updated.
+bool grown_from(const GridFrame& frame, const GridFrame& before);
+
 /// Notices when a map is begun anew: then what is known of places on the map before holds no more. The map
 /// says by its load time when it was begun; maps without one, or with their stamp in its place, say nothing.
 class MapBeginning {

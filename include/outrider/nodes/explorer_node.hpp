@@ -68,6 +68,7 @@ class ExplorerNode final : public Node {
   FrontierMap frontiers_;
   Blacklist blacklist_;
   Workspace workspace_;
+  GridFrame frame_;  ///< of the newest map
   bool has_map_ = false, new_map_ = false;
   Pose2 pose_;
   std::optional<Pose2> home_;

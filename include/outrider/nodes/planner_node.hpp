@@ -48,6 +48,7 @@ class PlannerNode final : public Node {
   NewestStamp maps_;
   MapBeginning beginning_;
   TraversabilityGrid ground_;
+  GridFrame frame_;  ///< of the newest map
   bool has_map_ = false;
   Workspace workspace_;
   std::optional<Pose2> goal_;

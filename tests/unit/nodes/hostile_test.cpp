@@ -71,6 +71,24 @@ TEST(HostileMessages, MapsAreWhole) {
   EXPECT_TRUE(has(told(planner, "map", map), "whose length is not 1"));
 }
 
+/// What was known of the map before is forgotten: the new one may lie anywhere.
+TEST(HostileMessages, MapsThatShrinkOrLieElsewhereAreBegunAnew) {
+  Grid<std::uint8_t> half({{-2.0, -2.0}, 0.05, 80, 80}, free_cell);
+  for (std::size_t i = 0; i < half.cells.size(); i += 2) half.cells[i] = unknown_cell;
+  ExplorerNode explorer({});
+  PlannerNode planner({});
+  double time_s = 1.0;
+  for (const GridFrame& frame : {GridFrame{{-2.0, -2.0}, 0.05, 80, 80}, GridFrame{{-0.5, -0.5}, 0.05, 20, 20},
+                                 GridFrame{{9e5, -9e5}, 0.05, 80, 80}, GridFrame{{-9e5, 9e5}, 0.001, 80, 80},
+                                 GridFrame{{-2.0, -2.0}, 0.05, 80, 80}}) {
+    time_s += 1.0;
+    half.frame = frame;
+    half.cells.resize(frame.size(), free_cell);
+    EXPECT_EQ(told(planner, "map", map_message(half, time_s, "map"), time_s), "");
+    static_cast<void>(told(explorer, "map", map_message(half, time_s, "map"), time_s));
+  }
+}
+
 TEST(HostileMessages, LengthsThatLieAreRefused) {
   MapperNode mapper({});
   sensor_msgs::LaserScan scan;
