@@ -10,10 +10,10 @@
 #include "odometry_track.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/io/log_file.hpp"
+#include "outrider/io/scan_mount.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/log.hpp"
 #include "robot_log.hpp"
-#include "scan_mount.hpp"
 
 namespace outrider {
 namespace {

@@ -1,4 +1,4 @@
-#include "scan_mount.hpp"
+#include "outrider/io/scan_mount.hpp"
 
 #include <fmt/format.h>
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "outrider/core/text.hpp"
+
 namespace outrider {
 namespace {
 
@@ -38,6 +40,36 @@ Outcome<std::string> resolve_topic(std::string_view name, const RosNamespace& of
       fmt::format("'{}' is no name of a topic; its parts between slashes are letters, digits and "
                   "underscores, and do not begin with a digit",
                   topic));
+}
+
+Outcome<std::string> resolve_namespace(std::string_view name) {
+  while (name.starts_with('/')) name.remove_prefix(1);
+  if (name.empty()) return "/";
+  return resolve_topic(fmt::format("/{}", name));
+}
+
+Outcome<TopicNames> TopicNames::of(const RosNamespace& space, const std::vector<std::string>& rules) {
+  TopicNames names;
+  names.space_ = space;
+  for (const std::string& rule : rules) {
+    const std::size_t at = rule.find(":=");
+    if (at == std::string::npos)
+      return bad_input(fmt::format("'{}' does not rename a topic; give from:=to", printable(rule)),
+                       "--remap");
+    auto from = resolve_topic(std::string_view(rule).substr(0, at), space);
+    if (!from) return pass_on(from);
+    auto to = resolve_topic(std::string_view(rule).substr(at + 2), space);
+    if (!to) return pass_on(to);
+    names.renamed_.insert_or_assign(std::move(*from), std::move(*to));
+  }
+  return names;
+}
+
+Outcome<std::string> TopicNames::name_of(std::string_view topic) const {
+  auto name = resolve_topic(topic, space_);
+  if (!name) return name;
+  const auto renamed = renamed_.find(*name);
+  return renamed == renamed_.end() ? *name : renamed->second;
 }
 
 std::string topic_on_wire(std::string_view topic) { return fmt::format("rt{}", topic); }

@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <iterator>
 #include <string_view>
+#include <vector>
 
 #include "cdr_type.hpp"
+#include "discovery_messages.hpp"
 #include "outrider/log/codecs.hpp"
 #include "outrider/ros2/names.hpp"
 
@@ -15,6 +19,8 @@ namespace {
 
 constexpr std::int64_t last_domain = 232;  // of the port numbers of DDS
 constexpr std::int32_t waiting = 10;       // messages, as in Nav2
+constexpr std::int32_t waiting_fixed = 100;
+constexpr std::string_view enclave = "enclave=/;";  // of every node of ROS 2 without its security
 
 Status check_domain(std::int64_t domain, const std::string& where) {
   if (domain >= 0 && domain <= last_domain) return {};
@@ -23,13 +29,14 @@ Status check_domain(std::int64_t domain, const std::string& where) {
 
 using Quality = std::unique_ptr<dds_qos_t, decltype(&dds_delete_qos)>;
 
-Quality quality(RosQos qos) {
+Quality quality(Delivery qos) {
   Quality quality(dds_create_qos(), &dds_delete_qos);
-  const bool sensor = qos == RosQos::sensor, latched = qos == RosQos::latched;
+  const bool sensor = qos == Delivery::sensor, fixed = qos == Delivery::fixed;
+  const bool latched = qos == Delivery::latched || fixed;
   dds_qset_reliability(quality.get(), sensor ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE,
                        DDS_MSECS(100));
   dds_qset_durability(quality.get(), latched ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
-  dds_qset_history(quality.get(), DDS_HISTORY_KEEP_LAST, latched ? 1 : waiting);
+  dds_qset_history(quality.get(), DDS_HISTORY_KEEP_LAST, fixed ? waiting_fixed : latched ? 1 : waiting);
   const dds_data_representation_id_t encoding = DDS_DATA_REPRESENTATION_XCDR1;
   dds_qset_data_representation(quality.get(), 1, &encoding);
   return quality;
@@ -58,6 +65,8 @@ class Entity {
 
 struct RosNode::Participant {
   Entity entity;
+  std::vector<dds_entity_t> readers = {}, writers = {};
+  std::optional<RosWriter> announcements = {};
 };
 
 /// The end of a topic. What it stands on is deleted after it.
@@ -97,44 +106,91 @@ Outcome<RosNode> RosNode::open(const RosNodeOptions& options) {
                       "<Peers><Peer address='localhost'/></Peers></Discovery>"
                       "<Tracing><Verbosity>none</Verbosity></Tracing>");
   }
-  const dds_entity_t entity = dds_create_participant(domain, nullptr, nullptr);
+  Quality quality(dds_create_qos(), &dds_delete_qos);
+  dds_qset_userdata(quality.get(), enclave.data(), enclave.size());
+  const dds_entity_t entity = dds_create_participant(domain, quality.get(), nullptr);
   if (entity < 0) return refused(fmt::format("domain {}", options.domain), entity);
   return RosNode(std::shared_ptr<Participant>(new Participant{Entity(entity)}));
 }
 
 namespace {
 
-/// Makes the topic and then, by `make`, what writes or reads it.
+/// Makes the topic and then, by `make`, what writes or reads it. Both names are those on the wire.
 template <class Wire, class Make>
 Outcome<std::shared_ptr<Wire>> end_of(dds_entity_t participant, std::shared_ptr<void> owner,
-                                      const std::string& topic, const MessageType& type, RosQos qos,
+                                      const std::string& topic, const MessageType& type, Delivery qos,
                                       Make make) {
-  const auto name = resolve_topic(topic);
-  if (!name) return tl::unexpected<Fault>(name.error());
-  const dds_entity_t on_wire = create_cdr_topic(participant, topic_on_wire(*name), type_on_wire(type.name));
-  if (on_wire < 0) return refused(*name, on_wire);
+  const dds_entity_t on_wire = create_cdr_topic(participant, topic, type_on_wire(type.name));
+  if (on_wire < 0) return refused(topic, on_wire);
   const dds_entity_t entity = make(participant, on_wire, quality(qos).get(), nullptr);
   if (entity < 0) {
     dds_delete(on_wire);
-    return refused(*name, entity);
+    return refused(topic, entity);
   }
   return std::shared_ptr<Wire>(new Wire{{std::move(owner), Entity(on_wire), Entity(entity), &type}});
 }
 
 }  // namespace
 
-Outcome<RosWriter> RosNode::writer(const std::string& topic, const MessageType& type, RosQos qos) {
-  auto wire = end_of<RosWriter::Wire>(participant_->entity.handle(), participant_, topic, type, qos,
-                                      dds_create_writer);
+Outcome<RosWriter> RosNode::writer(const std::string& topic, const MessageType& type, Delivery qos) {
+  const auto name = resolve_topic(topic);
+  if (!name) return tl::unexpected<Fault>(name.error());
+  auto wire = end_of<RosWriter::Wire>(participant_->entity.handle(), participant_, topic_on_wire(*name), type,
+                                      qos, dds_create_writer);
   if (!wire) return pass_on(wire);
+  participant_->writers.push_back((*wire)->entity.handle());
   return RosWriter(std::move(*wire));
 }
 
-Outcome<RosReader> RosNode::reader(const std::string& topic, const MessageType& type, RosQos qos) {
-  auto wire = end_of<RosReader::Wire>(participant_->entity.handle(), participant_, topic, type, qos,
-                                      dds_create_reader);
+Outcome<RosReader> RosNode::reader(const std::string& topic, const MessageType& type, Delivery qos) {
+  const auto name = resolve_topic(topic);
+  if (!name) return tl::unexpected<Fault>(name.error());
+  auto wire = end_of<RosReader::Wire>(participant_->entity.handle(), participant_, topic_on_wire(*name), type,
+                                      qos, dds_create_reader);
   if (!wire) return pass_on(wire);
+  participant_->readers.push_back((*wire)->entity.handle());
   return RosReader(std::move(*wire));
+}
+
+namespace {
+
+template <std::size_t Bytes>
+rmw_dds_common::Gid<Bytes> gid_of(dds_entity_t entity) {
+  dds_guid_t guid{};
+  dds_get_guid(entity, &guid);
+  rmw_dds_common::Gid<Bytes> gid;
+  std::copy(std::begin(guid.v), std::end(guid.v), gid.data.begin());
+  return gid;
+}
+
+template <std::size_t Bytes>
+std::string entities_info(dds_entity_t participant, const std::vector<dds_entity_t>& readers,
+                          const std::vector<dds_entity_t>& writers, const RosNamespace& as) {
+  rmw_dds_common::ParticipantEntitiesInfo<Bytes> info;
+  info.gid = gid_of<Bytes>(participant);
+  rmw_dds_common::NodeEntitiesInfo<Bytes> node{as.space, as.node, {}, {}};
+  for (const dds_entity_t reader : readers) node.reader_gid_seq.push_back(gid_of<Bytes>(reader));
+  for (const dds_entity_t writer : writers) node.writer_gid_seq.push_back(gid_of<Bytes>(writer));
+  info.node_entities_info_seq.push_back(std::move(node));
+  return encode(MessageEncoding::cdr, info);
+}
+
+}  // namespace
+
+Status RosNode::announce(const RosNamespace& as) {
+  Participant& self = *participant_;
+  if (!self.announcements) {
+    // The participant holds this writer, which therefore must not hold the participant.
+    auto wire = end_of<RosWriter::Wire>(self.entity.handle(), nullptr, std::string(discovery_topic),
+                                        message_type<rmw_dds_common::ParticipantEntitiesInfo<16>>(),
+                                        Delivery::latched, dds_create_writer);
+    if (!wire) return pass_on(wire);
+    self.announcements = RosWriter(std::move(*wire));
+  }
+  const char* const distribution = std::getenv("ROS_DISTRO");
+  const bool long_gids = distribution != nullptr && std::string_view(distribution) == "humble";
+  const auto made = long_gids ? entities_info<24> : entities_info<16>;
+  return self.announcements->send_bytes(made(self.entity.handle(), self.readers, self.writers, as));
 }
 
 Status RosWriter::send_bytes(const std::string& bytes) {

@@ -5,10 +5,16 @@
 //
 // It answers every geometry_msgs/msg/Twist on /asked by one of twice its numbers on /answered. For each
 // nav_msgs/msg/OccupancyGrid on /map, latched, it sends a Twist on /map_seen: width, height, resolution, the
-// x of the origin, the length of the frame's name, and the sum of the cells.
+// x of the origin, the length of the frame's name, and the sum of the cells. For each announcement of a node
+// on ros_discovery_info it sends a Twist on /node_seen: number of nodes, length of the name and of the
+// namespace of the first, number of its readers and writers, and 1 if all their names of 16 bytes begin as
+// that of the participant. For each TwistStamped on /cmd_vel it sends its speed and turn rate on
+// /command_seen. It sends a PoseStamped with x = 2.5 on /goal_pose again and again.
 #include <fastcdr/Cdr.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
@@ -65,6 +71,51 @@ struct OccupancyGrid {
   }
 };
 
+struct TwistStamped {
+  std::int32_t stamp_sec = 0;
+  std::uint32_t stamp_nanosec = 0;
+  std::string frame_id;
+  double linear_x = 0, linear_y = 0, linear_z = 0, angular_x = 0, angular_y = 0, angular_z = 0;
+
+  static constexpr const char* type = "geometry_msgs::msg::dds_::TwistStamped_";
+  [[nodiscard]] std::uint32_t most_bytes() const { return 200 + static_cast<std::uint32_t>(frame_id.size()); }
+  template <class Visit>
+  void visit(Visit visit) {
+    visit(stamp_sec), visit(stamp_nanosec), visit(frame_id);
+    visit(linear_x), visit(linear_y), visit(linear_z), visit(angular_x), visit(angular_y), visit(angular_z);
+  }
+};
+
+struct PoseStamped {
+  std::int32_t stamp_sec = 0;
+  std::uint32_t stamp_nanosec = 0;
+  std::string frame_id;
+  double x = 0, y = 0, z = 0, qx = 0, qy = 0, qz = 0, qw = 1;
+
+  static constexpr const char* type = "geometry_msgs::msg::dds_::PoseStamped_";
+  [[nodiscard]] std::uint32_t most_bytes() const { return 200 + static_cast<std::uint32_t>(frame_id.size()); }
+  template <class Visit>
+  void visit(Visit visit) {
+    visit(stamp_sec), visit(stamp_nanosec), visit(frame_id);
+    visit(x), visit(y), visit(z), visit(qx), visit(qy), visit(qz), visit(qw);
+  }
+};
+
+/// Only of one node; nothing is read behind it.
+struct EntitiesInfo {
+  std::array<std::uint8_t, 16> participant{};
+  std::uint32_t nodes = 0;
+  std::string space, name;
+  std::vector<std::array<std::uint8_t, 16>> readers, writers;
+
+  static constexpr const char* type = "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_";
+  [[nodiscard]] std::uint32_t most_bytes() const { return 0; }
+  template <class Visit>
+  void visit(Visit visit) {
+    visit(participant), visit(nodes), visit(space), visit(name), visit(readers), visit(writers);
+  }
+};
+
 template <class Message>
 class MessageSupport final : public fast::TopicDataType {
  public:
@@ -97,12 +148,17 @@ class MessageSupport final : public fast::TopicDataType {
   bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
 };
 
+template <class Message>
+fast::Topic* topic_on_wire(fast::DomainParticipant& participant, const std::string& name) {
+  fast::TypeSupport support(new MessageSupport<Message>);
+  support.register_type(&participant);
+  return participant.create_topic(name, Message::type, fast::TOPIC_QOS_DEFAULT);
+}
+
 /// A topic of ROS 2 in that domain.
 template <class Message>
 fast::Topic* topic(fast::DomainParticipant& participant, const std::string& name) {
-  fast::TypeSupport support(new MessageSupport<Message>);
-  support.register_type(&participant);
-  return participant.create_topic("rt" + name, Message::type, fast::TOPIC_QOS_DEFAULT);
+  return topic_on_wire<Message>(participant, "rt" + name);
 }
 
 /// Sends a Twist made of each message.
@@ -130,6 +186,19 @@ Twist doubled(Twist& asked) {
   return asked;
 }
 
+Twist described(EntitiesInfo& info) {
+  const auto of_it = [&](const auto& gid) {
+    return std::equal(gid.begin(), gid.begin() + 12, info.participant.begin());
+  };
+  const bool all = std::all_of(info.readers.begin(), info.readers.end(), of_it) &&
+                   std::all_of(info.writers.begin(), info.writers.end(), of_it);
+  const auto number = [](auto count) { return static_cast<double>(count); };
+  return {number(info.nodes),          number(info.name.size()),    number(info.space.size()),
+          number(info.readers.size()), number(info.writers.size()), all ? 1.0 : 0.0};
+}
+
+Twist of_command(TwistStamped& command) { return {command.linear_x, 0, 0, 0, 0, command.angular_z}; }
+
 Twist summed(OccupancyGrid& map) {
   return {static_cast<double>(map.width),           static_cast<double>(map.height),
           static_cast<double>(map.resolution),      map.x,
@@ -154,11 +223,22 @@ int main(int count, char** words) {
   Answer<Twist> answer(answers, doubled);
   Answer<OccupancyGrid> look(seen, summed);
 
+  auto* nodes = publisher->create_datawriter(topic<Twist>(*participant, "/node_seen"), reliable);
+  auto* commands = publisher->create_datawriter(topic<Twist>(*participant, "/command_seen"), reliable);
+  auto* goals = publisher->create_datawriter(topic<PoseStamped>(*participant, "/goal_pose"), reliable);
+  Answer<EntitiesInfo> describe(nodes, described);
+  Answer<TwistStamped> obey(commands, of_command);
+  PoseStamped goal;
+  goal.frame_id = "map";
+  goal.x = 2.5;
+
   fast::DataReaderQos usual = fast::DATAREADER_QOS_DEFAULT;
   usual.reliability().kind = fast::RELIABLE_RELIABILITY_QOS;
   subscriber->create_datareader(topic<Twist>(*participant, "/asked"), usual, &answer);
+  subscriber->create_datareader(topic<TwistStamped>(*participant, "/cmd_vel"), usual, &obey);
   usual.durability().kind = fast::TRANSIENT_LOCAL_DURABILITY_QOS;
   subscriber->create_datareader(topic<OccupancyGrid>(*participant, "/map"), usual, &look);
-  pause();  // until it is ended
-  return 0;
+  subscriber->create_datareader(topic_on_wire<EntitiesInfo>(*participant, "ros_discovery_info"), usual,
+                                &describe);
+  for (;; usleep(200'000)) goals->write(&goal);  // until it is ended
 }

@@ -6,10 +6,14 @@
 #include <csignal>
 #include <numeric>
 #include <optional>
+#include <stop_token>
 #include <string>
+#include <thread>
 
 #include "outrider/log/ros_messages.hpp"
+#include "outrider/nodes/planner_node.hpp"
 #include "outrider/ros2/node.hpp"
+#include "outrider/ros2/run_node.hpp"
 #include "support/eventually.hpp"
 
 namespace outrider {
@@ -39,12 +43,12 @@ class FastDds : public ::testing::Test {
     kill(peer_, SIGKILL);
     waitpid(peer_, nullptr, 0);
   }
-  RosWriter writer(const std::string& topic, const MessageType& type, RosQos qos) {
+  RosWriter writer(const std::string& topic, const MessageType& type, Delivery qos) {
     auto made = node_->writer(topic, type, qos);
     EXPECT_TRUE(made) << to_string(made.error());
     return *made;
   }
-  RosReader reader(const std::string& topic, const MessageType& type, RosQos qos) {
+  RosReader reader(const std::string& topic, const MessageType& type, Delivery qos) {
     auto made = node_->reader(topic, type, qos);
     EXPECT_TRUE(made) << to_string(made.error());
     return *made;
@@ -56,8 +60,8 @@ class FastDds : public ::testing::Test {
 };
 
 TEST_F(FastDds, AnswersWhatItIsAsked) {
-  RosWriter asked = writer("/asked", message_type<Twist>(), RosQos::reliable);
-  RosReader answered = reader("/answered", message_type<Twist>(), RosQos::reliable);
+  RosWriter asked = writer("/asked", message_type<Twist>(), Delivery::reliable);
+  RosReader answered = reader("/answered", message_type<Twist>(), Delivery::reliable);
   ASSERT_TRUE(eventually([&] { return asked.readers() == 1 && answered.writers() == 1; }));
   for (int i = 1; i <= 100; ++i) {
     Twist twist;
@@ -75,7 +79,7 @@ TEST_F(FastDds, AnswersWhatItIsAsked) {
 
 /// The map is sent before anybody listens. Its frame has a length that leaves the fields after it unaligned.
 TEST_F(FastDds, GetsALatchedMapOf4000By4000Cells) {
-  RosWriter maps = writer("/map", message_type<OccupancyGrid>(), RosQos::latched);
+  RosWriter maps = writer("/map", message_type<OccupancyGrid>(), Delivery::latched);
   OccupancyGrid map;
   map.header.frame_id = "map_7";
   map.info.resolution = 0.05F;
@@ -84,7 +88,7 @@ TEST_F(FastDds, GetsALatchedMapOf4000By4000Cells) {
   map.data.resize(16'000'000);
   for (std::size_t i = 0; i < map.data.size(); ++i) map.data[i] = static_cast<std::int8_t>(i * 7 % 102) - 1;
   ASSERT_TRUE(maps.send(&map));
-  RosReader seen = reader("/map_seen", message_type<Twist>(), RosQos::latched);
+  RosReader seen = reader("/map_seen", message_type<Twist>(), Delivery::latched);
   Twist told;
   ASSERT_TRUE(eventually([&] { return seen.take(&told).value_or(false); }));
   EXPECT_EQ(told.linear.x, 4000.0);
@@ -93,6 +97,52 @@ TEST_F(FastDds, GetsALatchedMapOf4000By4000Cells) {
   EXPECT_EQ(told.angular.x, -12.5);
   EXPECT_EQ(told.angular.y, 5.0);
   EXPECT_EQ(told.angular.z, std::accumulate(map.data.begin(), map.data.end(), 0.0));
+}
+
+/// So `ros2 node list` knows the node, and `ros2 node info` which readers and writers are its own.
+TEST_F(FastDds, IsToldWhichNodeReadersAndWritersBelongTo) {
+  RosReader seen = reader("/node_seen", message_type<Twist>(), Delivery::latched);
+  RosWriter maps = writer("/robot_1/map", message_type<OccupancyGrid>(), Delivery::latched);
+  ASSERT_TRUE(node_->announce({"/robot_1", "mapper"}));
+  Twist told;
+  ASSERT_TRUE(eventually([&] { return seen.take(&told).value_or(false); }));
+  EXPECT_EQ(told.linear.x, 1.0);   // node
+  EXPECT_EQ(told.linear.y, 6.0);   // letters of "mapper"
+  EXPECT_EQ(told.linear.z, 8.0);   // letters of "/robot_1"
+  EXPECT_EQ(told.angular.x, 1.0);  // reader
+  EXPECT_EQ(told.angular.y, 1.0);  // writer
+  EXPECT_EQ(told.angular.z, 1.0);  // all of this participant
+}
+
+/// A goal of the peer reaches a planner of ours that runs as a node.
+TEST_F(FastDds, SendsAGoalToThePlanner) {
+  PlannerNode planner({});
+  std::stop_source stop;
+  RunNodeOptions options;
+  options.network = {domain_, false};
+  std::jthread running(
+      [&] { EXPECT_TRUE(run_node(planner, options, stop.get_token(), [](const auto&) {})); });
+  RosReader status =
+      reader("/planner/status", message_type<diagnostic_msgs::DiagnosticStatus>(), Delivery::latched);
+  diagnostic_msgs::DiagnosticStatus told;
+  EXPECT_TRUE(eventually(
+      [&] { return status.take(&told).value_or(false) && told.message == "a goal has come, and no map"; }));
+  stop.request_stop();
+}
+
+TEST_F(FastDds, IsCommanded) {
+  RosWriter commands = writer("/cmd_vel", message_type<geometry_msgs::TwistStamped>(), Delivery::reliable);
+  RosReader seen = reader("/command_seen", message_type<Twist>(), Delivery::reliable);
+  ASSERT_TRUE(eventually([&] { return commands.readers() == 1 && seen.writers() == 1; }));
+  geometry_msgs::TwistStamped command;
+  command.header.frame_id = "base_link";
+  command.twist.linear.x = 0.25;
+  command.twist.angular.z = -1.5;
+  ASSERT_TRUE(commands.send(&command));
+  Twist told;
+  ASSERT_TRUE(eventually([&] { return seen.take(&told).value_or(false); }));
+  EXPECT_EQ(told.linear.x, 0.25);
+  EXPECT_EQ(told.angular.z, -1.5);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // RosNode: sends and receives messages of ROS 2 without ROS, through Cyclone DDS.
 //
 //   auto node = RosNode::open(*ros_environment());
-//   auto scans = node->reader("/scan", message_type<sensor_msgs::LaserScan>(), RosQos::sensor);
-//   auto commands = node->writer("/cmd_vel", message_type<nav_msgs::Path>(), RosQos::reliable);
+//   auto scans = node->reader("/scan", message_type<sensor_msgs::LaserScan>(), Delivery::sensor);
+//   auto commands = node->writer("/cmd_vel", message_type<nav_msgs::Path>(), Delivery::reliable);
 //
 // Names, types and bytes on the wire are those of ROS 2 (names.hpp, codecs.hpp). Tried against Fast DDS, the
 // usual implementation under ROS 2, in both directions (tests/ros2); not yet against a node of ROS 2. A
@@ -17,6 +17,8 @@
 
 #include "outrider/core/outcome.hpp"
 #include "outrider/log/message_type.hpp"
+#include "outrider/nodes/delivery.hpp"
+#include "outrider/ros2/names.hpp"
 
 namespace outrider {
 
@@ -28,13 +30,6 @@ struct RosNodeOptions {
 /// Returns what ROS_DOMAIN_ID and ROS_LOCALHOST_ONLY say; 0 and false where they are not set. Faults:
 /// bad_input for a domain that is none.
 Outcome<RosNodeOptions> ros_environment();
-
-/// How messages are delivered, as Nav2 has it.
-enum class RosQos {
-  reliable,  ///< every message, to who listens now; the newest 10 wait
-  sensor,    ///< best effort; the newest 10
-  latched    ///< every message, and the newest one to who comes later
-};
 
 class RosNode;
 
@@ -78,8 +73,12 @@ class RosNode {
   static Outcome<RosNode> open(const RosNodeOptions& options);
 
   /// `topic` is absolute. Faults: bad_input for its name (resolve_topic()), or if the network refuses.
-  Outcome<RosWriter> writer(const std::string& topic, const MessageType& type, RosQos qos);
-  Outcome<RosReader> reader(const std::string& topic, const MessageType& type, RosQos qos);
+  Outcome<RosWriter> writer(const std::string& topic, const MessageType& type, Delivery qos);
+  Outcome<RosReader> reader(const std::string& topic, const MessageType& type, Delivery qos);
+
+  /// Says on the topic ros_discovery_info that this is the node of that name, and that its readers and
+  /// writers so far are the node's: so `ros2 node list` and `ros2 node info` show it. Latched.
+  Status announce(const RosNamespace& as);
 
  private:
   struct Participant;

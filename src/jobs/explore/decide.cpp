@@ -43,8 +43,8 @@ std::vector<Cell> pulled(const GridMap& ground, const std::vector<Cell>& vertice
 Outcome<std::vector<Vec2>> way_between(const std::shared_ptr<const GridMap>& ground, Vec2 from, Vec2 to,
                                        const std::string& planner, Workspace& workspace) {
   const auto is_free = [&](Cell c) { return ground->place(c); };
-  const auto start = nearest_cell(ground->frame, from, is_free);
-  const auto goal = nearest_cell(ground->frame, to, is_free);
+  const auto start = nearest_cell(ground->frame, from, snap_m, is_free);
+  const auto goal = nearest_cell(ground->frame, to, snap_m, is_free);
   if (!start) return fault(FaultCode::start_blocked, "the robot stands on no known free ground");
   if (!goal) return fault(FaultCode::goal_blocked, "the goal is on no known free ground");
   auto row = find_path_planner(planner);

@@ -29,7 +29,7 @@ std::vector<std::uint32_t> flood_drivable(const TraversabilityGrid& ground, Vec2
   const auto is_free = [&](Cell c) {
     return !ground.blocked(static_cast<std::uint32_t>(ground.frame().index(c)));
   };
-  const auto start = nearest_cell(ground.frame(), from, is_free);
+  const auto start = nearest_cell(ground.frame(), from, snap_m, is_free);
   if (!start) return {};
   std::vector<std::uint32_t> open{static_cast<std::uint32_t>(ground.frame().index(*start))};
   ways.room_m[open[0]] = WidestWays::drivable;

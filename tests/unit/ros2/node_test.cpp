@@ -35,8 +35,8 @@ double x_of_next(RosReader& reader) {
 
 TEST(RosNode, MessagesArriveInOrderAndToTheBit) {
   RosNode one = node(), other = node();
-  auto writer = one.writer("/place", message_type<geometry_msgs::Point>(), RosQos::reliable);
-  auto reader = other.reader("/place", message_type<geometry_msgs::Point>(), RosQos::reliable);
+  auto writer = one.writer("/place", message_type<geometry_msgs::Point>(), Delivery::reliable);
+  auto reader = other.reader("/place", message_type<geometry_msgs::Point>(), Delivery::reliable);
   ASSERT_TRUE(writer && reader);
   ASSERT_TRUE(eventually([&] { return writer->readers() == 1 && reader->writers() == 1; }));
   geometry_msgs::Point seen;
@@ -50,16 +50,16 @@ TEST(RosNode, MessagesArriveInOrderAndToTheBit) {
 
 TEST(RosNode, WhoComesLateGetsTheNewestLatchedMessageAndNoOther) {
   RosNode one = node(), other = node();
-  auto latched = one.writer("/map", message_type<geometry_msgs::Point>(), RosQos::latched);
-  auto usual = one.writer("/plan", message_type<geometry_msgs::Point>(), RosQos::reliable);
+  auto latched = one.writer("/map", message_type<geometry_msgs::Point>(), Delivery::latched);
+  auto usual = one.writer("/plan", message_type<geometry_msgs::Point>(), Delivery::reliable);
   ASSERT_TRUE(latched && usual);
   for (double x : {1.0, 2.0, 3.0}) {
     const geometry_msgs::Point sent = point(x);
     ASSERT_TRUE(latched->send(&sent));
     ASSERT_TRUE(usual->send(&sent));
   }
-  auto late = other.reader("/map", message_type<geometry_msgs::Point>(), RosQos::latched);
-  auto none = other.reader("/plan", message_type<geometry_msgs::Point>(), RosQos::reliable);
+  auto late = other.reader("/map", message_type<geometry_msgs::Point>(), Delivery::latched);
+  auto none = other.reader("/plan", message_type<geometry_msgs::Point>(), Delivery::reliable);
   ASSERT_TRUE(late && none);
   EXPECT_EQ(x_of_next(*late), 3.0);
   ASSERT_TRUE(eventually([&] { return usual->readers() == 1; }));
@@ -72,8 +72,8 @@ TEST(RosNode, WhoComesLateGetsTheNewestLatchedMessageAndNoOther) {
 /// A map of 4000 x 4000 cells goes over the network in many fragments.
 TEST(RosNode, LargeMessagesArriveWhole) {
   RosNode one = node(), other = node();
-  auto writer = one.writer("/map", message_type<nav_msgs::OccupancyGrid>(), RosQos::latched);
-  auto reader = other.reader("/map", message_type<nav_msgs::OccupancyGrid>(), RosQos::latched);
+  auto writer = one.writer("/map", message_type<nav_msgs::OccupancyGrid>(), Delivery::latched);
+  auto reader = other.reader("/map", message_type<nav_msgs::OccupancyGrid>(), Delivery::latched);
   ASSERT_TRUE(writer && reader);
   nav_msgs::OccupancyGrid map;
   map.info.width = map.info.height = 4000;
@@ -87,8 +87,8 @@ TEST(RosNode, LargeMessagesArriveWhole) {
 
 TEST(RosNode, BytesThatAreNoSuchMessageAreRefused) {
   RosNode one = node(), other = node();
-  auto writer = one.writer("/place", message_type<geometry_msgs::Point>(), RosQos::reliable);
-  auto reader = other.reader("/place", message_type<geometry_msgs::Point>(), RosQos::reliable);
+  auto writer = one.writer("/place", message_type<geometry_msgs::Point>(), Delivery::reliable);
+  auto reader = other.reader("/place", message_type<geometry_msgs::Point>(), Delivery::reliable);
   ASSERT_TRUE(writer && reader);
   ASSERT_TRUE(eventually([&] { return writer->readers() == 1 && reader->writers() == 1; }));
   const std::string whole = encode(MessageEncoding::cdr, point(1.0));
@@ -106,10 +106,28 @@ TEST(RosNode, BytesThatAreNoSuchMessageAreRefused) {
   EXPECT_EQ(seen.x, 1.0);
 }
 
+/// The reader is told of it by a sample without content.
+TEST(RosNode, AWriterThatLeavesCostsNothing) {
+  RosNode other = node();
+  auto reader = other.reader("/place", message_type<geometry_msgs::Point>(), Delivery::reliable);
+  ASSERT_TRUE(reader);
+  for (int i = 0; i < 3; ++i) {
+    RosNode one = node();
+    auto writer = one.writer("/place", message_type<geometry_msgs::Point>(), Delivery::reliable);
+    ASSERT_TRUE(writer);
+    ASSERT_TRUE(eventually([&] { return writer->readers() == 1 && reader->writers() == 1; }));
+    const geometry_msgs::Point sent = point(i);
+    ASSERT_TRUE(writer->send(&sent));
+    EXPECT_EQ(x_of_next(*reader), i);
+  }
+  ASSERT_TRUE(eventually([&] { return reader->writers() == 0; }));
+  EXPECT_FALSE(reader->take_bytes());
+}
+
 TEST(RosNode, WhoDoesNotReadCostsNothing) {
   RosNode one = node(), other = node();
-  auto writer = one.writer("/place", message_type<geometry_msgs::Point>(), RosQos::reliable);
-  auto reader = other.reader("/place", message_type<geometry_msgs::Point>(), RosQos::reliable);
+  auto writer = one.writer("/place", message_type<geometry_msgs::Point>(), Delivery::reliable);
+  auto reader = other.reader("/place", message_type<geometry_msgs::Point>(), Delivery::reliable);
   ASSERT_TRUE(writer && reader);
   ASSERT_TRUE(eventually([&] { return writer->readers() == 1 && reader->writers() == 1; }));
   for (int i = 0; i < 5000; ++i) {
@@ -132,7 +150,7 @@ TEST(RosNode, WhoDoesNotReadCostsNothing) {
 
 TEST(RosNode, OddNamesAndDomainsAreRefused) {
   RosNode one = node();
-  EXPECT_EQ(one.writer("/no topic", message_type<geometry_msgs::Point>(), RosQos::reliable).error().code,
+  EXPECT_EQ(one.writer("/no topic", message_type<geometry_msgs::Point>(), Delivery::reliable).error().code,
             FaultCode::bad_input);
   EXPECT_EQ(RosNode::open({233, false}).error().where, "domain");
   for (const char* domain : {"x", "-1", "7.5", "233"}) {

@@ -1,0 +1,145 @@
+#include "outrider/nodes/mapper_node.hpp"
+
+#include <fmt/format.h>
+
+#include "outrider/core/text.hpp"
+#include "outrider/io/scan_mount.hpp"
+#include "outrider/jobs/explore/task.hpp"
+#include "outrider/log/conversions.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr std::size_t most_waiting = 10;  // scans
+
+}  // namespace
+
+MapperNodeOptions::MapperNodeOptions() : slam(near_sighted_slam()) {}
+
+std::vector<OptionGroup> describe(MapperNodeOptions& options) {
+  return {{"",
+           "the map",
+           {{"map_period", "s", 0.0, 1e6, "the map is sent at most so often", &options.map_period_s},
+            {"patience", "s", 0.05, 1e6, "without a scan, after which it no longer says where the robot is",
+             &options.patience_s}}},
+          {"frame", "names of the frames", describe(options.frames)},
+          {"slam", "how it knows where it is", describe(options.slam)},
+          {"occupancy", "the map that it makes", describe(options.slam.map)}};
+}
+
+MapperNode::MapperNode(MapperNodeOptions options)
+    : Node("mapper", 0.05), options_(std::move(options)), frames_(options_.frames) {
+  listen<sensor_msgs::LaserScan>("scan", Delivery::sensor,
+                                 [this](const auto& scan) { return take_scan(scan); });
+  listen<nav_msgs::Odometry>("odom", Delivery::sensor,
+                             [this](const auto& odometry) { return take_odometry(odometry); });
+  const auto take = [this](Transforms kind) {
+    return [this, kind](const tf2_msgs::TFMessage& message) { return frames_.add(message, kind, now_s()); };
+  };
+  listen<tf2_msgs::TFMessage>("/tf", Delivery::reliable, take(Transforms::moving));
+  listen<tf2_msgs::TFMessage>("/tf_static", Delivery::fixed, take(Transforms::fixed));
+  map_output_ = add_output<nav_msgs::OccupancyGrid>("map", Delivery::latched);
+  pose_output_ = add_output<geometry_msgs::PoseWithCovarianceStamped>("pose", Delivery::reliable);
+  transform_output_ = add_output<tf2_msgs::TFMessage>("/tf", Delivery::reliable);
+  set_status(NodeLevel::info, "waiting", "no scan has come yet");
+}
+
+Status MapperNode::take_scan(const sensor_msgs::LaserScan& scan) {
+  const auto time_s = scans_.take(scan.header.stamp);
+  if (!time_s) return tl::unexpected<Fault>(time_s.error());
+  if (auto ok = check(scan_of(scan, false, *time_s)); !ok) return ok;
+  if (waiting_.size() == most_waiting) waiting_.pop_front();
+  waiting_.push_back({*time_s, scan});
+  map_waiting();
+  return {};
+}
+
+Status MapperNode::take_odometry(const nav_msgs::Odometry& odometry) {
+  if (auto time_s = odometries_.take(odometry.header.stamp); !time_s) return pass_on(time_s);
+  if (auto ok = frames_.add(odometry); !ok) return ok;
+  map_waiting();
+  return {};
+}
+
+/// Maps the scans whose odometry has come.
+void MapperNode::map_waiting() {
+  while (!waiting_.empty() && frames_.knows_odometry_at(waiting_.front().time_s)) {
+    const Waiting first = std::move(waiting_.front());
+    waiting_.pop_front();
+    if (auto ok = map(first); !ok) tell(NodeLevel::warning, "scan: " + printable(ok.error().sentence));
+  }
+}
+
+Status MapperNode::map(const Waiting& waiting) {
+  const auto mount = frames_.robot_T(waiting.scan.header.frame_id);
+  if (!mount) {
+    return bad_input(
+        fmt::format("no transform says where '{}' is on '{}'; the scans wait for it on /tf_static",
+                    printable(waiting.scan.header.frame_id), options_.frames.base));
+  }
+  const auto level = scan_mount(*mount);
+  if (!level) return tl::unexpected<Fault>(level.error());
+  const auto odometry = frames_.odom_T_robot(waiting.time_s);
+  if (!odometry) return bad_input("its odometry is not finite");
+  if (!slam_) {
+    options_.slam.robot_T_laser = level->robot_T_laser;
+    auto begun = LaserSlam::begin(options_.slam, *odometry);
+    if (!begun) return pass_on(begun);
+    slam_ = std::move(*begun);
+    odometry_ = *odometry;
+    begun_s_ = waiting.time_s;
+  }
+  const Pose2 motion = wrap_heading(relative_pose(odometry_, *odometry));
+  auto step = slam_->advance(motion, scan_of(waiting.scan, level->upside_down, waiting.time_s));
+  if (!step) return pass_on(step);
+  odometry_ = *odometry;
+  map_T_odom_ = wrap_heading(compose(step->pose, inverse(odometry_)));
+  mapped_s_ = now_s();
+  map_changed_ = true;
+  if (step->closed_loop) tell(NodeLevel::info, "a place was recognised, and the map was redrawn");
+  if (step->lost) tell(NodeLevel::warning, "the robot is lost: its scan fits several places or none");
+  send_pose(waiting.time_s);
+  return {};
+}
+
+void MapperNode::send_pose(double time_s) {
+  geometry_msgs::PoseWithCovarianceStamped message;
+  message.header = header_of(time_s, options_.frames.map);
+  message.pose.pose = pose_of(slam_->pose());
+  const Eigen::Matrix3d covariance = slam_->pose_covariance();
+  constexpr std::array<std::size_t, 3> axes{0, 1, 5};  // x, y and the rotation about z
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      message.pose.covariance[axes[row] * 6 + axes[column]] =
+          covariance(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+    }
+  }
+  send(pose_output_, message);
+}
+
+void MapperNode::send_map() {
+  send(map_output_, map_message(slam_->map().occupancy(), now_s(), options_.frames.map, begun_s_));
+  map_sent_s_ = now_s();
+  map_changed_ = false;
+}
+
+void MapperNode::act() {
+  if (!mapped_s_) {
+    if (!waiting_.empty()) set_status(NodeLevel::warning, "waiting", "a scan waits for its odometry");
+    return;
+  }
+  const double blind_s = now_s() - *mapped_s_;
+  if (blind_s > options_.patience_s) {
+    set_status(NodeLevel::error, "blind",
+               fmt::format("no scan with odometry has come for {:g} s", options_.patience_s));
+    return;
+  }
+  set_status(NodeLevel::info, "mapping", "scans are mapped");
+  tf2_msgs::TFMessage transforms;
+  transforms.transforms.push_back(
+      transform_of(now_s(), map_T_odom_, options_.frames.map, options_.frames.odom));
+  send(transform_output_, transforms);
+  if (map_changed_ && now_s() - map_sent_s_ >= options_.map_period_s) send_map();
+}
+
+}  // namespace outrider

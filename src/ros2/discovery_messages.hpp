@@ -1,0 +1,60 @@
+// The messages of ros_discovery_info, by which nodes of ROS 2 tell which node each reader and writer belongs
+// to. Humble has names of entities with 24 bytes, of which DDS fills 16; later distributions have 16.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace outrider {
+
+inline constexpr std::string_view discovery_topic = "ros_discovery_info";  ///< on the wire
+
+namespace rmw_dds_common {
+
+template <std::size_t Bytes>
+struct Gid {
+  std::array<std::uint8_t, Bytes> data{};
+
+  static constexpr std::string_view type = "rmw_dds_common/msg/Gid";
+  template <class List>
+  static void describe(List& list) {
+    list.field("data", &Gid::data);
+  }
+};
+
+template <std::size_t Bytes>
+struct NodeEntitiesInfo {
+  std::string node_namespace;
+  std::string node_name;
+  std::vector<Gid<Bytes>> reader_gid_seq;
+  std::vector<Gid<Bytes>> writer_gid_seq;
+
+  static constexpr std::string_view type = "rmw_dds_common/msg/NodeEntitiesInfo";
+  template <class List>
+  static void describe(List& list) {
+    list.field("node_namespace", &NodeEntitiesInfo::node_namespace);
+    list.field("node_name", &NodeEntitiesInfo::node_name);
+    list.field("reader_gid_seq", &NodeEntitiesInfo::reader_gid_seq);
+    list.field("writer_gid_seq", &NodeEntitiesInfo::writer_gid_seq);
+  }
+};
+
+template <std::size_t Bytes>
+struct ParticipantEntitiesInfo {
+  Gid<Bytes> gid;
+  std::vector<NodeEntitiesInfo<Bytes>> node_entities_info_seq;
+
+  static constexpr std::string_view type = "rmw_dds_common/msg/ParticipantEntitiesInfo";
+  template <class List>
+  static void describe(List& list) {
+    list.field("gid", &ParticipantEntitiesInfo::gid);
+    list.field("node_entities_info_seq", &ParticipantEntitiesInfo::node_entities_info_seq);
+  }
+};
+
+}  // namespace rmw_dds_common
+
+}  // namespace outrider

@@ -1,0 +1,58 @@
+// Nodes: whatever comes on whichever topic, a node goes on, and what it refuses it tells in a sentence.
+//
+// The first byte of an input chooses the node. Messages follow: a byte that chooses the topic, two with the
+// length, and so many bytes of CDR after the four that name the encoding; the node acts after each.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+#include "outrider/nodes/explorer_node.hpp"
+#include "outrider/nodes/follower_node.hpp"
+#include "outrider/nodes/mapper_node.hpp"
+#include "outrider/nodes/planner_node.hpp"
+
+namespace {
+
+using namespace outrider;
+
+std::unique_ptr<Node> node_of(std::uint8_t choice) {
+  if (choice % 4 == 0) return std::make_unique<MapperNode>(MapperNodeOptions());
+  if (choice % 4 == 1) return std::make_unique<PlannerNode>(PlannerNodeOptions());
+  if (choice % 4 == 2) return std::make_unique<ExplorerNode>(ExplorerNodeOptions());
+  return std::make_unique<FollowerNode>(FollowerNodeOptions());
+}
+
+/// What a robot is told must be a motion.
+void check(const std::string& topic, const std::string& bytes) {
+  if (topic != "cmd_vel") return;
+  const auto command = decode<geometry_msgs::TwistStamped>(MessageEncoding::cdr, bytes);
+  if (!command || !std::isfinite(command->twist.linear.x) || !std::isfinite(command->twist.angular.z))
+    std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const auto node = node_of(data[0]);
+  double time_s = 1.0;
+  for (std::size_t at = 1; at + 3 <= size; time_s += 0.05) {
+    const std::size_t input = data[at] % node->inputs().size();
+    const std::size_t length = std::min<std::size_t>(data[at + 1] + 256U * data[at + 2], size - at - 3);
+    std::string cdr("\0\1\0\0", 4);
+    cdr.append(reinterpret_cast<const char*>(data) + at + 3, length);
+    at += 3 + length;
+    node->receive(input, cdr, time_s);
+    node->tick(time_s);
+    for (const NodeEvent& event : node->take_events()) {
+      if (event.sentence.empty()) std::abort();
+    }
+    for (const NodeOutput& output : node->take_outputs())
+      check(node->outputs()[output.topic].name, output.bytes);
+  }
+  return 0;
+}

@@ -1,0 +1,215 @@
+// Mapper, explorer, planner, follower and a simulated robot explore the office through messages alone.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "outrider/jobs/explore/reference.hpp"
+#include "outrider/jobs/explore/scenario.hpp"
+#include "outrider/nodes/checked.hpp"
+#include "outrider/nodes/explore_mission_node.hpp"
+#include "outrider/nodes/explorer_node.hpp"
+#include "outrider/nodes/follower_node.hpp"
+#include "outrider/nodes/mapper_node.hpp"
+#include "outrider/nodes/planner_node.hpp"
+#include "outrider/nodes/sim_node.hpp"
+#include "support/node_bus.hpp"
+
+namespace outrider {
+namespace {
+
+using testing::NodeBus;
+
+class Office {
+ public:
+  explicit Office(const MessageFaults& faults) : bus(faults) {
+    ExploreScenario scenario;
+    scenario.world.world = OUTRIDER_SOURCE_DIR "/scenarios/explore/office.sdf";
+    scenario.start = "0.8,3,0";
+    auto loaded = load_explore(scenario);
+    EXPECT_TRUE(loaded) << to_string(loaded.error());
+    setup = std::move(*loaded);
+    for (const char* name : {"sim", "mapper", "planner", "explorer", "follower"}) start(name);
+    bus.look = [this](const std::string& topic, const std::string& bytes) { look(topic, bytes); };
+    if (std::getenv("OUTRIDER_TALK") != nullptr) {
+      bus.hear = [this](const std::string& node, const NodeEvent& event) {
+        std::printf("%8.2f %s: %s\n", bus.time_s(), node.c_str(), event.sentence.c_str());
+      };
+    }
+  }
+
+  void start(const std::string& name) {
+    if (name == "sim") {
+      SimNodeOptions options;
+      options.start = setup.task.start;
+      options.robot = burger();
+      options.sim = setup.sim;
+      bus.start(std::make_unique<SimNode>(setup.world, options));
+    }
+    if (name == "mapper") bus.start(std::make_unique<MapperNode>(MapperNodeOptions()));
+    if (name == "planner") bus.start(std::make_unique<PlannerNode>(PlannerNodeOptions()));
+    if (name == "follower") bus.start(std::make_unique<FollowerNode>(FollowerNodeOptions()));
+    ExplorerNodeOptions explorer;
+    explorer.home = "0,0,0";
+    if (name == "explorer") bus.start(std::make_unique<ExplorerNode>(explorer));
+  }
+
+  void look(const std::string& topic, const std::string& bytes) {
+    if (topic == "/map") {
+      const auto message = decode<nav_msgs::OccupancyGrid>(MessageEncoding::cdr, bytes);
+      map = checked_map(*message).value();
+    }
+    if (topic == "/cmd_vel") {
+      const auto message = decode<geometry_msgs::TwistStamped>(MessageEncoding::cdr, bytes);
+      moving = message->twist.linear.x != 0.0 || message->twist.angular.z != 0.0;
+      if (moving) moved_s = bus.time_s();
+    }
+  }
+
+  bool explored() {
+    return bus.run(bus.time_s() + 1500.0, [this] {
+      const std::string& state = bus.status("explorer").state;
+      return state == "complete" || state == "left_over" || state == "stuck" || state == "leak";
+    });
+  }
+
+  /// The map of the nodes has its origin where the robot starts.
+  [[nodiscard]] MapQuality quality() const {
+    const SimulatedRobot& robot = sim();
+    const auto truth = exploration_reference(robot.devices().laser->finder(),
+                                             robot.body<TwistBody>().ground(), setup.task.start.position);
+    Grid<std::uint8_t> placed = map;
+    placed.frame.origin = placed.frame.origin + setup.task.start.position;  // its heading is 0
+    return map_quality(*truth, robot.devices().laser->finder(), placed);
+  }
+  [[nodiscard]] const SimulatedRobot& sim() const { return bus.node<SimNode>("sim").robot(); }
+  [[nodiscard]] std::int64_t contacts() const { return sim().body<TwistBody>().contacts(); }
+
+  ExploreSetup setup;
+  NodeBus bus;
+  Grid<std::uint8_t> map;
+  bool moving = false;
+  double moved_s = 0.0;
+};
+
+/// What is left over may only be gaps in the map too narrow for the robot, which the noise of scans makes.
+void expect_home(const Office& office) {
+  const NodeStatus& end = office.bus.status("explorer");
+  const bool only_narrow = end.state == "left_over" &&
+                           end.sentence.find("because: too narrow (") != std::string::npos &&
+                           end.sentence.find(';') == end.sentence.rfind(';');
+  EXPECT_TRUE(end.state == "complete" || only_narrow) << end.state << ": " << end.sentence;
+  EXPECT_EQ(office.contacts(), 0);
+  EXPECT_LT(distance(office.sim().pose().position, office.setup.task.start.position), 0.3);
+}
+
+void expect_mapped(const Office& office) {
+  expect_home(office);
+  const MapQuality quality = office.quality();
+  EXPECT_GT(quality.explored_fraction, 0.99);
+  EXPECT_LT(quality.map_error_m, 0.05);
+}
+
+TEST(FiveNodes, MapTheOfficeAndComeHome) {
+  Office office({});
+  ASSERT_TRUE(office.explored());
+  expect_mapped(office);
+}
+
+TEST(FiveNodes, MapTheOfficeThoughMessagesAreLostAndLate) {
+  Office office({.loss = 0.01, .delay_s = 0.1});
+  ASSERT_TRUE(office.explored());
+  expect_mapped(office);
+}
+
+TEST(FiveNodes, DoTheSameEachTime) {
+  Office one({.loss = 0.05, .delay_s = 0.05}), other({.loss = 0.05, .delay_s = 0.05});
+  one.bus.run(30.0);
+  other.bus.run(30.0);
+  EXPECT_EQ(one.sim().pose(), other.sim().pose());
+  EXPECT_EQ(one.map.cells, other.map.cells);
+}
+
+/// Nobody knows where home is on the map of another mapper: the robot stays where it is, and that is said.
+void expect_rest(Office& office) {
+  const Pose2 stood = office.sim().pose();
+  office.bus.run(office.bus.time_s() + 30.0);
+  EXPECT_EQ(office.bus.status("explorer").state, "map_lost");
+  EXPECT_LT(distance(stood.position, office.sim().pose().position), 0.5);
+  EXPECT_EQ(office.sim().body<TwistBody>().twist(), Twist2{});
+  EXPECT_EQ(office.contacts(), 0);
+  office.start("explorer");  // it explores the new map
+  office.bus.run(office.bus.time_s() + 20.0);
+  EXPECT_EQ(office.bus.status("explorer").state, "exploring");
+  EXPECT_EQ(office.contacts(), 0);
+}
+
+class OneIsKilled : public ::testing::TestWithParam<const char*> {};
+
+/// Whoever is killed: the robot stops or drives on to where it was sent, and what is started anew goes on.
+TEST_P(OneIsKilled, AndStartedAnew) {
+  const std::string name = GetParam();
+  Office office({.loss = 0.01, .delay_s = 0.1});
+  office.bus.run(60.0);
+  ASSERT_TRUE(office.moving);
+  const double killed_s = office.bus.time_s();
+  office.bus.kill(name);
+  office.bus.run(killed_s + 30.0);
+  if (name == "mapper") {
+    EXPECT_LE(office.moved_s, killed_s + 0.5 + 0.1);  // a message was on its way
+    EXPECT_EQ(office.bus.status("follower").state, "stopped");
+    EXPECT_EQ(office.bus.status("follower").sentence, "no transform from 'map' to 'odom' has come for 0.4 s");
+  }
+  EXPECT_EQ(office.sim().body<TwistBody>().twist(), Twist2{});
+  EXPECT_EQ(office.contacts(), 0);
+  office.start(name);
+  if (name == "mapper") return expect_rest(office);
+  ASSERT_TRUE(office.explored());
+  expect_mapped(office);
+}
+
+INSTANTIATE_TEST_SUITE_P(FiveNodes, OneIsKilled,
+                         ::testing::Values("mapper", "planner", "explorer", "follower"));
+
+TEST(ExploreMissionNode, MapsTheOfficeAndComesHome) {
+  Office office({});
+  for (const char* name : {"mapper", "planner", "explorer", "follower"}) office.bus.kill(name);
+  ExploreMissionNodeOptions options;
+  options.task = office.setup.task;
+  office.bus.start(std::make_unique<ExploreMissionNode>(options));
+  const auto over = [&] { return office.bus.node<ExploreMissionNode>("explore").is_over(); };
+  ASSERT_TRUE(office.bus.run(1500.0, over));
+  EXPECT_EQ(office.bus.status("explore").state, "complete") << office.bus.status("explore").sentence;
+  const MapQuality quality = office.quality();
+  EXPECT_GT(quality.explored_fraction, 0.99);
+  EXPECT_EQ(office.contacts(), 0);
+  EXPECT_LT(distance(office.sim().pose().position, office.setup.task.start.position), 0.3);
+}
+
+TEST(ExploreMissionNode, StandsWithoutARobotAndSaysWhy) {
+  Office office({});
+  for (const char* name : {"mapper", "planner", "explorer", "follower"}) office.bus.kill(name);
+  office.bus.start(std::make_unique<ExploreMissionNode>(ExploreMissionNodeOptions()));
+  office.bus.run(20.0);
+  ASSERT_TRUE(office.moving);
+  office.bus.kill("sim");
+  office.bus.run(20.5);
+  EXPECT_FALSE(office.moving);
+  EXPECT_EQ(office.bus.status("explore").sentence, "no odometry has come for 0.4 s");
+}
+
+/// The base of the robot stops by itself when nobody commands it.
+TEST(FiveNodes, WithoutTheFollowerTheRobotStopsWithinHalfASecond) {
+  Office office({});
+  office.bus.run(60.0);
+  ASSERT_TRUE(office.moving);
+  office.bus.kill("follower");
+  const double killed_s = office.bus.time_s();
+  const auto stands = [&] { return office.sim().body<TwistBody>().twist() == Twist2{}; };
+  ASSERT_TRUE(office.bus.run(killed_s + 2.0, stands));
+  EXPECT_LE(office.bus.time_s(), killed_s + 0.5 + 0.3);  // and brakes
+  EXPECT_NE(office.bus.status("sim").sentence.find("no command has come for 0.5 s"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace outrider
