@@ -34,7 +34,8 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
   // Handles signals from the start, except while a scenario is read from standard input: then nothing has
   // begun that would need a clean end.
   std::optional<StopOnSignal> stop;
-  const bool listens = runs_job(jobs, given) || (!given.empty() && given[0] == "convert");
+  const bool listens =
+      runs_job(jobs, given) || (!given.empty() && (given[0] == "convert" || given[0] == "sweep"));
   if (listens && std::ranges::count(given, "--stdin") == 0) stop.emplace();
   const auto words = expand_run(jobs, std::move(given));
   if (!words) return print_fault(words.error(), wants_json(argc, argv));
@@ -50,6 +51,7 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
   add_calibrate(tool);
   add_detect(tool);
   add_convert(tool, stop ? stop->token() : std::stop_token());
+  add_sweep(tool, jobs, stop ? stop->token() : std::stop_token());
   add_replay(tool, jobs);
   add_serve(tool, jobs);
   add_bench(tool);
