@@ -9,6 +9,7 @@ the folder under the same names. Dask repeats the chunks of workers that it lose
 from __future__ import annotations
 
 import argparse
+import importlib
 import json
 import os
 import shutil
@@ -16,6 +17,15 @@ import subprocess
 import sys
 import time
 from typing import Any
+
+
+def _distributed() -> Any:
+    """The module distributed, which has no types."""
+    try:
+        return importlib.import_module("distributed")
+    except ImportError as missing:
+        raise ImportError("outrider.sweep needs Dask; install the package python3-distributed, or "
+                          "'pip install distributed'") from missing
 
 
 def _answer(command: list[str], working_folder: str) -> dict[str, Any]:
@@ -43,14 +53,13 @@ def compute_chunk(tool: str, folder: str, working_folder: str, chunk: int) -> in
 def run_sweep(scheduler: str, words: list[str], tool: str = "outrider") -> dict[str, Any]:
     """Runs `outrider sweep WORDS` on a cluster and returns what it prints with --json in the end. Refusals are of
     the class ValueError."""
-    from distributed import Client, as_completed
-
+    dask = _distributed()
     here = os.getcwd()
     begun = _answer([tool, "sweep", *words, "--emit", "chunks"], here)
     folder = begun["files"]["folder"]
-    with Client(scheduler) as client:
+    with dask.Client(scheduler) as client:
         tasks = [client.submit(compute_chunk, tool, folder, here, chunk, pure=False) for chunk in begun["missing"]]
-        for count, task in enumerate(as_completed(tasks), 1):
+        for count, task in enumerate(dask.as_completed(tasks), 1):
             task.result()
             if sys.stderr.isatty():
                 print(f"\r{count} of {len(tasks)} chunks", end="", file=sys.stderr)

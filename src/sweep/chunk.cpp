@@ -116,7 +116,7 @@ std::string chunk_text(const Sweep& sweep, const std::vector<SweepResult>& resul
   return text + last_line(results.size(), text);
 }
 
-Outcome<SweepTable> read_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
+Outcome<ChunkText> check_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
                                const std::string& name) {
   const std::size_t last = text.rfind("\n# ");
   if (last == std::string_view::npos) return damaged(name, "its last line is missing");
@@ -126,21 +126,30 @@ Outcome<SweepTable> read_chunk(const Sweep& sweep, std::uint64_t chunk, std::str
   if (text.substr(last + 1) != last_line(count, body)) {
     return damaged(name, "its content is not what its last line says");
   }
-  SweepTable table;
   const auto fixed = fixed_columns(sweep);
-  auto columns = csv_fields(take_line(body));
+  const auto columns = csv_fields(take_line(body));
   if (columns.size() < fixed.size() || !std::equal(fixed.begin(), fixed.end(), columns.begin())) {
     return damaged(name, "it has columns of another sweep");
   }
-  table.metrics.assign(columns.begin() + static_cast<std::ptrdiff_t>(fixed.size()), columns.end());
-  while (!body.empty()) {
+  if (!body.starts_with(fmt::format("{},", first))) return damaged(name, "it has runs of another chunk");
+  return ChunkText{{columns.begin() + static_cast<std::ptrdiff_t>(fixed.size()), columns.end()}, body};
+}
+
+Outcome<SweepTable> read_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
+                               const std::string& name) {
+  auto checked = check_chunk(sweep, chunk, text, name);
+  if (!checked) return pass_on(checked);
+  SweepTable table{.metrics = std::move(checked->metrics), .rows = {}};
+  const std::size_t columns = fixed_columns(sweep).size() + table.metrics.size();
+  for (std::string_view body = checked->lines; !body.empty();) {
     table.rows.push_back(csv_fields(take_line(body)));
-    if (table.rows.back().size() != columns.size() ||
-        table.rows.back()[0] != fmt::format("{}", first + table.rows.size() - 1)) {
-      return damaged(name, fmt::format("line {} is not the run it should be", table.rows.size() + 1));
+    if (table.rows.back().size() != columns) {
+      return damaged(name, fmt::format("line {} lacks fields", table.rows.size() + 1));
     }
   }
-  if (table.rows.size() != count) return damaged(name, "it lacks runs");
+  if (table.rows.size() != sweep.begin_of(chunk + 1) - sweep.begin_of(chunk)) {
+    return damaged(name, "it lacks runs");
+  }
   return table;
 }
 

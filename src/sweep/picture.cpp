@@ -8,6 +8,7 @@
 
 #include "axis.hpp"
 #include "outrider/core/text.hpp"
+#include "outrider/io/text.hpp"
 #include "outrider/sweep/columns.hpp"
 
 namespace outrider {
@@ -38,6 +39,14 @@ std::string box(double x, double y, double width, double height, const std::stri
 std::string short_label(const std::string& label) {
   return label.size() <= most_label_bytes ? label
                                           : printable(label.substr(0, most_label_bytes - 1)) + "\u2026";
+}
+
+/// Returns which labels have room along an axis: every so many, with `step_px` between neighbours.
+std::size_t label_stride(const std::vector<std::string>& labels, double step_px) {
+  constexpr double letter_px = 6.6;
+  std::size_t longest = 1;
+  for (const std::string& label : labels) longest = std::max(longest, short_label(label).size());
+  return static_cast<std::size_t>(std::ceil((static_cast<double>(longest) + 1.0) * letter_px / step_px));
 }
 
 std::string axes_of(const Frame& frame) {
@@ -85,7 +94,7 @@ std::string rate_panel(const Sweep& sweep, const std::vector<bool>& done, const 
           y(static_cast<double>(rates[i].hits) / static_cast<double>(rates[i].count)));
     }
   }
-  const std::size_t every = 1 + axis.labels.size() / 9;
+  const std::size_t every = label_stride(axis.labels, step);
   for (std::size_t i = 0; i < axis.labels.size(); i += every) {
     svg += text_at(frame.left + step * (static_cast<double>(i) + 0.5), frame.bottom() + 16.0,
                    short_label(axis.labels[i]), "class=\"soft\" text-anchor=\"middle\"");
@@ -129,7 +138,7 @@ std::string heat_panel(const std::vector<bool>& done, const Axis& x, const Axis&
         left + 0.5 * wide, top + 0.5 * high + 4.0, fmt::format("{:.0f} %", 100.0 * rate),
         rate > 0.75 || rate < 0.2 ? "text-anchor=\"middle\" style=\"fill:#fff\"" : "text-anchor=\"middle\"");
   }
-  for (std::size_t i = 0; i < x.labels.size(); i += 1 + x.labels.size() / 13) {
+  for (std::size_t i = 0; i < x.labels.size(); i += label_stride(x.labels, wide)) {
     svg += text_at(frame.left + wide * (static_cast<double>(i) + 0.5), frame.bottom() + 16.0,
                    short_label(x.labels[i]), "class=\"soft\" text-anchor=\"middle\"");
   }
@@ -264,12 +273,14 @@ Outcome<std::string> sweep_picture(const Sweep& sweep, const std::string& folder
 }
 
 std::string sweep_page(const std::string& title, const std::string& picture, const std::string& text) {
+  std::string lines;
+  for (std::string_view rest = text; !rest.empty();) lines += markup_text(take_line(rest)) + "\n";
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
       "content=\"width=device-width\">\n<title>{}</title>\n<style>\nbody{{margin:24px auto;max-width:1010px;"
       "font:14px system-ui,sans-serif;color:#15212b}}\nsvg{{max-width:100%;height:auto}}\n"
       "pre{{overflow-x:auto;font-size:12.5px;line-height:1.4}}\n</style>\n{}<pre>{}</pre>\n</html>\n",
-      markup_text(title), picture, markup_text(text));
+      markup_text(title), picture, lines);
 }
 
 }  // namespace outrider

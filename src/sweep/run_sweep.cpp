@@ -204,24 +204,84 @@ std::vector<std::uint64_t> missing_chunks(const Sweep& sweep, const std::string&
   return missing;
 }
 
-Status for_each_chunk(const Sweep& sweep, const std::string& folder,
-                      const std::function<void(std::uint64_t chunk, const SweepTable&)>& use) {
+namespace {
+
+/// Calls use(chunk, text of the chunk, its path) for all of them, until one is refused.
+Status for_each_text(
+    const Sweep& sweep, const std::string& folder,
+    const std::function<Status(std::uint64_t, const std::string& text, const std::string& path)>& use) {
   for (std::uint64_t chunk = 0; chunk < sweep.chunks(); ++chunk) {
     const std::string path = chunk_path(folder, chunk);
     const auto text = read_file(path);
     if (!text) return tl::unexpected<Fault>(text.error());
-    const auto table = read_chunk(sweep, chunk, *text, path);
-    if (!table) return tl::unexpected<Fault>(table.error());
-    use(chunk, *table);
+    if (auto ok = use(chunk, *text, path); !ok) return ok;
   }
   return {};
 }
 
-Outcome<std::string> merge_chunks(const Sweep& sweep, const std::string& folder) {
+Outcome<std::vector<std::string>> all_metrics(const Sweep& sweep, const std::string& folder) {
   std::vector<std::string> metrics;
-  auto ok = for_each_chunk(
-      sweep, folder, [&](std::uint64_t, const SweepTable& table) { add_columns(metrics, table.metrics); });
+  auto ok = for_each_text(
+      sweep, folder, [&](std::uint64_t chunk, const std::string& text, const std::string& path) -> Status {
+        const auto checked = check_chunk(sweep, chunk, text, path);
+        if (!checked) return tl::unexpected<Fault>(checked.error());
+        add_columns(metrics, checked->metrics);
+        return {};
+      });
   if (!ok) return pass_on(ok);
+  return metrics;
+}
+
+/// Returns the lines of a chunk with the metrics of the whole table.
+std::string widened(const SweepTable& table, std::size_t fixed, const std::vector<std::string>& metrics) {
+  std::string text;
+  std::vector<std::string> fields(fixed + metrics.size());
+  for (const auto& row : table.rows) {
+    std::ranges::fill(fields, std::string());
+    std::copy_n(row.begin(), fixed, fields.begin());
+    for (std::size_t i = 0; i < table.metrics.size(); ++i) {
+      const auto place = std::ranges::find(metrics, table.metrics[i]) - metrics.begin();
+      fields[fixed + static_cast<std::size_t>(place)] = row[fixed + i];
+    }
+    text += csv_line(fields);
+  }
+  return text;
+}
+
+/// Writes the merged table through `write`.
+Status write_merged(const Sweep& sweep, const std::string& folder, const std::vector<std::string>& metrics,
+                    const std::function<Status(std::string_view)>& write) {
+  std::vector<std::string> columns = fixed_columns(sweep);
+  const std::size_t fixed = columns.size();
+  columns.insert(columns.end(), metrics.begin(), metrics.end());
+  if (auto ok = write(csv_line(columns)); !ok) return ok;
+  return for_each_text(sweep, folder,
+                       [&](std::uint64_t chunk, const std::string& text, const std::string& path) -> Status {
+                         const auto checked = check_chunk(sweep, chunk, text, path);
+                         if (!checked) return tl::unexpected<Fault>(checked.error());
+                         if (checked->metrics == metrics) return write(checked->lines);  // as they are
+                         const auto table = read_chunk(sweep, chunk, text, path);
+                         if (!table) return tl::unexpected<Fault>(table.error());
+                         return write(widened(*table, fixed, metrics));
+                       });
+}
+
+}  // namespace
+
+Status for_each_chunk(const Sweep& sweep, const std::string& folder,
+                      const std::function<void(std::uint64_t chunk, const SweepTable&)>& use) {
+  return for_each_text(sweep, folder,
+                       [&](std::uint64_t chunk, const std::string& text, const std::string& path) -> Status {
+                         const auto table = read_chunk(sweep, chunk, text, path);
+                         if (!table) return tl::unexpected<Fault>(table.error());
+                         use(chunk, *table);
+                         return {};
+                       });
+}
+
+Outcome<std::string> merge_chunks(const Sweep& sweep, const std::string& folder) {
+  const auto metrics = all_metrics(sweep, folder);
+  if (!metrics) return tl::unexpected<Fault>(metrics.error());
   const std::string part = folder + "/table.part";
   auto lock = FileLock::take(part);
   if (!lock) return pass_on(lock);
@@ -229,38 +289,17 @@ Outcome<std::string> merge_chunks(const Sweep& sweep, const std::string& folder)
   auto sink = make_file_sink(part);
   if (!sink) return pass_on(sink);
   Sha256 hash;
-  Status status;
-  const auto write = [&](const std::string& text) {
+  auto written = write_merged(sweep, folder, *metrics, [&](std::string_view text) {
     hash.add(text);
-    if (status) status = (*sink)->write(text);
-  };
-  const std::vector<std::string> fixed = fixed_columns(sweep);
-  std::vector<std::string> columns = fixed;
-  columns.insert(columns.end(), metrics.begin(), metrics.end());
-  write(csv_line(columns));
-  ok = for_each_chunk(sweep, folder, [&](std::uint64_t, const SweepTable& table) {
-    std::vector<std::size_t> places;  // in a line of the merged table, of each metric of the chunk
-    for (const std::string& name : table.metrics) {
-      places.push_back(fixed.size() +
-                       static_cast<std::size_t>(std::ranges::find(metrics, name) - metrics.begin()));
-    }
-    std::string text;
-    std::vector<std::string> fields(columns.size());
-    for (const auto& row : table.rows) {
-      std::ranges::fill(fields, std::string());
-      std::copy_n(row.begin(), fixed.size(), fields.begin());
-      for (std::size_t i = 0; i < places.size(); ++i) fields[places[i]] = row[fixed.size() + i];
-      text += csv_line(fields);
-    }
-    write(text);
+    return (*sink)->write(text);
   });
-  if (ok && status) status = (*sink)->close();
-  if (!ok || !status) {
+  if (written) written = (*sink)->close();
+  if (written) written = write_files({}, {{folder + "/table.csv", part}});
+  if (!written) {
     std::error_code ignored;
     fs::remove(part, ignored);
-    return ok ? pass_on(status) : pass_on(ok);
+    return pass_on(written);
   }
-  if (auto renamed = write_files({}, {{folder + "/table.csv", part}}); !renamed) return pass_on(renamed);
   return hash.hex();
 }
 

@@ -90,6 +90,16 @@ class Sweep(ToolTest):
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual(self.table("other"), self.once, words)
 
+    def test_worlds_are_read_by_many_threads(self):
+        """Reading SDF mutes the standard error of the process, which threads share."""
+        tables = []
+        for threads in ("1", "8"):
+            result = self.run_tool("sweep", SOURCE / "scenarios/arena/shortest.yaml", "--vary", "sight=modelled", "--runs",
+                                   "16", "--threads", threads, "--out", threads)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            tables.append(self.table(threads))
+        self.assertEqual(*tables)
+
     def test_chunks_in_any_order_then_merge(self):
         for chunk in ("9", "3..5", "0", "1..2", "6..8"):
             self.sweep("--out", "parts", "--chunks", chunk)

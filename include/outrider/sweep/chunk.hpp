@@ -42,6 +42,16 @@ std::vector<std::string> fixed_columns(const Sweep& sweep);
 /// Returns the text of the chunk with these runs. O(text).
 std::string chunk_text(const Sweep& sweep, const std::vector<SweepResult>& results);
 
+/// A chunk that is whole.
+struct ChunkText {
+  std::vector<std::string> metrics;  ///< names of the last columns
+  std::string_view lines;            ///< those of its runs, within the text
+};
+
+/// Checks that the text is the given chunk of the sweep, by its hash. Fault: bad_input with `name`.
+Outcome<ChunkText> check_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
+                               const std::string& name);
+
 /// Reads a chunk. Fault: bad_input with `name` if it is damaged or is not the given chunk of the sweep.
 Outcome<SweepTable> read_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
                                const std::string& name);
