@@ -19,6 +19,7 @@ constexpr int columns_of_panels = 3;
 constexpr std::size_t most_metrics = 12, most_axes = 3, histogram_bins = 30, most_numbers = 16'000'000;
 constexpr std::array<const char*, 2> side_colours = {"#0a6cc4", "#c54c06"};
 constexpr std::size_t most_label_bytes = 12;
+constexpr double letter_px = 6.6;  // width of a letter, about
 
 /// A panel: its title above, and room for a drawing.
 struct Frame {
@@ -43,7 +44,6 @@ std::string short_label(const std::string& label) {
 
 /// Returns which labels have room along an axis: every so many, with `step_px` between neighbours.
 std::size_t label_stride(const std::vector<std::string>& labels, double step_px) {
-  constexpr double letter_px = 6.6;
   std::size_t longest = 1;
   for (const std::string& label : labels) longest = std::max(longest, short_label(label).size());
   return static_cast<std::size_t>(std::ceil((static_cast<double>(longest) + 1.0) * letter_px / step_px));
@@ -112,8 +112,9 @@ std::string heat_colour(double rate) {
 }
 
 std::string heat_panel(const std::vector<bool>& done, const Axis& x, const Axis& y, const Frame& frame) {
-  std::string svg = text_at(frame.left, frame.top - 10.0,
-                            fmt::format("done, by {} (across) and {} (up)", x.key, y.key), "class=\"head\"");
+  std::string svg = text_at(frame.left, frame.top - 10.0, "done, by both keys", "class=\"head\"");
+  svg += text_at(frame.left, frame.bottom() + 32.0, fmt::format("across: {}, up: {}", x.key, y.key),
+                 "class=\"soft\"");
   std::vector<Rate> rates(x.labels.size() * y.labels.size());
   for (std::size_t run = 0; run < done.size(); ++run) {
     if (x.place_of[run] >= x.labels.size() || y.place_of[run] >= y.labels.size()) continue;
@@ -238,7 +239,7 @@ std::string heading(const Sweep& sweep, const SweepSummary& summary) {
         rate.count == 0 ? 0.0 : 100.0 * static_cast<double>(rate.hits) / static_cast<double>(rate.count));
     svg += box(x, 21.0, 12.0, 12.0, fmt::format("fill=\"{}\"", side_colours[side]));
     svg += text_at(x + 18.0, 32.0, printable(label));
-    x += 340.0;
+    x += 48.0 + letter_px * static_cast<double>(label.size());
   }
   return svg;
 }

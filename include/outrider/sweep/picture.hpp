@@ -8,9 +8,9 @@
 namespace outrider {
 
 /// Returns one SVG without script: the rate of done with its interval over each key that varies, a heat map
-/// of it over the first two keys, and a histogram of each metric that differs between runs, at most 12, in a
-/// comparison of both sides. Keys that vary at random as numbers are shown in eight bins. Faults: those of
-/// for_each_chunk().
+/// of it over the first two keys (of a comparison with both sides together), and a histogram of each metric
+/// that differs between runs, at most 12, for each side. Keys that vary at random as numbers are shown in
+/// eight bins. Faults: those of for_each_chunk().
 Outcome<std::string> sweep_picture(const Sweep& sweep, const std::string& folder,
                                    const SweepSummary& summary);
 

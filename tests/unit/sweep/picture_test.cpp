@@ -21,8 +21,7 @@ TEST_F(SweepPicture, ShowsRatesAHeatMapAndHistograms) {
   ASSERT_TRUE(summary);
   const auto svg = sweep_picture(all, path("out"), *summary);
   ASSERT_TRUE(svg) << to_string(svg.error());
-  for (const char* title :
-       {">done, by x<", ">done, by mode<", ">done, by x (across) and mode (up)<", ">y<", ">twice<"}) {
+  for (const char* title : {">done, by x<", ">done, by mode<", ">across: x, up: mode<", ">y<", ">twice<"}) {
     EXPECT_NE(svg->find(title), std::string::npos) << title;
   }
   EXPECT_EQ(count_of(*svg, "<circle"), 10) << "8 bins and 2 modes";
