@@ -229,13 +229,14 @@ std::string heading(const Sweep& sweep, const SweepSummary& summary) {
   std::string text = fmt::format("{}: {} runs", summary.job, summary.runs);
   std::string svg = fmt::format("<title>{0}</title>\n<text x=\"{1}\" y=\"32\" class=\"title\">{0}</text>\n",
                                 markup_text(text), pad_px);
+  svg += text_at(pad_px, 50.0, "dashes: median", "class=\"soft\"");
   double x = pad_px + 260.0;
   for (std::uint64_t side = 0; side < sweep.sides(); ++side) {
     const Rate& rate = summary.sides[side].done;
     std::string label = sweep.sides() == 2 ? (side == 0 ? "a" : "b") : "all";
     for (const auto& [key, value] : summary.sides[side].values) label = key + "=" + value;
     label += fmt::format(
-        ": {:.1f} % done; dashes: median",
+        ": {:.1f} % done",
         rate.count == 0 ? 0.0 : 100.0 * static_cast<double>(rate.hits) / static_cast<double>(rate.count));
     svg += box(x, 21.0, 12.0, 12.0, fmt::format("fill=\"{}\"", side_colours[side]));
     svg += text_at(x + 18.0, 32.0, printable(label));
