@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -151,7 +150,9 @@ class ReasonCounter {
       group.rate = rate_of(group.rate.hits, summary.runs);
       summary.reasons.push_back(std::move(group));
     }
-    std::ranges::stable_sort(summary.reasons, std::greater(), [](const auto& one) { return one.rate.hits; });
+    std::ranges::sort(summary.reasons, [](const ReasonSummary& a, const ReasonSummary& b) {
+      return a.rate.hits != b.rate.hits ? a.rate.hits > b.rate.hits : a.example < b.example;
+    });
     summary.other_reasons = others_;
   }
 
