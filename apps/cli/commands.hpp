@@ -14,6 +14,7 @@ void add_detect(Command& tool);
 void add_calibrate(Command& tool);
 void add_convert(Command& tool, const std::stop_token& stop);
 void add_ros(Command& tool, const std::stop_token& stop);
+void add_sweep(Command& tool, const std::vector<Job>& jobs, const std::stop_token& stop);
 void add_replay(Command& tool, const std::vector<Job>& jobs);
 void add_bench(Command& tool);
 void add_list(Command& tool, const std::vector<Job>& jobs);

@@ -35,7 +35,8 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
   // begun that would need a clean end.
   std::optional<StopOnSignal> stop;
   const bool listens =
-      runs_job(jobs, given) || (!given.empty() && (given[0] == "convert" || given[0] == "ros"));
+      runs_job(jobs, given) ||
+      (!given.empty() && (given[0] == "convert" || given[0] == "ros" || given[0] == "sweep"));
   if (listens && std::ranges::count(given, "--stdin") == 0) stop.emplace();
   const auto words = expand_run(jobs, std::move(given));
   if (!words) return print_fault(words.error(), wants_json(argc, argv));
@@ -52,6 +53,7 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
   add_detect(tool);
   add_convert(tool, stop ? stop->token() : std::stop_token());
   add_ros(tool, stop ? stop->token() : std::stop_token());
+  add_sweep(tool, jobs, stop ? stop->token() : std::stop_token());
   add_replay(tool, jobs);
   add_serve(tool, jobs);
   add_bench(tool);

@@ -5,6 +5,7 @@
 #include <thread>
 #else
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #endif
 
 namespace outrider {
@@ -22,10 +23,14 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
   work();
   other.join();
 }
+
+void isolated(const std::function<void()>& body) { body(); }
 #else
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
   tbb::parallel_for(std::size_t{0}, count, body);
 }
+
+void isolated(const std::function<void()>& body) { tbb::this_task_arena::isolate(body); }
 #endif
 
 bool parallel_for(std::size_t count, const std::stop_token& stop,

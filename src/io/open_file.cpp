@@ -104,6 +104,7 @@ void supply_file(const std::string& path, std::string content) {
 const std::string* supplied_content(const std::string& path) {
   const auto& supplied = access_rule().supplied;
   const auto found = supplied.find(path);
+  if (found != supplied.end()) note_read(path);
   return found == supplied.end() ? nullptr : &found->second;
 }
 
@@ -114,6 +115,7 @@ Outcome<int> open_beneath(int folder, const std::string& path) {
 
 Outcome<int> open_file(const std::string& path) {
   if (path.empty()) return bad_input("the file name is empty");
+  note_read(path);
   const bool confined = access_rule().root >= 0;
   // Without O_NONBLOCK, opening a pipe would wait for a writer.
   const int descriptor = open_allowed(path, O_RDONLY | (confined ? O_NONBLOCK : 0));

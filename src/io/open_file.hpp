@@ -15,6 +15,9 @@ Outcome<int> open_file(const std::string& path);
 /// Returns the content that supply_file() set for the path, or null.
 const std::string* supplied_content(const std::string& path);
 
+/// Notes that the file is read, for a ReadRecord.
+void note_read(const std::string& path);
+
 /// Returns true if confine_reading() was called.
 bool reading_is_confined();
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <mutex>
 #include <sdf/sdf.hh>
 #include <sstream>
 
@@ -13,15 +14,21 @@
 namespace outrider {
 namespace {
 
-/// Discards all output to std::cerr during its lifetime.
+/// Discards all output to std::cerr during its lifetime. There is one at a time: others wait.
 class MutedErrors {
  public:
-  MutedErrors() : before_(std::cerr.rdbuf(sink_.rdbuf())) {}
+  MutedErrors() : lock_(mutex()), before_(std::cerr.rdbuf(sink_.rdbuf())) {}
   MutedErrors(const MutedErrors&) = delete;
   MutedErrors& operator=(const MutedErrors&) = delete;
   ~MutedErrors() { std::cerr.rdbuf(before_); }
 
  private:
+  static std::mutex& mutex() {
+    static std::mutex one;
+    return one;
+  }
+
+  std::lock_guard<std::mutex> lock_;
   std::ostringstream sink_;
   std::streambuf* before_;
 };

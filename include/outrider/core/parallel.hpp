@@ -17,4 +17,8 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
 bool parallel_for(std::size_t count, const std::stop_token& stop,
                   const std::function<void(std::size_t)>& body);
 
+/// Calls body(). While it waits for a parallel_for of its own, the thread takes up no work from outside:
+/// bodies of an outer parallel_for that are themselves large do not pile up on one stack.
+void isolated(const std::function<void()>& body);
+
 }  // namespace outrider

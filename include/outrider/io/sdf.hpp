@@ -29,8 +29,8 @@
 // 20,000 models, links, collisions, frames and joints; 1000 includes, 8 deep; 50 models that are nested more
 // than 2 deep; 2 million triangles; 200,000 solids. Time and memory grow linearly: a model with one collision
 // costs about 0.2 ms and 70 KB, in a world with every kind of element twice that.
-// Thread rule: one call at a time, and no other thread may write to std::cerr meanwhile, because it is muted
-// while sdformat runs. Poses are composed as in SDF 1.9; source: http://sdformat.org/spec.
+// Thread rule: safe to call concurrently; sdformat itself runs for one call at a time. No other thread may
+// write to std::cerr meanwhile, because it is muted while sdformat runs. Poses are composed as in SDF 1.9; source: http://sdformat.org/spec.
 #pragma once
 
 #include <string>

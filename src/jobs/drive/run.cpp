@@ -147,9 +147,10 @@ class Recorder {
     return {};
   }
 
-  double clearance_m = 0.0;         ///< least distance of the robot's middle to an obstacle or the edge
-  double deviation_m = 0.0;         ///< largest distance from the straight legs
-  double belief_error_m = 0.0;      ///< largest error of the believed position
+  double clearance_m = 0.0;     ///< least distance of the robot's middle to an obstacle or the edge
+  double deviation_m = 0.0;     ///< largest distance from the straight legs
+  double belief_error_m = 0.0;  ///< largest error of the believed position
+  double false_arrivals = 0.0;  ///< stops called reached where the robot is off by more than the tolerance
   double belief_error_ratio = 0.0;  ///< largest error of the believed position in standard deviations
 
  private:
@@ -214,6 +215,9 @@ class Recorder {
     waypoint.reached = arrival.time_s;
     waypoint.error = point_of(error);
     waypoint.heading_error = wrap_angle(truth.heading_rad - pose.heading_rad);
+    if (norm(error) > tolerance_m(task_) || std::abs(waypoint.heading_error) > tolerance_rad(task_)) {
+      false_arrivals += 1.0;
+    }
     log_.append(topic::waypoints, time_s, waypoints_);
     log_event(log_, time_s, "arrive",
               fmt::format("waypoint {} reached, {:.1f} mm and {:.2f} degrees off", arrival.waypoint + 1,
@@ -275,6 +279,7 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
                     {"deviation_m", recorder.deviation_m},
                     {"belief_error_m", recorder.belief_error_m},
                     {"belief_error_ratio", recorder.belief_error_ratio},
+                    {"false_arrivals", recorder.false_arrivals},
                     {"tolerance_m", tolerance_m(task)},
                     {"tolerance_rad", tolerance_rad(task)}};
   report.tables = {recorder.table()};

@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
+#include <iostream>
 #include <sdf/sdf.hh>
 #include <sstream>
+#include <thread>
 
 #include "outrider/io/files.hpp"
 #include "outrider/io/sdf.hpp"
@@ -184,6 +187,26 @@ TEST(SdfParse, EveryWorldOfOursAndThePublishedAreReadAsBefore) {
     }
   }
   EXPECT_GE(worlds, 8U);
+}
+
+TEST(SdfParse, ManyThreadsReadAtATime) {
+  const std::string yard = std::string(OUTRIDER_SOURCE_DIR) + "/scenarios/yard/yard.sdf";
+  const auto alone = load_sdf(yard);
+  ASSERT_TRUE(alone);
+  std::streambuf* const errors = std::cerr.rdbuf();
+  std::atomic<int> same = 0;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 8; ++i) {
+    threads.emplace_back([&] {
+      for (int k = 0; k < 5; ++k) {
+        const auto loaded = load_sdf(yard);
+        same += loaded && loaded->world.solids.size() == alone->world.solids.size() ? 1 : 0;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(same, 40);
+  EXPECT_EQ(std::cerr.rdbuf(), errors);
 }
 
 TEST(SdfParse, AModelCostsFewDescriptions) {

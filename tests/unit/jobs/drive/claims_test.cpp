@@ -54,6 +54,7 @@ std::size_t expect_true_claims(const Run& run) {
     EXPECT_LE(std::hypot(number(run, i, "dx"), number(run, i, "dy")), most_m) << "waypoint " << i + 1;
     EXPECT_LE(std::abs(number(run, i, "dtheta")), most_rad) << "waypoint " << i + 1;
   }
+  EXPECT_EQ(metric(run, "false_arrivals"), 0.0);
   if (reached < stops) {
     EXPECT_NE(run.report.status, "done");
     EXPECT_FALSE(run.report.reason.empty());
@@ -69,6 +70,21 @@ TEST(DriveClaims, WithoutTagsNoStopIsReached) {
   EXPECT_NE(run.report.reason.find("3 of 3 stops unconfirmed"), std::string::npos) << run.report.reason;
   EXPECT_EQ(expect_true_claims(run), 0U);
   EXPECT_EQ(events_named(run, "unconfirmed"), 3U) << "it went to each of them";
+}
+
+/// In the open loop nothing tells the robot that it is off, and it claims every stop.
+TEST(DriveClaims, FalseClaimsAreCounted) {
+  DriveTask task = two_tags_in_view();
+  task.closed_loop = false;
+  const auto run = driven_unseen(task, testing::usual_faults(), 1);
+  double off = 0.0;
+  for (std::size_t i = 0; i < task.waypoints.size(); ++i) {
+    const double error_m = std::hypot(number(run, i, "dx"), number(run, i, "dy"));
+    const double turned_rad = std::abs(number(run, i, "dtheta"));
+    off += error_m > metric(run, "tolerance_m") || turned_rad > metric(run, "tolerance_rad") ? 1.0 : 0.0;
+  }
+  EXPECT_GT(off, 0.0);
+  EXPECT_EQ(metric(run, "false_arrivals"), off);
 }
 
 TEST(DriveClaims, AKidnappedRobotReachesNothing) {

@@ -1,0 +1,68 @@
+// A chunk: consecutive runs of a sweep as a table in CSV (RFC 4180), one line for each run, and a last line
+// that shows that it is whole.
+//
+//   run,seed,robot.radius,status,reason,length_m
+//   0,412,0.25,done,,8.25
+//   1,977,0.31,not_done,"there is no path, ...",
+//   # 2 runs, sha256 9f86d081...
+//
+// The columns: run, seed, side (a or b; of comparisons only), the keys that vary, status, reason, and the
+// metrics in the order in which the runs first have them. A metric that a run lacks is empty. The status is
+// that of the report, or `refused` if the run was refused, or `bug` if it ended by an exception. All texts
+// are printable, so a line is a run.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "outrider/sweep/sweep.hpp"
+
+namespace outrider {
+
+/// What a run was given, and what it came to.
+struct SweepResult {
+  SweepRun run = {};
+  std::string status = {};
+  std::string reason = {};
+  std::vector<std::pair<std::string, double>> metrics = {};
+};
+
+/// The rows of a chunk, or of a merged table, as text.
+struct SweepTable {
+  std::vector<std::string> metrics;            ///< names of the last columns
+  std::vector<std::vector<std::string>> rows;  ///< each has all columns
+};
+
+/// Returns the names of the columns before the metrics.
+std::vector<std::string> fixed_columns(const Sweep& sweep);
+
+/// Returns the text of the chunk with these runs. O(text).
+std::string chunk_text(const Sweep& sweep, const std::vector<SweepResult>& results);
+
+/// A chunk that is whole.
+struct ChunkText {
+  std::vector<std::string> metrics;  ///< names of the last columns
+  std::string_view lines;            ///< those of its runs, within the text
+};
+
+/// Checks that the text is the given chunk of the sweep, by its hash. Fault: bad_input with `name`.
+Outcome<ChunkText> check_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
+                               const std::string& name);
+
+/// Reads a chunk. Fault: bad_input with `name` if it is damaged or is not the given chunk of the sweep.
+Outcome<SweepTable> read_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
+                               const std::string& name);
+
+/// Appends the names to the columns of `into` that it lacks, in order.
+void add_columns(std::vector<std::string>& into, const std::vector<std::string>& names);
+
+/// Returns a line of CSV with its end.
+std::string csv_line(const std::vector<std::string>& fields);
+
+/// Splits a line of CSV. Returns no fields if a quote is not closed.
+std::vector<std::string> csv_fields(std::string_view line);
+
+}  // namespace outrider

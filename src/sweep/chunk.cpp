@@ -1,0 +1,156 @@
+#include "outrider/sweep/chunk.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "outrider/core/sha256.hpp"
+#include "outrider/core/text.hpp"
+#include "outrider/io/text.hpp"
+
+namespace outrider {
+namespace {
+
+void append_field(std::string& line, std::string_view field) {
+  if (field.find_first_of(",\"\r\n") == std::string_view::npos) {
+    line += field;
+    return;
+  }
+  line += '"';
+  for (const char c : field) {
+    if (c == '"') line += '"';
+    line += c;
+  }
+  line += '"';
+}
+
+std::string last_line(std::size_t runs, std::string_view text) {
+  return fmt::format("# {} runs, sha256 {}\n", runs, sha256(text));
+}
+
+/// Returns the name of the column of a metric, which differs from those of keys.
+std::string column_of(const std::string& metric, const std::vector<std::string>& fixed) {
+  return std::ranges::count(fixed, metric) > 0 ? "metric." + metric : metric;
+}
+
+tl::unexpected<Fault> damaged(const std::string& name, std::string_view what) {
+  return bad_input(fmt::format("the chunk is damaged ({}); remove the file and run the sweep again", what),
+                   name);
+}
+
+}  // namespace
+
+std::string csv_line(const std::vector<std::string>& fields) {
+  std::string line;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (i > 0) line += ',';
+    append_field(line, fields[i]);
+  }
+  return line + "\n";
+}
+
+std::vector<std::string> csv_fields(std::string_view line) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
+      fields.back() += '"';
+      ++i;
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  if (quoted) return {};
+  return fields;
+}
+
+void add_columns(std::vector<std::string>& into, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (std::ranges::find(into, name) == into.end()) into.push_back(name);
+  }
+}
+
+std::vector<std::string> fixed_columns(const Sweep& sweep) {
+  std::vector<std::string> columns = {"run", "seed"};
+  if (sweep.sides() == 2) columns.emplace_back("side");
+  for (std::string& key : keys_of(sweep)) columns.push_back(std::move(key));
+  columns.insert(columns.end(), {"status", "reason"});
+  return columns;
+}
+
+std::string chunk_text(const Sweep& sweep, const std::vector<SweepResult>& results) {
+  std::vector<std::string> columns = fixed_columns(sweep);
+  const std::vector<std::string> fixed = columns;
+  std::map<std::string, std::size_t, std::less<>> column;  // of a metric
+  for (const SweepResult& result : results) {
+    for (const auto& [name, value] : result.metrics) {
+      if (column.contains(name)) continue;
+      column[name] = columns.size();
+      columns.push_back(column_of(printable(name), fixed));
+    }
+  }
+  std::string text = csv_line(columns);
+  std::vector<std::string> fields(columns.size());
+  for (const SweepResult& result : results) {
+    const SweepRun& run = result.run;
+    std::ranges::fill(fields, std::string());
+    std::size_t at = 0;
+    fields[at++] = fmt::format("{}", run.number);
+    fields[at++] = fmt::format("{}", run.seed);
+    if (sweep.sides() == 2) fields[at++] = run.side == 0 ? "a" : "b";
+    for (const std::string& value : run.values) fields[at++] = printable(value);
+    fields[at++] = printable(result.status);
+    fields[at] = printable(result.reason);
+    for (const auto& [name, value] : result.metrics) {
+      if (std::isfinite(value)) fields[column.find(name)->second] = fmt::format("{}", value);
+    }
+    text += csv_line(fields);
+  }
+  return text + last_line(results.size(), text);
+}
+
+Outcome<ChunkText> check_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
+                               const std::string& name) {
+  const std::size_t last = text.rfind("\n# ");
+  if (last == std::string_view::npos) return damaged(name, "its last line is missing");
+  const std::uint64_t first = sweep.begin_of(chunk);
+  const std::uint64_t count = sweep.begin_of(chunk + 1) - first;
+  std::string_view body = text.substr(0, last + 1);
+  if (text.substr(last + 1) != last_line(count, body)) {
+    return damaged(name, "its content is not what its last line says");
+  }
+  const auto fixed = fixed_columns(sweep);
+  const auto columns = csv_fields(take_line(body));
+  if (columns.size() < fixed.size() || !std::equal(fixed.begin(), fixed.end(), columns.begin())) {
+    return damaged(name, "it has columns of another sweep");
+  }
+  if (!body.starts_with(fmt::format("{},", first))) return damaged(name, "it has runs of another chunk");
+  return ChunkText{{columns.begin() + static_cast<std::ptrdiff_t>(fixed.size()), columns.end()}, body};
+}
+
+Outcome<SweepTable> read_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
+                               const std::string& name) {
+  auto checked = check_chunk(sweep, chunk, text, name);
+  if (!checked) return pass_on(checked);
+  SweepTable table{.metrics = std::move(checked->metrics), .rows = {}};
+  const std::size_t columns = fixed_columns(sweep).size() + table.metrics.size();
+  for (std::string_view body = checked->lines; !body.empty();) {
+    table.rows.push_back(csv_fields(take_line(body)));
+    if (table.rows.back().size() != columns) {
+      return damaged(name, fmt::format("line {} lacks fields", table.rows.size() + 1));
+    }
+  }
+  if (table.rows.size() != sweep.begin_of(chunk + 1) - sweep.begin_of(chunk)) {
+    return damaged(name, "it lacks runs");
+  }
+  return table;
+}
+
+}  // namespace outrider

@@ -1,0 +1,306 @@
+#include "outrider/sweep/run_sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <system_error>
+
+#include "outrider/core/parallel.hpp"
+#include "outrider/core/sha256.hpp"
+#include "outrider/io/file_lock.hpp"
+#include "outrider/io/files.hpp"
+#include "outrider/io/folders.hpp"
+#include "outrider/io/scenario.hpp"
+#include "outrider/job/clock.hpp"
+#include "outrider/job/write_run.hpp"
+#include "outrider/log/byte_sink.hpp"
+
+namespace outrider {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string chunk_path(const std::string& folder, std::uint64_t chunk) {
+  return fmt::format("{}/chunks/{:06}.csv", folder, chunk);
+}
+std::string manifest_path(const std::string& folder) { return folder + "/manifest.json"; }
+
+/// Returns true if the folder has something that no sweep writes before its manifest.
+bool has_other_files(const std::string& folder) {
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (!name.starts_with('.') && name != "manifest.json") return true;
+  }
+  return false;
+}
+
+/// Writes what a run left, from its log in memory.
+Status keep(Run& run, const std::string& folder, const std::string& scenario) {
+  RunLog file(folder, scenario);
+  run.log.add_sink(file);
+  const auto written = write_run(run, file, folder);
+  run.log.remove_sink(file);
+  if (!written) return tl::unexpected<Fault>(written.error());
+  return {};
+}
+
+SweepResult refusal(SweepRun run, const Fault& fault) {
+  const bool answer = fault.code == FaultCode::no_path || fault.code == FaultCode::no_shot ||
+                      fault.code == FaultCode::budget_exhausted;
+  const bool cancelled = fault.code == FaultCode::cancelled;
+  return {.run = std::move(run),
+          .status = answer      ? "not_done"
+                    : cancelled ? "cancelled"
+                                : "refused",
+          .reason = to_string(fault)};
+}
+
+Outcome<SweepResult> run_task_of(const Sweep& sweep, const SweepRun& given, const SweepWork& work,
+                                 const std::stop_token& stop) {
+  const auto task = sweep.job.blank();
+  if (auto ok = read_scenario(*task, sweep.request.scenario); !ok) return refusal(given, ok.error());
+  if (auto ok = change(*task, changes_of(sweep, given)); !ok) return refusal(given, ok.error());
+  auto run = run_task(sweep.job, *task, {.stop = stop});
+  if (!run) return refusal(given, run.error());
+  SweepResult result{given, run->report.status, run->report.reason, run->report.metrics};
+  if (work.keep_failures && result.status != "done" && !stop.stop_requested()) {
+    auto kept =
+        keep(*run, fmt::format("{}/failures/{}", work.folder, given.number), scenario_text(task->options()));
+    if (!kept) return pass_on(kept);
+  }
+  return result;
+}
+
+/// The progress of a process. Thread rule: any thread.
+class Counter {
+ public:
+  Counter(const SweepWatch& watch, std::uint64_t left) : watch_(watch), begin_s_(wall_s()) {
+    progress_.left = left;
+  }
+  void add(double run_s) {
+    const std::lock_guard lock(mutex_);
+    ++progress_.done;
+    progress_.left -= std::min<std::uint64_t>(1, progress_.left);
+    progress_.run_s += run_s;
+    progress_.run_squares += run_s * run_s;
+    progress_.elapsed_s = wall_s() - begin_s_;
+    if (watch_.progress) watch_.progress(progress_);
+  }
+  /// Leaves out the runs of a chunk that another process computes.
+  void skip(std::uint64_t runs) {
+    const std::lock_guard lock(mutex_);
+    progress_.left -= std::min(runs, progress_.left);
+  }
+
+ private:
+  const SweepWatch& watch_;
+  double begin_s_;
+  std::mutex mutex_;
+  SweepProgress progress_;
+};
+
+Status compute_chunk(const Sweep& sweep, std::uint64_t chunk, const SweepWork& work, const SweepWatch& watch,
+                     Counter& counter) {
+  const std::uint64_t first = sweep.begin_of(chunk);
+  std::vector<SweepResult> results(sweep.begin_of(chunk + 1) - first);
+  std::vector<Status> kept(results.size());
+  const bool whole = parallel_for(results.size(), watch.stop, [&](std::size_t i) {
+    const double begin_s = wall_s();
+    isolated([&] {
+      auto result = run_one(sweep, first + i, work, watch.stop);
+      result ? void(results[i] = std::move(*result)) : void(kept[i] = pass_on(result));
+    });
+    counter.add(wall_s() - begin_s);
+  });
+  if (const auto failed = std::ranges::find_if_not(kept, &Status::has_value); failed != kept.end()) {
+    return pass_on(*failed);
+  }
+  if (!whole) return fault(FaultCode::cancelled, "it was cancelled; the same command continues it");
+  return write_file(chunk_path(work.folder, chunk), chunk_text(sweep, results));
+}
+
+}  // namespace
+
+std::optional<TimeLeft> time_left(const SweepProgress& progress) {
+  constexpr std::uint64_t least = 8;
+  if (progress.done < least || progress.run_s <= 0.0 || progress.elapsed_s <= 0.0) return std::nullopt;
+  const auto n = static_cast<double>(progress.done), left = static_cast<double>(progress.left);
+  const double mean = progress.run_s / n;
+  const double variance = std::max(0.0, (progress.run_squares - n * mean * mean) / (n - 1.0));
+  // The sum of those left varies about left x mean, and the mean itself is known from n runs only.
+  const double deviation = std::sqrt(variance * (left + left * left / n));
+  const double at_once = progress.run_s / progress.elapsed_s;  // runs that go on at the same time
+  return TimeLeft{std::max(0.0, left * mean - 2.0 * deviation) / at_once,
+                  (left * mean + 2.0 * deviation) / at_once};
+}
+
+Status begin_sweep(const Manifest& manifest, const std::string& folder) {
+  const std::string path = manifest_path(folder);
+  if (!file_exists(path)) {
+    if (has_other_files(folder)) {
+      return bad_input("it holds other files than those of a sweep; name an empty folder", folder);
+    }
+    if (auto ok = make_folder(folder); !ok) return ok;
+    if (auto ok = write_file(path, manifest_text(manifest)); !ok) return ok;
+  } else {
+    auto text = read_file(path);
+    if (!text) return pass_on(text);
+    const auto begun = read_manifest(*text, path);
+    if (!begun) return tl::unexpected<Fault>(begun.error());
+    if (auto ok = check_same(*begun, manifest, path); !ok) return ok;
+  }
+  return make_folder(folder + "/chunks");
+}
+
+Outcome<SweepResult> run_one(const Sweep& sweep, std::uint64_t number, const SweepWork& work,
+                             const std::stop_token& stop) {
+  const SweepRun given = run_of(sweep, number);
+  try {
+    return run_task_of(sweep, given, work, stop);
+  } catch (const std::exception& broken) {
+    return SweepResult{
+        .run = given, .status = "bug", .reason = fmt::format("this is a bug: {}", broken.what())};
+  }
+}
+
+Outcome<std::vector<std::uint64_t>> compute_chunks(const Sweep& sweep, const SweepWork& work,
+                                                   const SweepWatch& watch) {
+  std::uint64_t left = 0;
+  for (std::uint64_t chunk = work.first_chunk; chunk < work.end_chunk; ++chunk) {
+    if (!file_exists(chunk_path(work.folder, chunk)))
+      left += sweep.begin_of(chunk + 1) - sweep.begin_of(chunk);
+  }
+  Counter counter(watch, left);
+  std::vector<std::uint64_t> others;
+  for (std::uint64_t chunk = work.first_chunk; chunk < work.end_chunk; ++chunk) {
+    const std::string path = chunk_path(work.folder, chunk);
+    if (file_exists(path)) continue;
+    const std::string locked = path + ".lock";
+    auto lock = FileLock::take(locked);
+    if (!lock) return pass_on(lock);
+    if (!lock->held() || file_exists(path)) {
+      if (!lock->held()) others.push_back(chunk);
+      counter.skip(sweep.begin_of(chunk + 1) - sweep.begin_of(chunk));
+      continue;
+    }
+    const auto done = compute_chunk(sweep, chunk, work, watch, counter);
+    std::error_code ignored;
+    fs::remove(locked, ignored);
+    if (!done) return tl::unexpected<Fault>(done.error());
+  }
+  return others;
+}
+
+std::vector<std::uint64_t> missing_chunks(const Sweep& sweep, const std::string& folder) {
+  std::vector<std::uint64_t> missing;
+  for (std::uint64_t chunk = 0; chunk < sweep.chunks(); ++chunk) {
+    if (!file_exists(chunk_path(folder, chunk))) missing.push_back(chunk);
+  }
+  return missing;
+}
+
+namespace {
+
+/// Calls use(chunk, text of the chunk, its path) for all of them, until one is refused.
+Status for_each_text(
+    const Sweep& sweep, const std::string& folder,
+    const std::function<Status(std::uint64_t, const std::string& text, const std::string& path)>& use) {
+  for (std::uint64_t chunk = 0; chunk < sweep.chunks(); ++chunk) {
+    const std::string path = chunk_path(folder, chunk);
+    const auto text = read_file(path);
+    if (!text) return tl::unexpected<Fault>(text.error());
+    if (auto ok = use(chunk, *text, path); !ok) return ok;
+  }
+  return {};
+}
+
+Outcome<std::vector<std::string>> all_metrics(const Sweep& sweep, const std::string& folder) {
+  std::vector<std::string> metrics;
+  auto ok = for_each_text(
+      sweep, folder, [&](std::uint64_t chunk, const std::string& text, const std::string& path) -> Status {
+        const auto checked = check_chunk(sweep, chunk, text, path);
+        if (!checked) return tl::unexpected<Fault>(checked.error());
+        add_columns(metrics, checked->metrics);
+        return {};
+      });
+  if (!ok) return pass_on(ok);
+  return metrics;
+}
+
+/// Returns the lines of a chunk with the metrics of the whole table.
+std::string widened(const SweepTable& table, std::size_t fixed, const std::vector<std::string>& metrics) {
+  std::string text;
+  std::vector<std::string> fields(fixed + metrics.size());
+  for (const auto& row : table.rows) {
+    std::ranges::fill(fields, std::string());
+    std::copy_n(row.begin(), fixed, fields.begin());
+    for (std::size_t i = 0; i < table.metrics.size(); ++i) {
+      const auto place = std::ranges::find(metrics, table.metrics[i]) - metrics.begin();
+      fields[fixed + static_cast<std::size_t>(place)] = row[fixed + i];
+    }
+    text += csv_line(fields);
+  }
+  return text;
+}
+
+/// Writes the merged table through `write`.
+Status write_merged(const Sweep& sweep, const std::string& folder, const std::vector<std::string>& metrics,
+                    const std::function<Status(std::string_view)>& write) {
+  std::vector<std::string> columns = fixed_columns(sweep);
+  const std::size_t fixed = columns.size();
+  columns.insert(columns.end(), metrics.begin(), metrics.end());
+  if (auto ok = write(csv_line(columns)); !ok) return ok;
+  return for_each_text(sweep, folder,
+                       [&](std::uint64_t chunk, const std::string& text, const std::string& path) -> Status {
+                         const auto checked = check_chunk(sweep, chunk, text, path);
+                         if (!checked) return tl::unexpected<Fault>(checked.error());
+                         if (checked->metrics == metrics) return write(checked->lines);  // as they are
+                         const auto table = read_chunk(sweep, chunk, text, path);
+                         if (!table) return tl::unexpected<Fault>(table.error());
+                         return write(widened(*table, fixed, metrics));
+                       });
+}
+
+}  // namespace
+
+Status for_each_chunk(const Sweep& sweep, const std::string& folder,
+                      const std::function<void(std::uint64_t chunk, const SweepTable&)>& use) {
+  return for_each_text(sweep, folder,
+                       [&](std::uint64_t chunk, const std::string& text, const std::string& path) -> Status {
+                         const auto table = read_chunk(sweep, chunk, text, path);
+                         if (!table) return tl::unexpected<Fault>(table.error());
+                         use(chunk, *table);
+                         return {};
+                       });
+}
+
+Outcome<std::string> merge_chunks(const Sweep& sweep, const std::string& folder) {
+  const auto metrics = all_metrics(sweep, folder);
+  if (!metrics) return tl::unexpected<Fault>(metrics.error());
+  const std::string part = folder + "/table.part";
+  auto lock = FileLock::take(part);
+  if (!lock) return pass_on(lock);
+  if (!lock->held()) return std::string();
+  auto sink = make_file_sink(part);
+  if (!sink) return pass_on(sink);
+  Sha256 hash;
+  auto written = write_merged(sweep, folder, *metrics, [&](std::string_view text) {
+    hash.add(text);
+    return (*sink)->write(text);
+  });
+  if (written) written = (*sink)->close();
+  if (written) written = write_files({}, {{folder + "/table.csv", part}});
+  if (!written) {
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    return pass_on(written);
+  }
+  return hash.hex();
+}
+
+}  // namespace outrider
