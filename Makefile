@@ -23,7 +23,7 @@ MOMENTS ?= 50
 RUNS ?= 200
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops load fuzz wasm packages check-packages check-python-asan bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops load fuzz wasm packages check-packages check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -66,6 +66,12 @@ check-python-asan:  ## run the tests of the Python package, and the tool beside 
 	@ninja -C build-asan -j $(JOBS) outrider outrider_python
 	@ctest --preset asan -R '^python[.]package$$' && echo "Nothing was found in the Python package." || \
 	  { echo "The sanitizers or the tests found something in the Python package."; exit 1; }
+
+check-ros2:  ## build with ROS 2 over Cyclone DDS, and run the tests of its nodes, some against Fast DDS
+	$(INSTALL) build test ros2
+	$(CONFIGURE) ros2 build-ros2 -DOUTRIDER_BUILD_TESTS=ON
+	@ninja -C build-ros2 -j $(JOBS) outrider unit_nodes unit_ros2 fastdds_test
+	@ctest --preset ros2 -R '$(call tests_of,nodes ros2)|^FastDds[.]|^ros2[.]' && 	  echo "Every test of ROS 2 passed." || { echo "Some tests of ROS 2 failed; the list above names them."; exit 1; }
 
 # Units that use threads: the server, the tool, and what computes in parallel.
 THREADED = core path tour jobs_guard server

@@ -18,7 +18,7 @@ const std::map<std::string, int> rank = {
     {"control", 5},    {"slam", 5},         {"log", 5},       {"picture", 6},     {"report", 6},
     {"robot", 6},      {"io", 6},           {"sim", 7},       {"job", 7},         {"jobs/cover", 8},
     {"jobs/drive", 8}, {"jobs/explore", 8}, {"jobs/plan", 8}, {"jobs/pursue", 8}, {"jobs/slam", 8},
-    {"jobs/guard", 9}, {"jobs", 10},        {"sweep", 10},    {"nodes", 11},        {"ros2", 12},
+    {"jobs/guard", 9}, {"jobs", 10},        {"sweep", 10},    {"nodes", 11},      {"ros2", 12},
 };
 
 bool may_use(const std::string& layer, const std::string& used) {

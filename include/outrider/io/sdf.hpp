@@ -30,7 +30,8 @@
 // than 2 deep; 2 million triangles; 200,000 solids. Time and memory grow linearly: a model with one collision
 // costs about 0.2 ms and 70 KB, in a world with every kind of element twice that.
 // Thread rule: safe to call concurrently; sdformat itself runs for one call at a time. No other thread may
-// write to std::cerr meanwhile, because it is muted while sdformat runs. Poses are composed as in SDF 1.9; source: http://sdformat.org/spec.
+// write to std::cerr meanwhile, because it is muted while sdformat runs. Poses are composed as in SDF 1.9;
+// source: http://sdformat.org/spec.
 #pragma once
 
 #include <string>
