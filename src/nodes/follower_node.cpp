@@ -13,12 +13,11 @@
 namespace outrider {
 namespace {
 
-constexpr double near_m = 1.2;         // obstacles that matter
-constexpr double beam_half_m = 0.005;  // of a beam's end
-constexpr double stand_s = 2.0;        // commands to stand are sent for
-constexpr double kept_s = 3.0;         // commands
-constexpr double blocked_s = 3.0;      // without getting on, after which the robot goes back
-constexpr double moved_m = 0.05;       // that count as getting on
+constexpr double near_m = 1.2;     // obstacles that matter
+constexpr double stand_s = 2.0;    // commands to stand are sent for
+constexpr double kept_s = 3.0;     // commands
+constexpr double blocked_s = 3.0;  // without getting on, after which the robot goes back
+constexpr double moved_m = 0.05;   // that count as getting on
 constexpr double back_s = 1.5;
 constexpr double trail_step_m = 0.02;
 constexpr std::size_t most_trail = 20;
