@@ -169,12 +169,10 @@ std::size_t Corners::size() const { return table_->nodes.size(); }
 
 namespace {
 
-/// find_corners() and routes_between(), which take what they spend off the budget.
+/// find_corners() and routes_between() of what has been checked; they take what they spend off the budget.
 Outcome<Corners> corners_of(const CollisionMap& ground, const RobotModel& robot,
                             const std::vector<Vec2>& extra_nodes, const RouteOptions& options,
                             Budget& remaining) {
-  Status request = check_request(robot, extra_nodes, options);
-  if (!request) return pass_on(request);
   CornerTable table{
       ground, robot, routes::route_nodes(ground, robot.radius_m, options.arc_step_rad, extra_nodes), {}};
   if (table.nodes.size() > most_nodes) {
@@ -191,8 +189,6 @@ Outcome<Corners> corners_of(const CollisionMap& ground, const RobotModel& robot,
 
 Outcome<Routes> routes_over(const Corners& corners, const std::vector<Vec2>& stops, Budget& remaining) {
   const CornerTable& c = *corners.table();
-  Status request = check_stops(c.ground, c.robot, stops);
-  if (!request) return pass_on(request);
   auto stop_lines = routes::sight_lines(c.ground, c.robot, stops, c.nodes, remaining);
   if (!stop_lines) return pass_on(stop_lines);
   auto direct = routes::sight_lines(c.ground, c.robot, stops, remaining);
@@ -220,11 +216,13 @@ Outcome<Routes> routes_over(const Corners& corners, const std::vector<Vec2>& sto
 Outcome<Corners> find_corners(const CollisionMap& ground, const RobotModel& robot,
                               const std::vector<Vec2>& extra_nodes, const RouteOptions& options,
                               const Budget& budget) {
+  if (auto ok = check_request(robot, extra_nodes, options); !ok) return pass_on(ok);
   Budget remaining = budget;
   return corners_of(ground, robot, extra_nodes, options, remaining);
 }
 
 Outcome<Routes> routes_between(const Corners& corners, const std::vector<Vec2>& stops, const Budget& budget) {
+  if (auto ok = check_stops(corners.table()->ground, corners.robot(), stops); !ok) return pass_on(ok);
   Budget remaining = budget;
   return routes_over(corners, stops, remaining);
 }
@@ -232,8 +230,9 @@ Outcome<Routes> routes_between(const Corners& corners, const std::vector<Vec2>& 
 Outcome<Routes> routes_between(const CollisionMap& ground, const RobotModel& robot,
                                const std::vector<Vec2>& stops, const std::vector<Vec2>& extra_nodes,
                                const RouteOptions& options, const Budget& budget) {
-  Budget remaining = budget;
+  if (auto ok = check_request(robot, extra_nodes, options); !ok) return pass_on(ok);
   if (auto ok = check_stops(ground, robot, stops); !ok) return pass_on(ok);
+  Budget remaining = budget;
   auto corners = corners_of(ground, robot, extra_nodes, options, remaining);
   if (!corners) return pass_on(corners);
   return routes_over(*corners, stops, remaining);
