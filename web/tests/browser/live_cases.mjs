@@ -129,8 +129,8 @@ export const liveCases = ({ open, text, server, folder }) => ({
     await page.waitForSelector(".space-view canvas");
     const picture = () => page.evaluate(() => document.querySelector(".space-view canvas").toDataURL());
     /** The picture once it is another than before, and rests. */
-    const next = async (what, before) => {
-      let now = await until(what, async () => { const drawn = await picture(); return drawn !== before && drawn; });
+    const next = async (what, before) => rest(await until(what, async () => { const drawn = await picture(); return drawn !== before && drawn; }));
+    const rest = async (now) => {
       for (let last = ""; last !== now;) {
         await page.waitForTimeout(100);
         [last, now] = [now, await picture()];
@@ -144,6 +144,7 @@ export const liveCases = ({ open, text, server, folder }) => ({
     shown = await next("the firing map", shown);
     assert.ok(await box("firing map").isChecked());
     let takes = Infinity;
+    const tours = new Set([shown]);
     for (let k = 0; k < later; ++k) {
       run.upTo(0.002 + 0.001 * k + 1e-9);
       if (k === 0) await page.locator(".tabs button", { hasText: "Why" }).click();  // its tab is there with the first
@@ -151,8 +152,11 @@ export const liveCases = ({ open, text, server, folder }) => ({
         const told = Number(/takes ([\d.]+) s/.exec(await text(page, ".why"))?.[1]);
         return told < takes && told;
       });
-      shown = await next(`tour ${k + 1}`, shown);
+      // The first is drawn; a later one may go the same way with other shots.
+      shown = k === 0 ? await next("the first tour", shown) : await rest(await picture());
+      tours.add(shown);
     }
+    assert.ok(tours.size > 2, `${tours.size - 1} pictures of ${later} tours`);
     for (const name of ["firing map", "planned tour"]) {
       await page.locator(`.legend .layer[data-layer="${name}"] label`).click();
       shown = await next(`no ${name}`, shown);
