@@ -16,11 +16,7 @@ ExploreMissionNode::ExploreMissionNode(ExploreMissionNodeOptions options)
                                  [this](const auto& scan) { return take_scan(scan); });
   listen<nav_msgs::Odometry>("odom", Delivery::sensor,
                              [this](const auto& odometry) { return take_odometry(odometry); });
-  const auto take = [this](Transforms kind) {
-    return [this, kind](const tf2_msgs::TFMessage& message) { return frames_.add(message, kind, now_s()); };
-  };
-  listen<tf2_msgs::TFMessage>("/tf", Delivery::reliable, take(Transforms::moving));
-  listen<tf2_msgs::TFMessage>("/tf_static", Delivery::fixed, take(Transforms::fixed));
+  listen_to_transforms(frames_);
   command_output_ = options_.plain_twist
                         ? add_output<geometry_msgs::Twist>("cmd_vel", Delivery::reliable)
                         : add_output<geometry_msgs::TwistStamped>("cmd_vel", Delivery::reliable);

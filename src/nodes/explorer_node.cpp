@@ -57,11 +57,7 @@ ExplorerNode::ExplorerNode(ExplorerNodeOptions options)
   if (const auto home = parse_pose(options_.home, "home")) home_ = *home;
   listen<nav_msgs::OccupancyGrid>("map", Delivery::latched,
                                   [this](const auto& map) { return take_map(map); });
-  const auto take = [this](Transforms kind) {
-    return [this, kind](const tf2_msgs::TFMessage& message) { return frames_.add(message, kind, now_s()); };
-  };
-  listen<tf2_msgs::TFMessage>("/tf", Delivery::reliable, take(Transforms::moving));
-  listen<tf2_msgs::TFMessage>("/tf_static", Delivery::fixed, take(Transforms::fixed));
+  listen_to_transforms(frames_);
   goal_output_ = add_output<geometry_msgs::PoseStamped>("goal_pose", Delivery::reliable);
   frontier_output_ = add_output<visualization_msgs::MarkerArray>("frontiers", Delivery::reliable);
   set_status(NodeLevel::info, "waiting", "no map has come yet");

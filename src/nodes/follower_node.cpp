@@ -62,11 +62,7 @@ FollowerNode::FollowerNode(FollowerNodeOptions options)
                                  [this](const auto& scan) { return take_scan(scan); });
   listen<nav_msgs::OccupancyGrid>("map", Delivery::latched,
                                   [this](const auto& map) { return take_map(map); });
-  const auto take = [this](Transforms kind) {
-    return [this, kind](const tf2_msgs::TFMessage& message) { return frames_.add(message, kind, now_s()); };
-  };
-  listen<tf2_msgs::TFMessage>("/tf", Delivery::reliable, take(Transforms::moving));
-  listen<tf2_msgs::TFMessage>("/tf_static", Delivery::fixed, take(Transforms::fixed));
+  listen_to_transforms(frames_);
   command_output_ = options_.plain_twist
                         ? add_output<geometry_msgs::Twist>("cmd_vel", Delivery::reliable)
                         : add_output<geometry_msgs::TwistStamped>("cmd_vel", Delivery::reliable);

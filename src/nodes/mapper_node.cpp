@@ -33,11 +33,7 @@ MapperNode::MapperNode(MapperNodeOptions options)
                                  [this](const auto& scan) { return take_scan(scan); });
   listen<nav_msgs::Odometry>("odom", Delivery::sensor,
                              [this](const auto& odometry) { return take_odometry(odometry); });
-  const auto take = [this](Transforms kind) {
-    return [this, kind](const tf2_msgs::TFMessage& message) { return frames_.add(message, kind, now_s()); };
-  };
-  listen<tf2_msgs::TFMessage>("/tf", Delivery::reliable, take(Transforms::moving));
-  listen<tf2_msgs::TFMessage>("/tf_static", Delivery::fixed, take(Transforms::fixed));
+  listen_to_transforms(frames_);
   map_output_ = add_output<nav_msgs::OccupancyGrid>("map", Delivery::latched);
   pose_output_ = add_output<geometry_msgs::PoseWithCovarianceStamped>("pose", Delivery::reliable);
   transform_output_ = add_output<tf2_msgs::TFMessage>("/tf", Delivery::reliable);

@@ -8,6 +8,7 @@
 
 #include "outrider/core/text.hpp"
 #include "outrider/log/conversions.hpp"
+#include "outrider/nodes/robot_frames.hpp"
 
 namespace outrider {
 namespace {
@@ -24,6 +25,16 @@ Node::Node(std::string name, double period_s, std::string status_topic)
     : name_(std::move(name)), period_s_(period_s) {
   add_output<rcl_interfaces::Log>("/rosout", Delivery::reliable);
   add_output<diagnostic_msgs::DiagnosticStatus>(std::move(status_topic), Delivery::latched);
+}
+
+void Node::listen_to_transforms(RobotFrames& frames) {
+  const auto take = [this, &frames](Transforms kind) {
+    return [this, &frames, kind](const tf2_msgs::TFMessage& message) {
+      return frames.add(message, kind, now_s());
+    };
+  };
+  listen<tf2_msgs::TFMessage>("/tf", Delivery::reliable, take(Transforms::moving));
+  listen<tf2_msgs::TFMessage>("/tf_static", Delivery::fixed, take(Transforms::fixed));
 }
 
 void Node::receive(std::size_t input, std::string_view cdr, double time_s) {

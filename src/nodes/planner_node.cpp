@@ -49,11 +49,7 @@ PlannerNode::PlannerNode(PlannerNodeOptions options)
                                   [this](const auto& map) { return take_map(map); });
   listen<geometry_msgs::PoseStamped>("goal_pose", Delivery::reliable,
                                      [this](const auto& goal) { return take_goal(goal); });
-  const auto take = [this](Transforms kind) {
-    return [this, kind](const tf2_msgs::TFMessage& message) { return frames_.add(message, kind, now_s()); };
-  };
-  listen<tf2_msgs::TFMessage>("/tf", Delivery::reliable, take(Transforms::moving));
-  listen<tf2_msgs::TFMessage>("/tf_static", Delivery::fixed, take(Transforms::fixed));
+  listen_to_transforms(frames_);
   plan_output_ = add_output<nav_msgs::Path>("plan", Delivery::reliable);
   set_status(NodeLevel::info, "waiting", "no goal has come yet");
 }

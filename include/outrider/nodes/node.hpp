@@ -58,6 +58,8 @@ struct NodeStatus {
   friend bool operator==(const NodeStatus&, const NodeStatus&) = default;
 };
 
+class RobotFrames;
+
 class Node {
  public:
   virtual ~Node() = default;
@@ -96,6 +98,8 @@ class Node {
       return handle(*message);
     });
   }
+  /// Listens to /tf and /tf_static for `frames`, which must live as long as the node.
+  void listen_to_transforms(RobotFrames& frames);
   /// Adds a topic to the outputs and returns its index.
   template <class Message>
   std::size_t add_output(std::string topic, Delivery delivery) {

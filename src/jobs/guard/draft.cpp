@@ -268,17 +268,17 @@ Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_m
   auto cells = choose_stops(firing_map, drafting.hits, coarse_tile_m, most, {}, 0.0);
   if (auto ok = cover_all(drafting, cells); !ok) return pass_on(ok);
   auto best = solve_over(drafting, cells, told_s);
+  if (!best) return best;
+  choose_shots(problem, firing_map, book, *best);
   for (const Closeness& within : rounds(wanted)) {
-    for (std::int64_t i = 0; best && i < options.refinements; ++i) {
-      choose_shots(problem, firing_map, book, *best);
+    for (std::int64_t i = 0; i < options.refinements; ++i) {
       auto closer = solve_over(drafting, cells_near(drafting, *best, within), told_s);
       if (!closer) return closer;
       if (closer->tour.cost_s >= best->tour.cost_s) break;
       best = std::move(closer);
+      choose_shots(problem, firing_map, book, *best);
     }
   }
-  if (!best) return best;
-  choose_shots(problem, firing_map, book, *best);
   if (auto settled = settle(drafting, *best, told_s); !settled) return pass_on(settled);
   return best;
 }

@@ -106,7 +106,7 @@ TEST(RosNode, BytesThatAreNoSuchMessageAreRefused) {
   EXPECT_EQ(seen.x, 1.0);
 }
 
-/// The reader is told of it by a sample without content.
+/// DDS tells the reader of it by a sample without content, which must not be read as a message.
 TEST(RosNode, AWriterThatLeavesCostsNothing) {
   RosNode other = node();
   auto reader = other.reader("/place", message_type<geometry_msgs::Point>(), Delivery::reliable);
