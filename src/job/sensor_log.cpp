@@ -28,9 +28,9 @@ void log_camera(Log& log, const Camera& camera) {
   log.append(topic::camera, 0.0, std::move(info));
 }
 
-void log_scan(Log& log, double time_s, const LaserScan& scan) {
+sensor_msgs::LaserScan scan_message(const LaserScan& scan, double stamp_s) {
   sensor_msgs::LaserScan message;
-  message.header = header_of(log.time_of(time_s), "laser");
+  message.header = header_of(stamp_s, "laser");
   const auto beams = static_cast<double>(scan.ranges_m.size());
   message.angle_min = static_cast<float>(scan.first_rad);
   message.angle_increment = static_cast<float>(scan.step_rad);
@@ -38,7 +38,11 @@ void log_scan(Log& log, double time_s, const LaserScan& scan) {
   message.range_min = static_cast<float>(scan.least_m);
   message.range_max = static_cast<float>(scan.most_m);
   message.ranges = scan.ranges_m;
-  log.append(topic::scan, time_s, std::move(message));
+  return message;
+}
+
+void log_scan(Log& log, double time_s, const LaserScan& scan) {
+  log.append(topic::scan, time_s, scan_message(scan, log.time_of(time_s)));
 }
 
 void log_odometry(Log& log, double time_s, const Pose2& odom_T_robot) {

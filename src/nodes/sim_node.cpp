@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "outrider/job/sensor_log.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
 
@@ -14,19 +15,6 @@ constexpr double step_s = 0.05;
 constexpr const char* odom_frame = "odom";
 constexpr const char* base_frame = "base_link";
 constexpr const char* laser_frame = "laser";
-
-sensor_msgs::LaserScan scan_message(const LaserScan& scan, double time_s) {
-  sensor_msgs::LaserScan message;
-  message.header = header_of(time_s, laser_frame);
-  const auto beams = static_cast<double>(scan.ranges_m.size());
-  message.angle_min = static_cast<float>(scan.first_rad);
-  message.angle_increment = static_cast<float>(scan.step_rad);
-  message.angle_max = static_cast<float>(scan.first_rad + (beams - 1.0) * scan.step_rad);
-  message.range_min = static_cast<float>(scan.least_m);
-  message.range_max = static_cast<float>(scan.most_m);
-  message.ranges = scan.ranges_m;
-  return message;
-}
 
 }  // namespace
 

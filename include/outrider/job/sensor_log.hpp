@@ -6,6 +6,7 @@
 #include "outrider/estimate/camera.hpp"
 #include "outrider/geometry/pose.hpp"
 #include "outrider/log/log.hpp"
+#include "outrider/log/ros_sensor_messages.hpp"
 #include "outrider/slam/laser_scan.hpp"
 
 namespace outrider {
@@ -17,7 +18,11 @@ void log_mount(Log& log, const std::string& device, const Pose2& robot_T_device,
 /// Logs the intrinsic parameters of a camera in the frame "camera".
 void log_camera(Log& log, const Camera& camera);
 
-/// Logs a scan in the frame "laser". A beam without return is infinite.
+/// Returns the message of a scan in the frame "laser", with that time in its header. A beam without return is
+/// infinite.
+sensor_msgs::LaserScan scan_message(const LaserScan& scan, double stamp_s);
+
+/// Logs scan_message().
 void log_scan(Log& log, double time_s, const LaserScan& scan);
 
 /// Logs the pose of the robot by odometry alone.
