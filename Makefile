@@ -4,6 +4,7 @@
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 INSTALL = @scripts/install-packages
 CONFIGURE = @scripts/configure
+NPM = @cd web && { [ -e node_modules/vitepress ] || npm ci --no-audit --no-fund; }
 
 # The tool alone needs no test packages, so a new build folder leaves out the tests until they are requested.
 FIRST = $(if $(wildcard build/build.ninja),,-DOUTRIDER_BUILD_TESTS=OFF)
@@ -117,6 +118,7 @@ fuzz:  ## run every fuzz target for FUZZ_SECONDS, 60 unless given
 # The page plans without a server; then the same queries go to it, in Chromium, and to the library, through Python.
 wasm:  ## compile the path planners for browsers: build-wasm/planner.wasm, and plan.html, a page that needs nothing else
 	$(INSTALL) build wasm page browser python
+	$(NPM)
 	@cmake -G Ninja -S wasm -B build-wasm --toolchain $(CURDIR)/wasm/toolchain.cmake >/dev/null
 	@ninja -C build-wasm -j $(JOBS)
 	@node wasm/one_file.mjs build-wasm/planner.wasm build-wasm/plan.html
@@ -146,7 +148,8 @@ site:  ## build the docs site in out/site, to be served by any web server; OUTRI
 	$(INSTALL) build page python notebook
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
 	@ninja -C build -j $(JOBS) outrider_python
-	@cd web && { [ -e node_modules/vitepress ] || npm ci --no-audit --no-fund; } && node build/site.mjs ../out/site
+	$(NPM)
+	@cd web && node build/site.mjs ../out/site
 
 sbom: tool-and-page  ## list what the tool is made of, with versions, in out/sbom.json (CycloneDX)
 	@mkdir -p out && scripts/sbom build/outrider > out/sbom.json.part && mv out/sbom.json.part out/sbom.json

@@ -243,7 +243,15 @@ Outcome<Affine> transform_of(const Reader& reader, const Element& child) {
                 {m[3], m[7], m[11]}};
 }
 
+/// Returns true if no mesh hangs at the node, as at one with a camera. Exporters write anything for its
+/// transform.
+bool is_bare(const Element& node) {
+  return node.FirstChildElement("node") == nullptr && node.FirstChildElement("instance_node") == nullptr &&
+         node.FirstChildElement("instance_geometry") == nullptr;
+}
+
 Status add_node(Reader& reader, const Element& node, Affine place, int depth) {
+  if (is_bare(node)) return {};
   if (depth > deepest_nodes || ++reader.nodes > most_nodes) {
     return reader.wrong(node, "its nodes nest too deep, or hold each other in a circle");
   }

@@ -5,11 +5,15 @@
 #include <limits>
 #include <optional>
 
+#include "sdf_layers.hpp"
+
 namespace outrider {
 namespace {
 
 constexpr double default_side_m = 20.0;
 constexpr double least_side_m = 1.0;
+constexpr double lowest_room_m = 0.5;  // nobody drives between two layers that are nearer to each other
+constexpr double least_floor_m2 = 10.0;
 
 bool bounded(const Solid& solid) {
   return !std::holds_alternative<HalfSpaceShape>(solid.shape) &&
@@ -23,14 +27,18 @@ bool is_slab(const Solid& solid) {
          box->half_size.z <= 0.1 * std::min(box->half_size.x, box->half_size.y);
 }
 
-/// Returns the highest slab that reaches under everything and has only such slabs below it.
-std::optional<Box3> slab_floor(const World& world) {
+Box2 box_of_all(const World& world) {
   Box2 all;
   for (const Solid& solid : world.solids) {
     if (!bounded(solid)) continue;
     all.include(bounds(solid).ground().low);
     all.include(bounds(solid).ground().high);
   }
+  return all;
+}
+
+/// Returns the highest slab that reaches under everything and has only such slabs below it.
+std::optional<Box3> slab_floor(const World& world, const Box2& all) {
   const auto covers = [&](const Solid& solid) {  // others may extend over its edge by a tenth of its size
     const Box2 box = bounds(solid).ground();
     const Box2 grown = box.grown(0.1 * std::min(box.size().x, box.size().y));
@@ -55,6 +63,17 @@ std::optional<Box3> slab_floor(const World& world) {
   return floor;
 }
 
+/// Returns the height of the floor that lies on a ground, such as asphalt, mats or the mesh of a street: what
+/// covers three quarters of everything, with no room below it. If there is none, that of the ground.
+double floor_on(double ground_m, const World& world, const Box2& all) {
+  const double least_m2 = std::max(least_floor_m2, 0.75 * all.size().x * all.size().y);
+  double floor_m = ground_m;
+  for (const Layer& layer : level_layers(world, all, least_m2)) {
+    if (layer.height_m > floor_m && layer.height_m <= floor_m + lowest_room_m) floor_m = layer.height_m;
+  }
+  return floor_m;
+}
+
 Box2 around(Vec2 centre, Vec2 size) {
   const double x = size.x >= least_side_m ? size.x : default_side_m;
   const double y = size.y >= least_side_m ? size.y : default_side_m;
@@ -64,20 +83,29 @@ Box2 around(Vec2 centre, Vec2 size) {
 }  // namespace
 
 Status set_floor_and_bounds(World& world, const std::vector<FloorPlane>& planes, const std::string& name) {
-  Box2 floor_box;
+  const Box2 all = box_of_all(world);
+  Box2 floor_box = all;
   const auto highest =
       std::ranges::max_element(planes, {}, [](const FloorPlane& plane) { return plane.point.z; });
   if (world.terrain) {
     floor_box = world.terrain->bounds();
   } else if (highest != planes.end()) {
-    world.floor_z_m = highest->point.z;
+    world.floor_z_m = floor_on(highest->point.z, world, all);
     floor_box = around(xy(highest->point), highest->size);
-  } else if (const auto slab = slab_floor(world)) {
-    world.floor_z_m = slab->high.z;
+  } else if (const auto slab = slab_floor(world, all)) {
+    world.floor_z_m = floor_on(slab->high.z, world, all);
     floor_box = slab->ground();
   } else {
-    return bad_input(
-        "the world has no floor; add a model with a <plane> collision, or a flat box under everything", name);
+    const double half_m2 = 0.5 * all.size().x * all.size().y;
+    const auto layers = level_layers(world, all, std::max(least_floor_m2, half_m2));
+    if (layers.empty()) {
+      return bad_input(
+          "the world has no floor; add a model with a <plane> collision, or a box or a mesh that lies level "
+          "under "
+          "half of everything",
+          name);
+    }
+    world.floor_z_m = floor_on(layers.front().height_m, world, all);
   }
   world.bounds = standing_bounds(world);
   if (world.bounds.empty()) world.bounds = floor_box;

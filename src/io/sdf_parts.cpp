@@ -20,6 +20,11 @@ std::string without_colons(std::string_view given) {
   return name;
 }
 
+/// Returns true for the names that sdformat keeps for its own frames.
+bool is_reserved(std::string_view name) {
+  return name == "world" || (name.size() >= 4 && name.starts_with("__") && name.ends_with("__"));
+}
+
 /// Collects the poses of the models and links in a saved state. They are in the world frame.
 Status read_stated(const SdfFile& file, SdfElement& owner, const std::string& prefix,
                    std::map<std::string, Pose3>& stated) {
@@ -125,8 +130,12 @@ bool repair_geometry(const SdfFile& file, SdfElement& collision, const std::stri
 void repair_name(const SdfFile& file, SdfElement& element, UniqueNames& taken) {
   const char* attribute = element.Attribute("name");
   if (attribute == nullptr) return;  // sdformat reports this
-  const std::string wanted = without_colons(attribute);
+  std::string wanted = without_colons(attribute);
   if (wanted != attribute) file.warn(element, "'::' in a name was replaced by '_'");
+  if (is_reserved(wanted)) {
+    file.warn(element, fmt::format("the name '{}' is reserved and got a '_' behind it", excerpt(wanted)));
+    wanted += '_';
+  }
   const std::string name = taken.take(wanted);
   if (name != wanted) {
     file.warn(element, fmt::format("<{}> names its sibling has too got a number", element.Name()));

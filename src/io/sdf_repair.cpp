@@ -74,7 +74,7 @@ Status repair_children(const SdfFile& file, Element& parent, const std::string& 
       if (auto spliced = splice_include(file, parent, child, frame_names); !spliced) return spliced;
       continue;
     }
-    if (one_of(kind, {"model", "link", "frame", "joint"})) repair_name(file, *child, frame_names);
+    if (one_of(kind, {"world", "model", "link", "frame", "joint"})) repair_name(file, *child, frame_names);
     if (kind == "collision") repair_name(file, *child, collision_names);
     const bool named = one_of(kind, {"model", "link", "collision"});
     const std::string child_path =

@@ -114,7 +114,7 @@ Outcome<Target> target_of(const Words& keys, std::optional<std::size_t> type, co
 }  // namespace
 
 Outcome<std::vector<Target>> targets_from_text(std::string_view text, const std::string& name,
-                                               const HeightField* terrain) {
+                                               const World& world) {
   std::vector<Target> targets;
   std::map<std::string, std::size_t> count_by_type;
   std::set<std::string> names;
@@ -131,7 +131,7 @@ Outcome<std::vector<Target>> targets_from_text(std::string_view text, const std:
     if (!type) return pass_on(type);
     auto target = target_of(*keys, *type, where);
     if (!target) return pass_on(target);
-    if (terrain != nullptr && !keys->contains("z")) target->base.z = terrain->height(xy(target->base));
+    if (!keys->contains("z")) target->base.z = world.ground_z_m(xy(target->base));
     const std::optional<std::size_t> number_of_type = *type;
     const std::string kind = number_of_type ? std::to_string(*number_of_type) : "target";
     target->name = fmt::format("{}_{}", kind, count_by_type[kind]++);
@@ -156,10 +156,10 @@ std::string targets_text(const std::vector<Target>& targets) {
   return text;
 }
 
-Outcome<std::vector<Target>> load_targets(const std::string& path, const HeightField* terrain) {
+Outcome<std::vector<Target>> load_targets(const std::string& path, const World& world) {
   auto text = read_file(path);
   if (!text) return pass_on(text);
-  return targets_from_text(*text, path, terrain);
+  return targets_from_text(*text, path, world);
 }
 
 }  // namespace outrider

@@ -18,7 +18,9 @@
 // one, and its pose must have no rotation.
 //
 // World: gravity is that of the file and must point straight down. floor_z_m is the top of the highest
-// horizontal half-space, or else of a flat box under everything; a world without either is refused. bounds is
+// horizontal half-space, else of a flat box under everything, else of the lowest level surface of boxes or
+// meshes that covers half of everything; a world without any is refused. A level surface with less than 0.5 m
+// of room below that covers three quarters of everything is driven on (docs/formats.md). bounds is
 // standing_bounds(); if nothing stands there, it is the area of the floor, where a side of a plane below 1 m
 // counts as 20 m. Names are "model/link/collision", without the parts that are not needed, and unique.
 //

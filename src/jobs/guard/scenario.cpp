@@ -30,6 +30,22 @@ Outcome<World> with_terrain(World world, const Box2& bounds, const GuardScenario
   return world.on(std::make_shared<const HeightField>(std::move(*field)));
 }
 
+/// Returns the bounds grown so that there is ground around the start and around each target that lies outside
+/// them: they are the box of what stands in the yard, which may be little.
+Box2 with_room(Box2 bounds, Vec2 start, double robot_radius_m, const std::vector<Target>& targets) {
+  constexpr double room_m = 2.0;
+  const Box2 standing = bounds;
+  const auto include = [&](Vec2 p) {
+    bounds.include(p - Vec2{room_m, room_m});
+    bounds.include(p + Vec2{room_m, room_m});
+  };
+  if (!standing.grown(-robot_radius_m).contains(start)) include(start);
+  for (const Target& target : targets) {
+    if (!standing.contains(xy(target.base))) include(xy(target.base));
+  }
+  return bounds;
+}
+
 Status load_walkers(GuardScenario& scenario) {
   auto weights = preferences_from_text(scenario.wander.prefers, scenario.problem.targets);
   if (!weights) return pass_on(weights);
@@ -92,13 +108,19 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
         {"removed", "", 0, 0, "what of the world is taken away: name; ...", &scenario.removed},
         file_option("targets", "file of targets, one a line: type=T x= y= [z=] [rz=]", &scenario.targets),
         {"start", "", 0, 0, "x,y,heading of the robot at first, m, m and degrees", &scenario.start},
-        {"bounds", "", 0, 0, "low x,low y,high x,high y of the yard, m; empty: the box of its walls",
+        {"bounds", "", 0, 0,
+         "low x,low y,high x,high y of the yard, m; empty: the box of its walls, with 2 m around a start or "
+         "a target "
+         "outside",
          &scenario.bounds},
         {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed},
         {"sim", "", 0, 0, "what carries the plan out: kinematic, or physics (rigid bodies)", &scenario.sim},
         {"targets_block", "", 0, 0, "targets stop the robot and the shots at other targets",
          &problem.targets_block},
         {"tries", "", 1, 100, "shots at a target before it has failed", &problem.tries},
+        {"give_up", "s", 0, 1e6,
+         "a target that was missed is not tried again if a hit takes longer on average; 0: never",
+         &problem.give_up_s},
         {"regions", "", 0, 0, "log and draw from where each target can be hit", &scenario.regions}}},
       {"robot", "the robot", describe(problem.robot)},
       {"gun", "the water gun", describe(problem.gun)},
@@ -134,8 +156,10 @@ Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
   if (!changes) return pass_on(changes);
   world = changed(*world, *changes);
   if (!world) return pass_on(world);
-  auto targets = load_targets(scenario.targets, world->terrain.get());
+  auto targets = load_targets(scenario.targets, *world);
   if (!targets) return pass_on(targets);
+  if (scenario.bounds.empty() && !world->terrain)
+    world->bounds = with_room(world->bounds, start->position, scenario.problem.robot.radius_m, *targets);
 
   scenario.problem.start = {start->position, wrap_angle(start->heading_rad)};
   scenario.problem.world = std::move(*world);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -37,13 +38,26 @@ void drop_target(StopTasks& tasks) {
   tasks.aimed = false;
 }
 
-/// One more try at a target went wrong.
+/// Returns the time that a hit takes on average with up to `tries` such shots after a drive, s.
+double time_of_a_hit(const PlannedShot& shot, std::int64_t tries, double drive_s) {
+  constexpr double least_rate = 0.5 / 27.0;  // hit rates are counted over 27 errors
+  const double rate = std::max(shot.hit_rate, least_rate);
+  const double any_hit = 1.0 - std::pow(1.0 - rate, static_cast<double>(tries));
+  return drive_s / any_hit + shot.flight_s / rate;
+}
+
+/// Returns true if a target is not worth another shot.
+bool is_hopeless(const GuardProblem& problem, double hit_s) {
+  return problem.give_up_s > 0.0 && hit_s > problem.give_up_s;
+}
+
+/// One more try at a target went wrong. `last`: there is no other in this pass.
 void note_failure(StopTasks& tasks, std::size_t target, const GuardProblem& problem, const std::string& what,
-                  double time_s) {
+                  double time_s, bool last = false) {
   TargetRecord& record = tasks.records[target];
   ++record.tries;
   tasks.aimed = false;
-  if (record.tries < problem.tries) return;
+  if (record.tries < problem.tries && !last) return;
   settle(record, TargetStatus::failed, what, time_s);
   drop_target(tasks);
 }
@@ -64,7 +78,8 @@ void note_result(StopTasks& tasks, bool hit, const Observation& seen, const Guar
     drop_target(tasks);
     return;
   }
-  note_failure(tasks, target, problem, missed(record), seen.time_s);
+  const bool last = is_hopeless(problem, time_of_a_hit(*record.shot, 1, 0.0));
+  note_failure(tasks, target, problem, missed(record), seen.time_s, last);
 }
 
 /// What to do when the pose actually reached has no shot: go somewhere else, or give up.
@@ -134,6 +149,23 @@ void note_passing(StopTasks& tasks, const Observation& seen, const GuardProblem&
   }
 }
 
+/// Returns true if the second pass leaves a failed target out, and says so in its reason: a hit from that
+/// place would take too long.
+bool leaves_out(StopTasks& tasks, std::size_t target, Vec2 place, const GuardProblem& problem,
+                const FiringMap& firing_map) {
+  const std::size_t at = target_of(tasks, target);
+  ShotRules bold = firing_map.rules;
+  bold.margin_m = 0.0;
+  const auto shot = best_shot(bold, firing_map.space(at), problem.targets[at], place, 0.0);
+  if (!shot) return false;
+  const double drive_s = distance(tasks.last_place, place) / problem.robot.speed_mps;
+  const double hit_s = time_of_a_hit(*shot, problem.tries, drive_s);
+  if (!is_hopeless(problem, hit_s)) return false;
+  tasks.records[target].reason +=
+      fmt::format("; given up, as a hit from elsewhere takes {:.0f} s on average", hit_s);
+  return true;
+}
+
 /// The second pass: what failed is tried from another place, what had no shot without the margin.
 void plan_second_pass(StopTasks& tasks, const GuardProblem& problem, const FiringMap& firing_map) {
   tasks.second_pass = true;
@@ -144,9 +176,10 @@ void plan_second_pass(StopTasks& tasks, const GuardProblem& problem, const Firin
     const std::size_t at = target_of(tasks, t);
     record.tries = 0;
     if (record.status == TargetStatus::failed) {
-      const auto place =
-          another_place(problem, firing_map, at, record.pose.position, problem.errors.position_m);
-      tasks.queue.push_back({place.value_or(record.pose.position), {t}});
+      const Vec2 place =
+          another_place(problem, firing_map, at, record.pose.position, problem.errors.position_m)
+              .value_or(record.pose.position);
+      if (!leaves_out(tasks, t, place, problem, firing_map)) tasks.queue.push_back({place, {t}});
     } else if (record.status == TargetStatus::unreachable && firing_map.rules.margin_m > 0.0) {
       const Exhausted tried = exhaust(bold, firing_map.space(at), problem.targets[at], firing_map.frame,
                                       firing_map.reachable, tasks.stop);

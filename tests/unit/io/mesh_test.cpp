@@ -75,6 +75,16 @@ TEST(Mesh, ColladaNodesAreComposedAndScaledByTheUnit) {
   expect_near(mesh->back()[2], {-2, 0, 5});
 }
 
+TEST(Mesh, ColladaNodesWithoutAMeshMayBeAnything) {
+  const std::string camera =
+      "<node><lookat>1 2 3 4 5 6 7 8 9</lookat><instance_camera url=\"#c\"/></node>"
+      "<node><matrix>NaN NaN NaN</matrix></node>";
+  const auto mesh =
+      mesh_from_bytes(test::replaced(dae, "<node><matrix>", camera + "<node><matrix>"), "a.dae");
+  ASSERT_TRUE(mesh) << to_string(mesh.error());
+  EXPECT_EQ(*mesh, *mesh_from_bytes(dae, "a.dae"));
+}
+
 TEST(Mesh, ColladaWithoutASceneIsTakenAsItIs) {
   const auto mesh =
       mesh_from_bytes(dae.substr(0, dae.find("<library_visual_scenes>")) + "</COLLADA>", "a.dae");

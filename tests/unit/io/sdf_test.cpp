@@ -285,9 +285,47 @@ TEST(Sdf, FloorIsTheHighestUprightHalfSpaceOrASlab) {
   EXPECT_DOUBLE_EQ(load(world_of(slab + table + roof)).world.floor_z_m, 0.0);
   EXPECT_NE(sdf_fault(world_of(model("leg", "0 0 0.5 0 0 0", unit_box) + table)).find("no floor"),
             std::string::npos);
-  EXPECT_EQ(
-      sdf_fault(world_of(model("a", "0 0 1 0 0 0", unit_box))),
-      "w.sdf: the world has no floor; add a model with a <plane> collision, or a flat box under everything");
+  EXPECT_EQ(sdf_fault(world_of(model("a", "0 0 1 0 0 0", unit_box))),
+            "w.sdf: the world has no floor; add a model with a <plane> collision, or a box or a mesh that "
+            "lies level "
+            "under half of everything");
+}
+
+TEST(Sdf, AFloorMayLieOnTheGround) {
+  const auto asphalt = [](const std::string& size) {
+    return model("asphalt", "0 0 0 0 0 0", "<box><size>" + size + " 0.1</size></box>");
+  };
+  const std::string house = model("house", "9 0 1 0 0 0", "<box><size>2 2 2</size></box>");
+  EXPECT_DOUBLE_EQ(load(world_of(ground + house + asphalt("20 20"))).world.floor_z_m, 0.05);
+  EXPECT_DOUBLE_EQ(load(world_of(ground + house + asphalt("10 20"))).world.floor_z_m, 0.0);
+  const std::string stage = model("stage", "0 0 0.5 0 0 0", "<box><size>20 20 1</size></box>");
+  EXPECT_DOUBLE_EQ(load(world_of(ground + house + stage)).world.floor_z_m, 0.0);
+  EXPECT_DOUBLE_EQ(load(world_of(ground + house + asphalt("3 3"))).world.floor_z_m, 0.0);
+}
+
+TEST(Sdf, TheFloorMayBeTheMeshOfAHouse) {
+  const test::Folder folder;  // the ground floor lies 0.2 m thick at z = 1, the ceiling at 3.5
+  folder.write("house.obj",
+               "v 0 0 0.8\nv 6 0 0.8\nv 6 4 0.8\nv 0 4 0.8\nv 0 0 1\nv 6 0 1\nv 6 4 1\nv 0 4 1\n"
+               "v 0 0 3.5\nv 6 0 3.5\nv 6 4 3.5\nv 0 4 3.5\n"
+               "f 1 2 3 4\nf 8 7 6 5\nf 9 10 11 12\nf 5 6 10 9\nf 8 7 11 12\n");
+  const auto loaded = load_sdf(
+      folder.write("w.sdf", world_of(model("house", "0 0 0 0 0 0", "<mesh><uri>house.obj</uri></mesh>"))));
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  EXPECT_DOUBLE_EQ(loaded->world.floor_z_m, 1.0);
+  EXPECT_EQ(loaded->world.bounds.high, (Vec2{6, 4}));
+}
+
+TEST(Sdf, ReservedNamesGetAnUnderscore) {
+  const auto [world, warnings] =
+      load("<sdf version='1.7'><world name='world'>\n" + ground + model("world", "0 0 1 0 0 0", unit_box) +
+           model("__a__", "4 0 1 0 0 0", unit_box) + "</world></sdf>");
+  EXPECT_EQ(world.name, "world_");
+  EXPECT_EQ(solid(world, "world_").world_T_solid.position, (Vec3{0, 0, 1}));
+  EXPECT_EQ(solid(world, "__a___").world_T_solid.position, (Vec3{4, 0, 1}));
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_EQ(warnings[0],
+            "w.sdf:1: the name 'world' is reserved and got a '_' behind it (2 times, first here)");
 }
 
 TEST(Sdf, BoundsOfAnEmptyYardAreTheFloors) {

@@ -14,6 +14,15 @@ std::string targets_fault(std::string_view text) {
   return targets ? "none" : to_string(targets.error());
 }
 
+TEST(Targets, StandOnTheFloorUnlessTheySayWhere) {
+  World raised;
+  raised.floor_z_m = 0.05;
+  const auto targets = targets_from_text("type=1 x=1 y=2\ntype=1 x=1 y=2 z=0\n", "t", raised);
+  ASSERT_TRUE(targets);
+  EXPECT_EQ((*targets)[0].base.z, 0.05);
+  EXPECT_EQ((*targets)[1].base.z, 0.0);
+}
+
 TEST(Targets, ReadsKeysInAnyOrderWithCommentsAndBlankLines) {
   const auto targets = targets_from_text(
       "# cats\n\n y=2\tx=+1 type=2 # on the roof\r\n  rz=-0.5 z=1.5 x=-3 y=4 type=1\ntype=2 x=0 y=0\n"

@@ -162,7 +162,9 @@ TEST_F(TerrainFiles, AHeightmapIsTheTerrainOfAWorld) {
 
 TEST(TargetsOnTerrain, StandOnTheGroundUnlessTheySayWhere) {
   const auto field = terrain_from_grid(grid_head + "1 1 1\n1 1 1\n", "g.asc");
-  const auto targets = targets_from_text("type=1 x=12 y=22\ntype=1 x=12 y=22 z=0.25\n", "t", &*field);
+  ASSERT_TRUE(field);
+  const World hill = World{}.on(std::make_shared<const HeightField>(*field));
+  const auto targets = targets_from_text("type=1 x=12 y=22\ntype=1 x=12 y=22 z=0.25\n", "t", hill);
   ASSERT_TRUE(targets);
   EXPECT_EQ((*targets)[0].base.z, 1.0);
   EXPECT_EQ((*targets)[1].base.z, 0.25);

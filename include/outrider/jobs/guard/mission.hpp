@@ -1,9 +1,9 @@
 // GuardMission: the mission of a guard robot, with the capabilities that its task uses.
 //
-//   stop tasks   (stop_tasks.hpp)        always used: drive to the stops, solve each shot again, repeat
-//   misses arrivals     (arriving_targets.hpp)  for intruders that keep coming or survive: plan the tasks
-//   anew walkers      (moving_targets.hpp)    for intruders that walk about: aim ahead of them supplies
-//   (store_keeper.hpp)      for limited water and battery: visit stations in time
+//   stop tasks (stop_tasks.hpp): always; drives to the stops, solves each shot again, repeats misses
+//   arrivals (arriving_targets.hpp): for intruders that keep coming or survive; plans the tasks anew
+//   walkers (moving_targets.hpp): for intruders that walk about; aims ahead of them
+//   supplies (store_keeper.hpp): for limited water and battery; visits stations in time
 //
 // capabilities.hpp defines which of them combine, and with which properties of yard and robot.
 #pragma once

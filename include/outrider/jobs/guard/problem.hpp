@@ -26,6 +26,7 @@ struct GuardProblem {
   Supplies supplies;
   bool targets_block = false;  ///< targets are obstacles for the robot and for shots at other targets
   std::int64_t tries = 3;      ///< number of missed shots after which a target has failed
+  double give_up_s = 60.0;     ///< a target is not tried again if a hit takes longer on average; 0: never
 };
 
 /// Returns the height below which the robot needs room: of its body, or of its barrel at the steepest pitch.

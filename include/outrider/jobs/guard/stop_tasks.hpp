@@ -6,6 +6,10 @@
 // target is tried again from another place, and each target without a firing region is tried again without
 // the clearance margin.
 //
+// A target that was missed is given up sooner if a hit would take more than `give_up_s` on average: the
+// flight divided by the hit rate of the shot, plus, in the second pass, the straight drive divided by the
+// probability of at least one hit in `tries` shots.
+//
 // Shots in passing (passing.hpp) are solved again for the actual path when the drive begins. A target that
 // cannot be hit from the path, or was missed, is shot at next from the place nearest to the end of the path.
 #pragma once

@@ -273,6 +273,34 @@ TEST(StopTasks, AlwaysEndsAndLosesNoTarget) {
   }
 }
 
+/// A bottle on a pole at the far end, shot at by a gun that strays by 10 degrees: few shots hit.
+TEST(StopTasks, GivesUpWhatTakesTooLongToHit) {
+  GuardProblem problem = open_yard();
+  problem.targets = {{"bottle", {0, 2.5, 1.5}, {0.07, 0.07, 0.25}, 0.0}};
+  problem.world.solids.push_back(box_at("fence", {0, -1.5, 0.25}, {6.0, 0.05, 0.5}));
+  problem.errors.aim.gun_rad = radians(10);
+  Yard yard = make_yard(problem);
+  const auto shots_of = [&](double give_up_s) {
+    yard.problem.give_up_s = give_up_s;
+    Scripted robot(yard.problem);
+    robot.hits = [](std::size_t, int) { return false; };
+    return run(yard, robot).tasks.records[0];
+  };
+  const TargetRecord never = shots_of(0.0);
+  ASSERT_EQ(never.shots, 2 * problem.tries) << "the premise: it can be shot at";
+  ASSERT_LT(never.shot->hit_rate, 0.2) << "the premise: it is hard to hit";
+  const TargetRecord soon = shots_of(1.0);
+  EXPECT_EQ(soon.shots, 1);
+  EXPECT_EQ(soon.status, TargetStatus::failed);
+  EXPECT_NE(soon.reason.find("missed 1 time; given up, as a hit from elsewhere takes"), std::string::npos)
+      << soon.reason;
+  // The first pass goes on as long as a hit takes less than that, and the second does not begin.
+  const double flights_s = never.shot->flight_s / never.shot->hit_rate;
+  if (never.shot->hit_rate > 0.0) {
+    EXPECT_GE(shots_of(1.3 * flights_s).shots, problem.tries);
+  }
+}
+
 TEST(StopTasks, NamesEveryStatus) {
   EXPECT_EQ(to_string(TargetStatus::waiting), "waiting");
   EXPECT_EQ(to_string(TargetStatus::reached), "reached");
