@@ -12,6 +12,8 @@
 
 namespace outrider {
 
+using routes::Node;
+using routes::open_nodes;
 using routes::RouteQuery;
 using routes::RouteTree;
 using routes::same_place_m;
@@ -21,7 +23,7 @@ using routes::SightLines;
 struct CornerTable {
   CollisionMap ground;
   RobotModel robot;
-  std::vector<Vec2> nodes;
+  std::vector<Node> nodes;
   SightLines lines;  // node to node
 };
 
@@ -92,10 +94,10 @@ Status check_stops(const CollisionMap& ground, const RobotModel& robot, const st
 double opposite(double heading_rad) { return wrap_angle(heading_rad + pi); }
 
 /// Returns the path to a target of a search as points, including both ends.
-std::vector<Vec2> points_of(const RouteTree& tree, const std::vector<Vec2>& nodes, Vec2 start,
+std::vector<Vec2> points_of(const RouteTree& tree, const std::vector<Node>& nodes, Vec2 start,
                             std::uint32_t target, Vec2 goal) {
   std::vector<Vec2> points = {start};
-  for (const std::uint32_t node : routes::nodes_to(tree, target)) points.push_back(nodes[node]);
+  for (const std::uint32_t node : routes::nodes_to(tree, target)) points.push_back(nodes[node].at);
   points.push_back(goal);
   return points;
 }
@@ -138,10 +140,10 @@ Outcome<Route> Routes::route(const Pose2& start, Vec2 goal) const {
   }
 
   Budget unlimited;
-  const std::vector<Vec2> ends = {start.position, goal};
+  const std::vector<Node> ends = open_nodes({start.position, goal});
   auto from_ends = routes::sight_lines(t.ground, t.robot, ends, t.nodes, unlimited);
   if (!from_ends) return pass_on(from_ends);
-  auto direct = routes::sight_lines(t.ground, t.robot, {start.position}, {goal}, unlimited);
+  auto direct = routes::sight_lines(t.ground, t.robot, {ends[0]}, {ends[1]}, unlimited);
   if (!direct) return pass_on(direct);
   const SightLines to_ends = routes::reversed(*from_ends, ends, t.nodes);
   std::vector<SightLine> direct_line(direct->lines);
@@ -189,11 +191,12 @@ Outcome<Corners> corners_of(const CollisionMap& ground, const RobotModel& robot,
 
 Outcome<Routes> routes_over(const Corners& corners, const std::vector<Vec2>& stops, Budget& remaining) {
   const CornerTable& c = *corners.table();
-  auto stop_lines = routes::sight_lines(c.ground, c.robot, stops, c.nodes, remaining);
+  const std::vector<Node> ends = open_nodes(stops);
+  auto stop_lines = routes::sight_lines(c.ground, c.robot, ends, c.nodes, remaining);
   if (!stop_lines) return pass_on(stop_lines);
-  auto direct = routes::sight_lines(c.ground, c.robot, stops, remaining);
+  auto direct = routes::sight_lines(c.ground, c.robot, ends, remaining);
   if (!direct) return pass_on(direct);
-  const SightLines to_stops = routes::reversed(*stop_lines, stops, c.nodes);
+  const SightLines to_stops = routes::reversed(*stop_lines, ends, c.nodes);
 
   RouteTable table{corners.table(), stops, std::vector<RouteTree>(stops.size())};
   Status searched = routes::in_parallel(stops.size(), remaining, [&](std::size_t i, BudgetMeter& meter) {

@@ -28,23 +28,40 @@ struct SightLines {
   }
 };
 
-/// Returns the free corners around the obstacles, then the free nodes of `extra`; no two are at the same
-/// place.
-std::vector<Vec2> route_nodes(const CollisionMap& ground, double radius_m, double arc_step_rad,
+/// A place where a route may bend: a corner of an obstacle grown by the robot, or a place in the open.
+struct Node {
+  Vec2 at;
+  Vec2 before = at;  ///< the corner before it, counter-clockwise; a node in the open has none
+  Vec2 after = at;   ///< the corner after it
+
+  /// Returns true if a straight leg to or from the place touches the node as a tangent: the grown obstacle
+  /// lies on one side of it. A route that is pulled taut has no other legs. In the open, every leg does.
+  [[nodiscard]] bool is_touched_from(Vec2 place) const;
+};
+
+/// Returns places in the open as nodes.
+std::vector<Node> open_nodes(const std::vector<Vec2>& places);
+
+/// Returns the free corners around the obstacles and the free nodes of `extra`, sorted by x, then y; no two
+/// are at the same place. Of more than 2048, as around meshes of many triangles, one stands for those within
+/// a sixteenth of the radius, then an eighth, then a quarter. A node that stands for several counts as a
+/// place in the open.
+std::vector<Node> route_nodes(const CollisionMap& ground, double radius_m, double arc_step_rad,
                               const std::vector<Vec2>& extra);
 
 /// Points nearer to each other than this are the same place: no leg joins them.
 inline constexpr double same_place_m = 1e-9;
 
-/// Finds the points of `to` that each point of `from` sees; O(from x to) exact tests, in parallel.
+/// Finds the nodes of `to` that each node of `from` sees along a leg that touches both; O(from x to) exact
+/// tests, in parallel.
 Outcome<SightLines> sight_lines(const CollisionMap& ground, const RobotModel& robot,
-                                const std::vector<Vec2>& from, const std::vector<Vec2>& to, Budget& budget);
+                                const std::vector<Node>& from, const std::vector<Node>& to, Budget& budget);
 
-/// Finds all pairs of `points` that see each other.
+/// Finds all such pairs of `nodes`.
 Outcome<SightLines> sight_lines(const CollisionMap& ground, const RobotModel& robot,
-                                const std::vector<Vec2>& points, Budget& budget);
+                                const std::vector<Node>& nodes, Budget& budget);
 
 /// Returns the same lines in the opposite direction.
-SightLines reversed(const SightLines& lines, const std::vector<Vec2>& from, const std::vector<Vec2>& to);
+SightLines reversed(const SightLines& lines, const std::vector<Node>& from, const std::vector<Node>& to);
 
 }  // namespace outrider::routes

@@ -30,29 +30,55 @@ bool twin_leg_free(const Yard& yard, Segment s) {
                       [&](const RoundedPolygon& obstacle) { return signed_distance(s, obstacle) < least; });
 }
 
-std::vector<Vec2> twin_nodes(const Yard& yard, double step_rad) {
-  std::vector<Vec2> nodes;
+namespace {
+
+/// A corner, and the polygon that it belongs to.
+struct Corner {
+  Vec2 at;
+  RoundedPolygon of;
+};
+
+std::vector<Corner> free_corners(const Yard& yard, double step_rad) {
+  std::vector<Corner> found;
   for (const RoundedPolygon& obstacle : yard.obstacles) {
     for (const double step : {step_rad, std::min(2.0 * step_rad, pi / 2)}) {
-      for (const Vec2 c : circumscribed({obstacle.core, obstacle.radius_m + yard.robot.radius_m}, step)) {
-        if (twin_clearance(yard, c) >= yard.robot.radius_m - 1e-9) nodes.push_back(c);
+      const auto corners = circumscribed({obstacle.core, obstacle.radius_m + yard.robot.radius_m}, step);
+      for (const Vec2 c : corners) {
+        if (twin_clearance(yard, c) >= yard.robot.radius_m - 1e-9) found.push_back({c, {corners, 0.0}});
       }
     }
   }
+  return found;
+}
+
+/// The leg enters the polygon neither just before the corner nor, gone on straight, just behind it.
+bool twin_touches(const Corner& corner, Vec2 place) {
+  const Vec2 step = (1e-3 / distance(place, corner.at)) * (corner.at - place);
+  return signed_distance(corner.at + step, corner.of) >= -1e-11 &&
+         signed_distance(corner.at - step, corner.of) >= -1e-11;
+}
+
+}  // namespace
+
+std::vector<Vec2> twin_nodes(const Yard& yard, double step_rad) {
+  std::vector<Vec2> nodes;
+  for (const Corner& corner : free_corners(yard, step_rad)) nodes.push_back(corner.at);
   return nodes;
 }
 
 Twin::Twin(const Yard& yard, double step_rad, const std::vector<Vec2>& extra)
     : robot(yard.robot), points(twin_nodes(yard, step_rad)) {
+  const std::vector<Corner> corners = free_corners(yard, step_rad);
   points.insert(points.end(), extra.begin(), extra.end());
   nodes = points.size();
   points.insert(points.end(), yard.stops.begin(), yard.stops.end());
   seen.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t j = 0; j < points.size(); ++j) {
-      if (distance(points[i], points[j]) > 1e-9 && twin_leg_free(yard, {points[i], points[j]})) {
-        seen[i].push_back(j);
-      }
+      if (distance(points[i], points[j]) <= 1e-9 || !twin_leg_free(yard, {points[i], points[j]})) continue;
+      if (i < corners.size() && !twin_touches(corners[i], points[j])) continue;
+      if (j < corners.size() && !twin_touches(corners[j], points[i])) continue;
+      seen[i].push_back(j);
     }
   }
 }

@@ -74,6 +74,29 @@ TEST(Routes, AreTheFastestOnALargeGraph) {
   }
 }
 
+/// A row of 700 thin slats makes 5,600 corners. Each route of the thinned graph is sound, and no longer than
+/// one past the hull of all slats.
+TEST(Routes, ManyCloseCornersAreThinned) {
+  Yard slats;
+  for (int i = 0; i < 700; ++i)
+    slats.obstacles.push_back(box({-1.4 + 0.004 * i, 0.0}, 0.001, 1.0 + 0.0001 * (i % 7)));
+  slats.robot.radius_m = 0.2;
+  slats.stops = {{0.0, -2.0}, {0.0, 2.0}, {-2.0, 0.0}, {2.0, 0.3}};
+  const auto routes = routes_of(slats);
+  ASSERT_TRUE(routes) << to_string(routes.error());
+  Yard hull = slats;
+  hull.obstacles = {box({0.0, 0.0}, 1.42, 1.01)};
+  hull.robot.radius_m = 0.25;  // a quarter more
+  const auto around = routes_of(hull);
+  ASSERT_TRUE(around) << to_string(around.error());
+  for (std::size_t i = 0; i < slats.stops.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      expect_consistent(slats, *routes, i, j);
+      EXPECT_LE(routes->between(i, j).time_s, around->between(i, j).time_s);
+    }
+  }
+}
+
 /// West of the block is the sooner way to the end of the wall, east of it the way that turns less there.
 TEST(Routes, TheHeadingOnArrivalMayDecide) {
   Yard yard;
