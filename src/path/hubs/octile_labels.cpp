@@ -16,13 +16,6 @@ namespace {
 // Work in expansions of jps_plus, from measured times; on a changed ground it compares all cells first.
 constexpr std::uint64_t looks_an_expansion = 32, expansions_a_node = 8, cells_an_expansion = 1024;
 
-/// Adds a leg from the last cell of `way`, with the cell at which it bends.
-void add_leg(std::vector<Cell>& way, Cell bend, Cell to) {
-  if (to == way.back()) return;
-  if (bend != way.back() && bend != to) way.push_back(bend);
-  way.push_back(to);
-}
-
 /// Index of the shortest paths along the moves, as hub_memory.hpp asks for it.
 struct OctileIndex {
   OctileRuns runs;
@@ -40,11 +33,13 @@ struct OctileIndex {
 
   bool straight(const GridMap& /*ground*/, Cell start, Cell goal, std::vector<Cell>& way) const {
     if (!runs.leg(start, goal)) return false;
-    add_leg(way, bend_of(start, goal), goal);
+    way.push_back(bend_of(start, goal));
+    way.push_back(goal);
     return true;
   }
   static bool straight_on(const GridMap& ground, Cell start, Cell goal, std::vector<Cell>& way) {
-    add_leg(way, bend_of(start, goal), goal);
+    way.push_back(bend_of(start, goal));
+    way.push_back(goal);
     if (legal_way(ground, way)) return true;
     way.assign(1, start);
     return false;
@@ -77,9 +72,9 @@ std::unique_ptr<const OctileIndex> OctileIndex::of(const GridMap& ground, std::s
   const auto trees = hub_trees(*graph, by_importance(*graph, stop), left / 2 / of_a_node, stop);
   if (!trees) return nullptr;
   const std::size_t bytes_of_nodes = trees->nodes.size() * sizeof(OctileNode);
-  auto labels = octile_lists(ground, subgoals, *trees, left - bytes_of_nodes, stop);
-  if (!labels || stop.stop_requested()) return nullptr;
   index.runs = octile_runs(ground);
+  auto labels = octile_lists(ground, index.runs, subgoals, *trees, left - bytes_of_nodes, stop);
+  if (!labels || stop.stop_requested()) return nullptr;
   index.labels = std::move(*labels);
   std::uint64_t looks = 0;
   for (const OctileTileRow& row : index.labels.rows) looks += row.work;
@@ -88,64 +83,70 @@ std::unique_ptr<const OctileIndex> OctileIndex::of(const GridMap& ground, std::s
   return std::make_unique<const OctileIndex>(std::move(index));
 }
 
-/// The list of a tile, read by one of its cells.
-struct Reading {
-  Reading(const OctileList& list, Cell of)
-      : next(list.hubs.data()), end(next + list.hubs.size()), all(list), cell(of), bit(corner_bit(of)) {}
-  [[nodiscard]] std::ptrdiff_t at() const { return next - all.hubs.data(); }
-  [[nodiscard]] bool mine() const { return (all.cells[at()] & bit) != 0; }
-  [[nodiscard]] const OctilePath& path() const { return all.paths[at()]; }
-  /// Returns the distance to the hub.
-  [[nodiscard]] Octile distance() const {
-    const OctilePath& beyond = path();
-    return octile_distance(cell, {beyond.x, beyond.y}) + Octile{beyond.straight, beyond.diagonal};
-  }
-
-  const std::uint32_t* next;
-  const std::uint32_t* end;
-  OctileList all;
-  Cell cell;
-  unsigned bit;
-};
-
 /// The nodes of the best common hub at which the two halves of a path meet.
 struct Meeting {
   double length = std::numeric_limits<double>::infinity();
   std::uint32_t start_node = 0, goal_node = 0;
 };
 
-Meeting best_meeting(Reading from, Reading to) {
+/// An end of the query with the row of its list.
+struct End {
+  Cell cell;
+  const OctileTileRow& row;
+  unsigned bit = corner_bit(cell);
+
+  [[nodiscard]] Octile distance(const OctilePath& path) const {
+    return octile_distance(cell, {path.x, path.y}) + Octile{path.straight, path.diagonal};
+  }
+};
+
+/// Takes the hubs that two blocks of the same number have in common.
+void take_common(const End& start, const HubBlock& a, const End& goal, const HubBlock& b, Meeting& best) {
+  for (std::uint64_t bits = a.bits & b.bits; bits != 0; bits &= bits - 1) {
+    const std::uint64_t bit = bits & (~bits + 1);
+    const std::size_t i = a.path_of(bit), j = b.path_of(bit);
+    if ((start.row.cells[i] & start.bit) == 0 || (goal.row.cells[j] & goal.bit) == 0) continue;
+    const OctilePath &from = start.row.paths[i], &to = goal.row.paths[j];
+    const double length = (start.distance(from) + goal.distance(to)).value();
+    if (length < best.length) best = {length, from.node, to.node};
+  }
+}
+
+Meeting best_meeting(const End& start, const End& goal) {
   Meeting best;
-  while (from.next != from.end && to.next != to.end) {
-    const std::uint32_t hub = *from.next, other = *to.next;
-    if (hub == other && from.mine() && to.mine()) {
-      const double length = (from.distance() + to.distance()).value();
-      if (length < best.length) best = {length, from.path().node, to.path().node};
+  const std::span<const HubBlock> from = start.row.at(start.cell.x), to = goal.row.at(goal.cell.x);
+  auto a = from.begin(), b = to.begin();
+  while (a != from.end() && b != to.end()) {
+    if (a->block == b->block) {
+      for (auto copy = b; copy != to.end() && copy->block == a->block; ++copy)
+        take_common(start, *a, goal, *copy, best);
+      ++a;
+    } else {
+      a->block < b->block ? ++a : ++b;
     }
-    const bool advance = hub < other || (hub == other && !from.mine());
-    from.next += advance ? 1 : 0;
-    to.next += advance ? 0 : 1;
   }
   return best;
 }
 
 /// Adds the path from the last cell of `way` over a node to its hub. The first leg is diagonal first, the
-/// others are diagonal first from their end nearer to the hub.
-void add_path(std::vector<Cell>& way, const std::vector<OctileNode>& nodes, std::uint32_t node) {
-  add_leg(way, bend_of(way.back(), nodes[node].cell()), nodes[node].cell());
-  for (; nodes[node].next != node; node = nodes[node].next) {
-    const Cell next = nodes[nodes[node].next].cell();
-    add_leg(way, bend_of(next, nodes[node].cell()), next);
+/// others are diagonal first from their end nearer to the hub. Bends may equal an end of their leg.
+void add_path(std::vector<Cell>& way, const std::vector<OctileNode>& nodes, const OctileNode* node) {
+  way.push_back(bend_of(way.back(), node->cell()));
+  way.push_back(node->cell());
+  for (const OctileNode* next = &nodes[node->next]; next != node; next = &nodes[node->next]) {
+    way.push_back(bend_of(next->cell(), node->cell()));
+    way.push_back(next->cell());
+    node = next;
   }
 }
 
 bool OctileIndex::find(Cell start, Cell goal, std::vector<Cell>& way) const {
-  const Meeting meeting = best_meeting({row_of(start).at(start.x), start}, {row_of(goal).at(goal.x), goal});
+  const Meeting meeting = best_meeting({start, row_of(start)}, {goal, row_of(goal)});
   if (!(meeting.length < std::numeric_limits<double>::infinity())) return false;
-  add_path(way, labels.nodes, meeting.start_node);
+  add_path(way, labels.nodes, &labels.nodes[meeting.start_node]);
   const auto hub = static_cast<std::ptrdiff_t>(way.size());
   way.push_back(goal);
-  add_path(way, labels.nodes, meeting.goal_node);
+  add_path(way, labels.nodes, &labels.nodes[meeting.goal_node]);
   way.pop_back();  // the hub again
   std::reverse(way.begin() + hub, way.end());
   return true;

@@ -1,8 +1,10 @@
 // Hub labels of all cells of a grid, for paths along the eight moves: the lists of tile_labels.hpp with exact
 // distances.
 //
-// A query merges two lists by hub; the rest of an entry is read only where both have the hub. So hubs,
-// bits of the cells and the rest are stored apart. Thread rule: read-only after construction.
+// A query needs the hubs that two lists have in common. So the hubs are numbered such that those of a list
+// have numbers close together: the most important ones first, the others along a curve through the grid that
+// keeps neighbours together. A list then is a few blocks of 64 numbers with a bit for each hub, and two lists
+// are intersected bit-parallel. Thread rule: read-only after construction.
 #pragma once
 
 #include <span>
@@ -19,28 +21,34 @@ struct OctilePath {
   std::int16_t x = 0, y = 0;                 ///< the subgoal
 };
 
-/// The list of a tile, ordered by rank of the hub.
-struct OctileList {
-  std::span<const std::uint32_t> hubs;   ///< ranks
-  const std::uint16_t* cells = nullptr;  ///< by hub: a bit for each cell to which the entry belongs
-  const OctilePath* paths = nullptr;     ///< by hub
+/// The hubs of a list whose number is 64 * block + bit. Where a hub has several paths, for different cells of
+/// the tile, there are several blocks of the same number.
+struct HubBlock {
+  std::uint64_t bits = 0;
+  std::uint32_t block = 0;
+  std::uint32_t first = 0;  ///< index of the path of the lowest bit; the others follow
+
+  /// Returns the index of the path of a hub, by its bit.
+  [[nodiscard]] std::size_t path_of(std::uint64_t bit) const {
+    return first + static_cast<std::size_t>(std::popcount(bits & (bit - 1)));
+  }
 };
 
 /// The lists of a row of tiles.
 struct OctileTileRow {
-  std::vector<std::uint32_t> tiles;  ///< first entry of each; one more at the end; empty if not built
-  std::vector<std::uint32_t> hubs;
-  std::vector<std::uint16_t> cells;
+  std::vector<std::uint32_t> tiles;  ///< first block of each; one more at the end; empty if not built
+  std::vector<HubBlock> blocks;      ///< of each tile by number
+  std::vector<std::uint16_t> cells;  ///< by path: a bit for each cell to which it belongs
   std::vector<OctilePath> paths;
   std::uint64_t work = 0;  ///< work of building it: labels and turns visited
 
-  [[nodiscard]] OctileList at(int x) const {
-    const std::uint32_t first = tiles[static_cast<std::size_t>(x / tile_side)];
-    const std::uint32_t end = tiles[static_cast<std::size_t>(x / tile_side) + 1];
-    return {{hubs.data() + first, hubs.data() + end}, cells.data() + first, paths.data() + first};
+  /// Returns the list of the tile of a cell.
+  [[nodiscard]] std::span<const HubBlock> at(int x) const {
+    const std::uint32_t* const tile = tiles.data() + x / tile_side;
+    return {blocks.data() + tile[0], blocks.data() + tile[1]};
   }
   [[nodiscard]] std::size_t memory() const {
-    return (tiles.capacity() + hubs.capacity()) * sizeof(std::uint32_t) +
+    return tiles.capacity() * sizeof(std::uint32_t) + blocks.capacity() * sizeof(HubBlock) +
            cells.capacity() * sizeof(std::uint16_t) + paths.capacity() * sizeof(OctilePath);
   }
 };
@@ -61,8 +69,8 @@ struct OctileLists {
 
 /// Builds the rows of tiles, as many as fit into `most_bytes` (tile_labels.hpp). Returns nothing if a path of
 /// the trees has more than 65535 straight or diagonal moves.
-std::optional<OctileLists> octile_lists(const GridMap& ground, const Subgoals& subgoals,
-                                        const HubTrees& trees, std::size_t most_bytes,
-                                        const std::stop_token& stop);
+std::optional<OctileLists> octile_lists(const GridMap& ground, const OctileRuns& runs,
+                                        const Subgoals& subgoals, const HubTrees& trees,
+                                        std::size_t most_bytes, const std::stop_token& stop);
 
 }  // namespace outrider::hub_labelling
