@@ -12,8 +12,8 @@ namespace {
 /// Reaches a subgoal itself, and from other cells the first subgoals on the legs.
 class OctileReach {
  public:
-  OctileReach(const GridMap& ground, const Subgoals& subgoals, const HubTrees& trees)
-      : ground_(ground), subgoals_(subgoals), trees_(trees), reach_(ground, subgoals) {}
+  OctileReach(const GridMap& ground, const OctileRuns& runs, const Subgoals& subgoals, const HubTrees& trees)
+      : ground_(ground), subgoals_(subgoals), trees_(trees), reach_(ground, runs, subgoals) {}
 
   template <class Take>
   std::size_t labels_from(Cell cell, Take take) {
@@ -101,7 +101,7 @@ class RowMaker {
     OctileTileRow row;
     Cell low{0, low_y};
     std::vector<NumberedLabel> shared;
-    TileLabels<OctileReach> labels(trees_, OctileReach(ground_, subgoals_, trees_));
+    TileLabels<OctileReach> labels(trees_, OctileReach(ground_, runs_, subgoals_, trees_));
     each_tile(low_y, ground_, labels, [&](const std::vector<TileLabel>& list) {
       row.tiles.push_back(static_cast<std::uint32_t>(row.blocks.size()));
       share_paths(list, low, shared);
@@ -193,13 +193,13 @@ class RowMaker {
 
 std::optional<OctileLists> octile_lists(const GridMap& ground, const OctileRuns& runs,
                                         const Subgoals& subgoals, const HubTrees& trees,
-                                        std::size_t most_bytes, const std::stop_token& stop) {
+                                        const ListLimits& limits, const std::stop_token& stop) {
   const auto distances = distances_of(subgoals, trees);
   if (!distances) return std::nullopt;
   const RowMaker maker(ground, runs, subgoals, trees, *distances);
   return OctileLists{
       nodes_of(subgoals, trees),
-      tile_rows<OctileTileRow>(ground, most_bytes, stop, [&](int low_y) { return maker.row(low_y); })};
+      tile_rows<OctileTileRow>(ground, limits, stop, [&](int low_y) { return maker.row(low_y); })};
 }
 
 }  // namespace outrider::hub_labelling

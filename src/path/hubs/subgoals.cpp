@@ -68,38 +68,63 @@ Subgoals subgoals_of(const GridMap& ground) {
 }
 
 const std::vector<std::uint32_t>& SubgoalReach::from(Cell cell) {
+  cell_ = cell;
   found_.clear();
   const std::size_t vertex = ground_.index(cell);
-  for (unsigned move = 0; move < 4; ++move) straight(vertex, move);
-  for (unsigned move = 4; move < 8; ++move) diagonal(vertex, move);
+  std::array<std::uint32_t, 4> straight{};
+  for (unsigned move = 0; move < 4; ++move) {
+    straight[move] = ahead(vertex, move);
+    find(straight[move], Subgoals::none);
+  }
+  for (unsigned move = 4; move < 8; ++move)
+    diagonal(vertex, move, straight[parts_of(move).horizontal], straight[parts_of(move).vertical]);
   return found_;
 }
 
-void SubgoalReach::straight(std::size_t vertex, unsigned move) {
+/// Returns the next subgoal on a straight run, or none.
+std::uint32_t SubgoalReach::ahead(std::size_t vertex, unsigned move) const {
   const std::int16_t steps = subgoals_.ahead[vertex][move];
-  if (steps == 0) return;
+  if (steps == 0) return Subgoals::none;
   const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(vertex) + steps * step_of(ground_, move);
-  found_.push_back(subgoals_.number[static_cast<std::size_t>(at)]);
+  return subgoals_.number[static_cast<std::size_t>(at)];
 }
 
-void SubgoalReach::diagonal(std::size_t vertex, unsigned move) {
+/// Follows a diagonal run to its end or to the first subgoal on it. `last_level` and `last_upright` are the
+/// last subgoals to its two sides, or none.
+void SubgoalReach::diagonal(std::size_t vertex, unsigned move, std::uint32_t last_level,
+                            std::uint32_t last_upright) {
   const auto [horizontal, vertical] = parts_of(move);
   const std::ptrdiff_t step = step_of(ground_, move);
+  const auto look = [&](unsigned side, std::uint32_t& last) {
+    const std::uint32_t subgoal = ahead(vertex, side);
+    find(subgoal, last);
+    if (subgoal != Subgoals::none) last = subgoal;
+  };
   while (((ground_.moves[vertex] >> move) & 1U) != 0) {
     vertex = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(vertex) + step);
-    if (subgoals_.number[vertex] != Subgoals::none) {
-      found_.push_back(subgoals_.number[vertex]);
-      return;
-    }
-    straight(vertex, horizontal);
-    straight(vertex, vertical);
+    if (subgoals_.number[vertex] != Subgoals::none) return find(subgoals_.number[vertex], Subgoals::none);
+    look(horizontal, last_level);
+    look(vertical, last_upright);
   }
 }
 
-std::optional<TurnGraph> subgoal_graph(const GridMap& ground, const Subgoals& subgoals,
-                                       std::size_t most_edges, const std::stop_token& stop) {
+/// Adds a subgoal, unless a shortest path to it leads over the last one; both may be none.
+void SubgoalReach::find(std::uint32_t subgoal, std::uint32_t last) {
+  if (subgoal == Subgoals::none) return;
+  if (last == Subgoals::none || !leads_over(subgoal, last)) found_.push_back(subgoal);
+}
+
+bool SubgoalReach::leads_over(std::uint32_t subgoal, std::uint32_t between) const {
+  const Cell to = subgoals_.cells[subgoal], over = subgoals_.cells[between];
+  const bool on_way = octile_distance(cell_, over) + octile_distance(over, to) == octile_distance(cell_, to);
+  return on_way && (runs_.leg(over, to) || runs_.leg(to, over));
+}
+
+std::optional<TurnGraph> subgoal_graph(const GridMap& ground, const OctileRuns& runs,
+                                       const Subgoals& subgoals, std::size_t most_edges,
+                                       const std::stop_token& stop) {
   return graph_of(subgoals.cells.size(), most_edges, stop, [&] {
-    return [&, reach = SubgoalReach(ground, subgoals)](std::uint32_t subgoal) mutable {
+    return [&, reach = SubgoalReach(ground, runs, subgoals)](std::uint32_t subgoal) mutable {
       Fan<TurnGraph::Edge> edges;
       const Cell at = subgoals.cells[subgoal];
       for (const std::uint32_t to : reach.from(at))

@@ -53,27 +53,34 @@ struct Subgoals {
 };
 Subgoals subgoals_of(const GridMap& ground);
 
-/// Finds the first subgoals on the legs from a cell. O(diagonal moves from it). Thread rule: one instance per
-/// thread.
+/// Finds subgoals on the legs from a cell: the first ones, but of two of them mostly only the nearer one
+/// where a shortest path to the other leads over it. O(diagonal moves from the cell). Thread rule: one
+/// instance per thread.
 class SubgoalReach {
  public:
-  SubgoalReach(const GridMap& ground, const Subgoals& subgoals) : ground_(ground), subgoals_(subgoals) {}
+  SubgoalReach(const GridMap& ground, const OctileRuns& runs, const Subgoals& subgoals)
+      : ground_(ground), runs_(runs), subgoals_(subgoals) {}
 
   /// Returns their indices in `cells`, without the cell itself; valid until the next call.
   const std::vector<std::uint32_t>& from(Cell cell);
 
  private:
-  void straight(std::size_t vertex, unsigned move);
-  void diagonal(std::size_t vertex, unsigned move);
+  [[nodiscard]] std::uint32_t ahead(std::size_t vertex, unsigned move) const;
+  void diagonal(std::size_t vertex, unsigned move, std::uint32_t last_level, std::uint32_t last_upright);
+  void find(std::uint32_t subgoal, std::uint32_t last);
+  [[nodiscard]] bool leads_over(std::uint32_t subgoal, std::uint32_t between) const;
 
   const GridMap& ground_;
+  const OctileRuns& runs_;
   const Subgoals& subgoals_;
+  Cell cell_;
   std::vector<std::uint32_t> found_;
 };
 
-/// Joins each subgoal to the first subgoals on its legs; a path may go on from one edge to any other. Returns
+/// Joins each subgoal to those that SubgoalReach finds; a path may go on from one edge to any other. Returns
 /// nothing if there would be more than `most_edges`, or if `stop` is requested. In parallel.
-std::optional<TurnGraph> subgoal_graph(const GridMap& ground, const Subgoals& subgoals,
-                                       std::size_t most_edges, const std::stop_token& stop);
+std::optional<TurnGraph> subgoal_graph(const GridMap& ground, const OctileRuns& runs,
+                                       const Subgoals& subgoals, std::size_t most_edges,
+                                       const std::stop_token& stop);
 
 }  // namespace outrider::hub_labelling

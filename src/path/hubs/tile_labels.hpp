@@ -141,29 +141,32 @@ void each_tile(int low_y, const GridMap& ground, TileLabels<Reach>& labels, EndT
   }
 }
 
-/// Total of the work of rows after which no more of them are built.
-inline constexpr std::uint64_t most_work = std::uint64_t{1} << 34U;
+/// Limits of the lists: of their memory, and of the work of building them, in labels and turns visited.
+struct ListLimits {
+  std::size_t bytes = 0;
+  std::uint64_t work = std::uint64_t{1} << 34U;
+};
 
-/// Builds the rows of tiles by `row_of(low_y)` from the lowest up, in parallel, as many as fit into
-/// `most_bytes` and `most_work`. Ends early if `stop` is requested. A row has memory(), bytes, and `work`,
+/// Builds the rows of tiles by `row_of(low_y)` from the lowest up, in parallel, as many as the limits allow.
+/// Ends early if `stop` is requested. A row has memory(), bytes, and `work`,
 /// the labels visited; one that was not built is empty.
 template <class Row, class RowOf>
-std::vector<Row> tile_rows(const GridMap& ground, std::size_t most_bytes, const std::stop_token& stop,
+std::vector<Row> tile_rows(const GridMap& ground, const ListLimits& limits, const std::stop_token& stop,
                            RowOf row_of) {
   constexpr std::size_t block = 8;  // rows between two looks at the memory
   std::vector<Row> rows(static_cast<std::size_t>(ground.frame.height / tile_side) + 1);
   std::size_t bytes = 0;
   std::uint64_t work = 0;
-  for (std::size_t low = 0; low < rows.size() && work < most_work && !stop.stop_requested(); low += block) {
+  for (std::size_t low = 0; low < rows.size() && work < limits.work && !stop.stop_requested(); low += block) {
     const std::size_t high = std::min(rows.size(), low + block);
     parallel_for(high - low,
                  [&](std::size_t k) { rows[low + k] = row_of(static_cast<int>(low + k) * tile_side); });
     for (std::size_t y = low; y < high; ++y) {
       bytes += rows[y].memory();
       work += rows[y].work;
-      if (bytes > most_bytes) rows[y] = {};
+      if (bytes > limits.bytes) rows[y] = {};
     }
-    if (bytes > most_bytes) break;
+    if (bytes > limits.bytes) break;
   }
   return rows;
 }
