@@ -153,8 +153,9 @@ class RowMaker {
       const std::uint32_t hub = next->hub;
       same.clear();
       for (; next != list.end() && next->hub == hub; ++next) same.push_back(*next);
-      std::stable_sort(same.begin(), same.end(), [](const TileLabel& a, const TileLabel& b) {
-        return std::popcount(a.corners) > std::popcount(b.corners);
+      std::sort(same.begin(), same.end(), [](const TileLabel& a, const TileLabel& b) {
+        const int of_a = std::popcount(a.corners), of_b = std::popcount(b.corners);
+        return of_a != of_b ? of_a > of_b : a.node < b.node;
       });
       std::uint32_t copy = 0;
       for (auto first = same.begin(); first != same.end(); ++first) {

@@ -45,6 +45,7 @@ class TileLabels {
       : trees_(trees),
         reach_(std::move(reach)),
         ways_(trees.hubs.size(), Way{}),
+        kept_(trees.hubs.size(), far),
         met_((trees.hubs.size() + 63) / 64),
         witness_(trees.hubs.size(), nullptr) {}
 
@@ -53,10 +54,13 @@ class TileLabels {
     const auto bit = static_cast<std::uint16_t>(corner_bit(corner));
     each_met([&](std::uint32_t hub) {
       if (known(hub)) return;
-      ways_[hub].kept = true;
+      kept_[hub] = ways_[hub].distance;
       found_.push_back({hub, ways_[hub].node, bit});
     });
-    each_met([&](std::uint32_t hub) { ways_[hub] = {}; });
+    each_met([&](std::uint32_t hub) {
+      ways_[hub] = {};
+      kept_[hub] = far;
+    });
     std::fill(met_.begin(), met_.end(), 0);
   }
 
@@ -78,10 +82,10 @@ class TileLabels {
   [[nodiscard]] std::uint64_t work() const { return work_; }
 
  private:
+  static constexpr double far = std::numeric_limits<double>::infinity();
   struct Way {
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = far;
     std::uint32_t node = 0;
-    bool kept = false;
   };
 
   template <class Visit>
@@ -106,22 +110,21 @@ class TileLabels {
   bool known(std::uint32_t hub) {
     const double enough = ways_[hub].distance * (1.0 + equal_within);
     const auto covers = [&](const HubTrees::HubLabel& label) {
-      const Way& way = ways_[label.hub];
-      return way.kept && way.distance + label.distance <= enough;
+      return kept_[label.hub] + label.distance <= enough;
     };
     if (witness_[hub] != nullptr && covers(*witness_[hub])) return true;
-    for (const HubTrees::HubLabel& label : trees_.labels[trees_.hubs[hub]]) {
-      ++work_;
-      if (!covers(label)) continue;
-      witness_[hub] = &label;
-      return true;
-    }
-    return false;
+    const std::vector<HubTrees::HubLabel>& labels = trees_.labels[trees_.hubs[hub]];
+    const auto found = std::find_if(labels.begin(), labels.end(), covers);
+    work_ += static_cast<std::uint64_t>(found - labels.begin()) + (found == labels.end() ? 0 : 1);
+    if (found == labels.end()) return false;
+    witness_[hub] = &*found;
+    return true;
   }
 
   const HubTrees& trees_;
   Reach reach_;
-  std::vector<Way> ways_;  ///< by hub; infinite where there is none
+  std::vector<Way> ways_;     ///< by hub; infinite where there is none
+  std::vector<double> kept_;  ///< by hub: the distance of a label that is kept, else infinite
   std::uint64_t work_ = 0;
   std::vector<std::uint64_t> met_;                  ///< a bit for each hub
   std::vector<const HubTrees::HubLabel*> witness_;  ///< by hub: what made it known last
