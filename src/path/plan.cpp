@@ -24,7 +24,7 @@ void keep_turns(std::vector<Cell>& vertices) {
   }
   vertices[last + 1] = vertices.back();
   vertices.resize(last + 2);
-  if (vertices.capacity() > 2 * vertices.size()) vertices.shrink_to_fit();
+  if (vertices.capacity() > 4 * vertices.size()) vertices.shrink_to_fit();
 }
 
 Vec2 direction_at(const PathPiece& piece, Vec2 p) {

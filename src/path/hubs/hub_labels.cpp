@@ -76,7 +76,7 @@ std::unique_ptr<const AnyAngleIndex> AnyAngleIndex::of(const GridMap& ground, st
   AnyAngleIndex index;
   for (const NavigationMesh::Turn& turn : mesh.turns) index.turns.push_back(turn.at);
   const std::size_t left = most_bytes - trees->nodes.size() * of_a_node;
-  index.rows = hub_lists(ground, mesh, *trees, taut_departures(mesh, *trees), {left}, stop);
+  index.rows = hub_lists(ground, mesh, *trees, taut_departures(mesh, *trees), left, stop);
   if (stop.stop_requested()) return nullptr;
   index.nodes = std::move(trees->nodes);
   index.nodes.shrink_to_fit();

@@ -52,9 +52,9 @@ void add_tile(const std::vector<TileLabel>& labels, const NavigationMesh& mesh, 
 }  // namespace
 
 std::vector<TileRow> hub_lists(const GridMap& ground, const NavigationMesh& mesh, const HubTrees& trees,
-                               const TautDepartures& departures, const ListLimits& limits,
+                               const TautDepartures& departures, std::size_t most_bytes,
                                const std::stop_token& stop) {
-  return tile_rows<TileRow>(ground, limits, stop, [&](int low_y) {
+  return tile_rows<TileRow>(ground, most_bytes, stop, [&](int low_y) {
     TileRow row;
     std::vector<std::uint32_t> used;
     TileLabels<TautReach> labels(trees, TautReach(ground, mesh, departures));

@@ -47,9 +47,9 @@ struct TileRow {
   }
 };
 
-/// Builds the rows of tiles, as many as the limits allow (tile_labels.hpp).
+/// Builds the rows of tiles, as many as fit into `most_bytes` (tile_labels.hpp).
 std::vector<TileRow> hub_lists(const GridMap& ground, const NavigationMesh& mesh, const HubTrees& trees,
-                               const TautDepartures& departures, const ListLimits& limits,
+                               const TautDepartures& departures, std::size_t most_bytes,
                                const std::stop_token& stop);
 
 }  // namespace outrider::hub_labelling

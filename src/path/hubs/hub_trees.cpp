@@ -1,7 +1,10 @@
 #include "hub_trees.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <queue>
+
+#include "outrider/core/parallel.hpp"
 
 namespace outrider::hub_labelling {
 namespace {
@@ -82,6 +85,12 @@ std::optional<HubTrees> hub_trees(const TurnGraph& graph, std::vector<std::uint3
     growth.grow(rank);
     if (trees.nodes.size() > most_nodes || stop.stop_requested()) return std::nullopt;
   }
+  parallel_for(trees.labels.size(), [&](std::size_t turn) {
+    std::sort(trees.labels[turn].begin(), trees.labels[turn].end(),
+              [](const HubTrees::HubLabel& a, const HubTrees::HubLabel& b) {
+                return a.distance != b.distance ? a.distance < b.distance : a.hub < b.hub;
+              });
+  });
   return trees;
 }
 

@@ -32,7 +32,7 @@ struct HubTrees {
     double distance = 0.0;
   };
   std::vector<HubNode> nodes;                 ///< tree after tree, by rank of the hub
-  std::vector<std::vector<HubLabel>> labels;  ///< by turn, by rank of the hub
+  std::vector<std::vector<HubLabel>> labels;  ///< by turn, the nearest hub first
   std::vector<std::uint32_t> hubs;            ///< turn, by rank
 };
 

@@ -16,8 +16,6 @@ namespace {
 // Work in expansions of jps_plus, from measured times; on a changed ground it compares all cells first.
 constexpr std::uint64_t looks_an_expansion = 32, expansions_a_node = 8, cells_an_expansion = 1024;
 
-constexpr std::uint64_t most_work = std::uint64_t{1} << 35U;  // of the lists
-
 /// Index of the shortest paths along the moves, as hub_memory.hpp asks for it.
 struct OctileIndex {
   OctileRuns runs;
@@ -75,7 +73,7 @@ std::unique_ptr<const OctileIndex> OctileIndex::of(const GridMap& ground, std::s
   const auto trees = hub_trees(*graph, by_importance(*graph, stop), left / of_a_node, stop);
   if (!trees) return nullptr;
   const std::size_t bytes_of_nodes = trees->nodes.size() * sizeof(OctileNode);
-  auto labels = octile_lists(ground, index.runs, subgoals, *trees, {left - bytes_of_nodes, most_work}, stop);
+  auto labels = octile_lists(ground, index.runs, subgoals, *trees, left - bytes_of_nodes, stop);
   if (!labels || stop.stop_requested()) return nullptr;
   index.labels = std::move(*labels);
   std::uint64_t looks = 0;

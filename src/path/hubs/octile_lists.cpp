@@ -194,13 +194,13 @@ class RowMaker {
 
 std::optional<OctileLists> octile_lists(const GridMap& ground, const OctileRuns& runs,
                                         const Subgoals& subgoals, const HubTrees& trees,
-                                        const ListLimits& limits, const std::stop_token& stop) {
+                                        std::size_t most_bytes, const std::stop_token& stop) {
   const auto distances = distances_of(subgoals, trees);
   if (!distances) return std::nullopt;
   const RowMaker maker(ground, runs, subgoals, trees, *distances);
   return OctileLists{
       nodes_of(subgoals, trees),
-      tile_rows<OctileTileRow>(ground, limits, stop, [&](int low_y) { return maker.row(low_y); })};
+      tile_rows<OctileTileRow>(ground, most_bytes, stop, [&](int low_y) { return maker.row(low_y); })};
 }
 
 }  // namespace outrider::hub_labelling

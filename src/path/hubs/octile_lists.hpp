@@ -67,10 +67,10 @@ struct OctileLists {
   std::vector<OctileTileRow> rows;
 };
 
-/// Builds the rows of tiles, as many as the limits allow (tile_labels.hpp). Returns nothing if a path of
+/// Builds the rows of tiles, as many as fit into `most_bytes` (tile_labels.hpp). Returns nothing if a path of
 /// the trees has more than 65535 straight or diagonal moves.
 std::optional<OctileLists> octile_lists(const GridMap& ground, const OctileRuns& runs,
                                         const Subgoals& subgoals, const HubTrees& trees,
-                                        const ListLimits& limits, const std::stop_token& stop);
+                                        std::size_t most_bytes, const std::stop_token& stop);
 
 }  // namespace outrider::hub_labelling

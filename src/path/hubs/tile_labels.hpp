@@ -113,12 +113,14 @@ class TileLabels {
       return kept_[label.hub] + label.distance <= enough;
     };
     if (witness_[hub] != nullptr && covers(*witness_[hub])) return true;
-    const std::vector<HubTrees::HubLabel>& labels = trees_.labels[trees_.hubs[hub]];
-    const auto found = std::find_if(labels.begin(), labels.end(), covers);
-    work_ += static_cast<std::uint64_t>(found - labels.begin()) + (found == labels.end() ? 0 : 1);
-    if (found == labels.end()) return false;
-    witness_[hub] = &*found;
-    return true;
+    for (const HubTrees::HubLabel& label : trees_.labels[trees_.hubs[hub]]) {
+      if (label.distance > enough) return false;  // so are those that follow
+      ++work_;
+      if (!covers(label)) continue;
+      witness_[hub] = &label;
+      return true;
+    }
+    return false;
   }
 
   const HubTrees& trees_;
@@ -144,32 +146,29 @@ void each_tile(int low_y, const GridMap& ground, TileLabels<Reach>& labels, EndT
   }
 }
 
-/// Limits of the lists: of their memory, and of the work of building them, in labels and turns visited.
-struct ListLimits {
-  std::size_t bytes = 0;
-  std::uint64_t work = std::uint64_t{1} << 34U;
-};
+/// Total of the work of rows after which no more of them are built.
+inline constexpr std::uint64_t most_work = std::uint64_t{1} << 34U;
 
-/// Builds the rows of tiles by `row_of(low_y)` from the lowest up, in parallel, as many as the limits allow.
-/// Ends early if `stop` is requested. A row has memory(), bytes, and `work`,
+/// Builds the rows of tiles by `row_of(low_y)` from the lowest up, in parallel, as many as fit into
+/// `most_bytes` and `most_work`. Ends early if `stop` is requested. A row has memory(), bytes, and `work`,
 /// the labels visited; one that was not built is empty.
 template <class Row, class RowOf>
-std::vector<Row> tile_rows(const GridMap& ground, const ListLimits& limits, const std::stop_token& stop,
+std::vector<Row> tile_rows(const GridMap& ground, std::size_t most_bytes, const std::stop_token& stop,
                            RowOf row_of) {
   constexpr std::size_t block = 8;  // rows between two looks at the memory
   std::vector<Row> rows(static_cast<std::size_t>(ground.frame.height / tile_side) + 1);
   std::size_t bytes = 0;
   std::uint64_t work = 0;
-  for (std::size_t low = 0; low < rows.size() && work < limits.work && !stop.stop_requested(); low += block) {
+  for (std::size_t low = 0; low < rows.size() && work < most_work && !stop.stop_requested(); low += block) {
     const std::size_t high = std::min(rows.size(), low + block);
     parallel_for(high - low,
                  [&](std::size_t k) { rows[low + k] = row_of(static_cast<int>(low + k) * tile_side); });
     for (std::size_t y = low; y < high; ++y) {
       bytes += rows[y].memory();
       work += rows[y].work;
-      if (bytes > limits.bytes) rows[y] = {};
+      if (bytes > most_bytes) rows[y] = {};
     }
-    if (bytes > limits.bytes) break;
+    if (bytes > most_bytes) break;
   }
   return rows;
 }
