@@ -100,9 +100,10 @@ struct End {
   }
 };
 
-/// Takes the hubs that two blocks of the same number have in common.
-void take_common(const End& start, const HubBlock& a, const End& goal, const HubBlock& b, Meeting& best) {
-  for (std::uint64_t bits = a.bits & b.bits; bits != 0; bits &= bits - 1) {
+/// Takes the hubs that two blocks of the same number have in common, until none can be better.
+void take_common(const End& start, const HubBlock& a, const End& goal, const HubBlock& b, double least,
+                 Meeting& best) {
+  for (std::uint64_t bits = a.bits & b.bits; bits != 0 && best.length > least; bits &= bits - 1) {
     const std::uint64_t bit = bits & (~bits + 1);
     const std::size_t i = a.path_of(bit), j = b.path_of(bit);
     if ((start.row.cells[i] & start.bit) == 0 || (goal.row.cells[j] & goal.bit) == 0) continue;
@@ -114,12 +115,13 @@ void take_common(const End& start, const HubBlock& a, const End& goal, const Hub
 
 Meeting best_meeting(const End& start, const End& goal) {
   Meeting best;
+  const double least = octile_distance(start.cell, goal.cell).value();  // of any path
   const std::span<const HubBlock> from = start.row.at(start.cell.x), to = goal.row.at(goal.cell.x);
   auto a = from.begin(), b = to.begin();
-  while (a != from.end() && b != to.end()) {
+  while (a != from.end() && b != to.end() && best.length > least) {
     if (a->block == b->block) {
       for (auto copy = b; copy != to.end() && copy->block == a->block; ++copy)
-        take_common(start, *a, goal, *copy, best);
+        take_common(start, *a, goal, *copy, least, best);
       ++a;
     } else {
       a->block < b->block ? ++a : ++b;

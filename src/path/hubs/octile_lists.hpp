@@ -21,6 +21,14 @@ struct OctilePath {
   std::int16_t x = 0, y = 0;                 ///< the subgoal
 };
 
+/// Returns the number of ones. std::popcount calls a library where no instruction for it may be assumed.
+constexpr std::size_t ones(std::uint64_t bits) {
+  bits -= (bits >> 1U) & 0x5555555555555555U;
+  bits = (bits & 0x3333333333333333U) + ((bits >> 2U) & 0x3333333333333333U);
+  bits = (bits + (bits >> 4U)) & 0x0F0F0F0F0F0F0F0FU;
+  return static_cast<std::size_t>((bits * 0x0101010101010101U) >> 56U);
+}
+
 /// The hubs of a list whose number is 64 * block + bit. Where a hub has several paths, for different cells of
 /// the tile, there are several blocks of the same number.
 struct HubBlock {
@@ -29,9 +37,7 @@ struct HubBlock {
   std::uint32_t first = 0;  ///< index of the path of the lowest bit; the others follow
 
   /// Returns the index of the path of a hub, by its bit.
-  [[nodiscard]] std::size_t path_of(std::uint64_t bit) const {
-    return first + static_cast<std::size_t>(std::popcount(bits & (bit - 1)));
-  }
+  [[nodiscard]] std::size_t path_of(std::uint64_t bit) const { return first + ones(bits & (bit - 1)); }
 };
 
 /// The lists of a row of tiles.
