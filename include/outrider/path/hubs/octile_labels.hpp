@@ -8,10 +8,11 @@
 //
 // Complete and optimal among paths along the eight moves of the grid; lengths are kept exactly as m + sqrt(2)
 // n cells, and lower_bound is the cost. Accepts only the model `cells`. The first query builds the index,
-// which the workspace keeps; it takes at most `index_mib`. If the lists of all cells do not fit or take too
-// much work, the lists of the upper rows are omitted, and jps_plus answers queries that start or end there.
-// If the runs and the hubs do not fit, a side is longer than 32767 cells, or a path to a hub has more than
-// 65535 straight or diagonal moves, jps_plus (jps, where a side is longer) answers all queries.
+// which the workspace keeps; it takes at most `index_mib`, and its trees take as much while it is built. If
+// the lists of all cells do not fit or take too much work, the lists of the upper rows are omitted, and
+// jps_plus answers queries that start or end there. If the trees do not fit, the runs take more than half, a
+// side is longer than 32767 cells, or a path to a hub has more than 65535 straight or diagonal moves,
+// jps_plus (jps, where a side is longer) answers all queries.
 //
 // On a changed ground, the index of the old ground answers if its answer is proven (hub_kept.hpp): its path
 // is still free, and no shorter path can touch a cell that has become free. Otherwise jps_plus answers. The
