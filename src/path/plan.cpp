@@ -8,7 +8,8 @@ namespace {
 /// Returns true if b equals a or c, or if the direction does not change there.
 bool goes_straight(Cell a, Cell b, Cell c) {
   const std::int64_t ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y;
-  return ((ux * vy == uy * vx) & (ux * vx + uy * vy >= 0)) != 0;
+  const bool in_line = ux * vy == uy * vx, onward = ux * vx + uy * vy >= 0;
+  return in_line && onward;
 }
 
 /// Keeps both ends and the vertices at which the direction changes. Compares without a branch, because a

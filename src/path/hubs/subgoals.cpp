@@ -58,10 +58,9 @@ Subgoals subgoals_of(const GridMap& ground) {
   }
   for (unsigned move = 0; move < 4; ++move) {
     backwards_along(ground, move, [&](std::size_t v, std::size_t next) {
-      const std::int16_t beyond = subgoals.ahead[next][move];
       const bool here = subgoals.number[next] != Subgoals::none;
-      subgoals.ahead[v][move] =
-          here ? std::int16_t{1} : static_cast<std::int16_t>(beyond == 0 ? 0 : beyond + 1);
+      const int beyond = subgoals.ahead[next][move];
+      if (here || beyond > 0) subgoals.ahead[v][move] = static_cast<std::int16_t>(here ? 1 : beyond + 1);
     });
   }
   return subgoals;
@@ -102,7 +101,10 @@ void SubgoalReach::diagonal(std::size_t vertex, unsigned move, std::uint32_t las
   };
   while (((ground_.moves[vertex] >> move) & 1U) != 0) {
     vertex = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(vertex) + step);
-    if (subgoals_.number[vertex] != Subgoals::none) return find(subgoals_.number[vertex], Subgoals::none);
+    if (subgoals_.number[vertex] != Subgoals::none) {
+      find(subgoals_.number[vertex], Subgoals::none);
+      return;
+    }
     look(horizontal, last_level);
     look(vertical, last_upright);
   }
