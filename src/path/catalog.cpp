@@ -12,6 +12,7 @@
 #include "outrider/path/grid/jps_plus.hpp"
 #include "outrider/path/grid/theta_star.hpp"
 #include "outrider/path/hubs/hub_labels.hpp"
+#include "outrider/path/hubs/octile_labels.hpp"
 #include "outrider/path/mesh/polyanya.hpp"
 #include "outrider/path/sampling/sampling.hpp"
 #include "outrider/path/visibility/least_time.hpp"
@@ -110,6 +111,22 @@ std::vector<PathPlanner> planners_along_moves() {
        .configure = with_options(jps_plus),
        .models = {GridModel::cells},
        .index = true},
+      {.name = "octile_labels",
+       .sentence =
+           "Looks the shortest path along the moves up in an index of hubs that most paths pass; for many "
+           "queries on one grid.",
+       .paper =
+           "Uras, Koenig and Hernandez, Subgoal graphs for optimal pathfinding in eight-neighbor grids, "
+           "2013; Abraham, Delling, Goldberg and Werneck, Hierarchical hub labelings for shortest paths, "
+           "2012",
+       .guarantee = {.complete = true,
+                     .among = PathClass::along_moves,
+                     .most_ratio = 1.0,
+                     .sentence = "complete; shortest along the eight moves of the grid"},
+       .configure = with_options(octile_labels),
+       .models = {GridModel::cells},
+       .index = true,
+       .tells = TraceKind::lookup},
   };
 }
 

@@ -5,9 +5,27 @@
 namespace outrider {
 namespace {
 
+/// Returns true if b equals a or c, or if the direction does not change there.
 bool goes_straight(Cell a, Cell b, Cell c) {
   const std::int64_t ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y;
-  return ux * vy == uy * vx && ux * vx + uy * vy > 0;
+  const bool in_line = ux * vy == uy * vx, onward = ux * vx + uy * vy >= 0;
+  return in_line && onward;
+}
+
+/// Keeps both ends and the vertices at which the direction changes. Compares without a branch, because a
+/// processor could not predict it.
+void keep_turns(std::vector<Cell>& vertices) {
+  if (vertices.size() < 3) return;
+  std::size_t last = 0;  // of those that are kept
+  for (std::size_t i = 1; i + 1 < vertices.size(); ++i) {
+    const Cell here = vertices[i];
+    const bool turns = !goes_straight(vertices[last], here, vertices[i + 1]);
+    vertices[last + 1] = turns ? here : vertices[last + 1];
+    last += turns ? 1 : 0;
+  }
+  vertices[last + 1] = vertices.back();
+  vertices.resize(last + 2);
+  if (vertices.capacity() > 4 * vertices.size()) vertices.shrink_to_fit();
 }
 
 Vec2 direction_at(const PathPiece& piece, Vec2 p) {
@@ -39,12 +57,10 @@ double length_of(const Plan& plan) {
 Plan plan_along(const Problem& problem, const std::vector<Cell>& vertices, double cost, double lower_bound,
                 const PlanCounters& counters) {
   Plan plan;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const bool inner = i > 0 && i + 1 < vertices.size();
-    if (inner && goes_straight(plan.vertices.back(), vertices[i], vertices[i + 1])) continue;
-    plan.vertices.push_back(vertices[i]);
-    plan.waypoints.push_back(problem.grid->point(vertices[i]));
-  }
+  plan.vertices = vertices;
+  keep_turns(plan.vertices);
+  plan.waypoints.reserve(plan.vertices.size());
+  for (const Cell vertex : plan.vertices) plan.waypoints.push_back(problem.grid->point(vertex));
   plan.cost = cost;
   plan.lower_bound = lower_bound;
   plan.reached_within = distance(plan.waypoints.back(), problem.goal);

@@ -63,7 +63,8 @@ struct Plan {
 /// pieces.
 double length_of(const Plan& plan);
 
-/// Makes a plan from vertices. Its waypoints are the vertices at which the direction changes.
+/// Makes a plan from vertices, of which neighbours may be equal. Its waypoints are the vertices at which the
+/// direction changes.
 Plan plan_along(const Problem& problem, const std::vector<Cell>& vertices, double cost, double lower_bound,
                 const PlanCounters& counters);
 

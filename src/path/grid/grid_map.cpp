@@ -140,8 +140,8 @@ std::optional<Cell> GridMap::vertex_at(Vec2 p) const {
   const bool within = x >= -slack && y >= -slack && x <= frame.width + slack && y <= frame.height + slack;
   if (!within) return std::nullopt;
   const bool corners = model == GridModel::corners;
-  const auto nearest = [&](double t, int cells) {
-    return std::clamp(static_cast<int>(std::floor(corners ? t + 0.5 : t)), 0, corners ? cells : cells - 1);
+  const auto nearest = [&](double t, int cells) {  // what is below 0 by no more than the slack becomes 0
+    return std::clamp(static_cast<int>(corners ? t + 0.5 : t), 0, corners ? cells : cells - 1);
   };
   return Cell{nearest(x, frame.width), nearest(y, frame.height)};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "grid_runs.hpp"
 #include "jps_map.hpp"
 
 namespace outrider::jump {
@@ -28,24 +29,11 @@ bool stops_at(const GridMap& ground, const std::vector<Distances>& distances, un
   return distances[v][h] > 0 || distances[v][up] > 0;
 }
 
-std::ptrdiff_t step_of(const GridMap& ground, unsigned move) {
-  return grid_moves[move].y * static_cast<std::ptrdiff_t>(ground.stride) + grid_moves[move].x;
-}
-
 /// Computes the distances of one move for all cells, starting at the far end of each run.
 void fill(const GridMap& ground, unsigned move, std::vector<Distances>& distances) {
-  const Cell d = grid_moves[move];
-  const int width = ground.frame.width, height = ground.frame.height;
-  const std::ptrdiff_t step = step_of(ground, move);
-  for (int i = 0; i < height; ++i) {
-    const int y = d.y > 0 ? height - 1 - i : i;
-    for (int j = 0; j < width; ++j) {
-      const std::size_t v = ground.index({d.x > 0 ? width - 1 - j : j, y});
-      if (((ground.moves[v] >> move) & 1U) == 0) continue;
-      const auto next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(v) + step);
-      distances[v][move] = longer(stops_at(ground, distances, move, next), distances[next][move]);
-    }
-  }
+  backwards_along(ground, move, [&](std::size_t v, std::size_t next) {
+    distances[v][move] = longer(stops_at(ground, distances, move, next), distances[next][move]);
+  });
 }
 
 using Vertices = std::vector<std::size_t>;

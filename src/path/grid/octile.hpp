@@ -19,6 +19,7 @@ struct Octile {
 
   [[nodiscard]] double value() const { return straight + std::numbers::sqrt2 * diagonal; }
   friend Octile operator+(Octile a, Octile b) { return {a.straight + b.straight, a.diagonal + b.diagonal}; }
+  friend bool operator==(Octile a, Octile b) = default;
   friend bool operator<(Octile a, Octile b) { return a.value() < b.value(); }
 };
 

@@ -15,6 +15,14 @@ double distance_to(const CellBox& box, Cell v) {
   return std::sqrt(x * x + y * y);
 }
 
+/// Returns the octile distance of the centre of a cell from a box, half cells.
+Octile half_cells_to(const CellBox& box, Cell c) {
+  const Cell at{2 * c.x + 1, 2 * c.y + 1};
+  const Cell nearest{std::clamp(at.x, 2 * box.low.x, 2 * box.high.x),
+                     std::clamp(at.y, 2 * box.low.y, 2 * box.high.y)};
+  return octile_distance(at, nearest);
+}
+
 /// Cells side by side in a row, row by row.
 std::vector<CellBox> freed_runs(const GridMap& now, const std::vector<Cell>& changed) {
   std::vector<CellBox> runs;
@@ -53,6 +61,13 @@ double least_length_over(std::span<const CellBox> boxes, Cell start, Cell goal) 
   double least = std::numeric_limits<double>::infinity();
   for (const CellBox& box : boxes) least = std::min(least, distance_to(box, start) + distance_to(box, goal));
   return least;
+}
+
+bool none_shorter_over(std::span<const CellBox> boxes, Cell start, Cell goal, Octile length) {
+  const Octile twice = length + length;  // half cells
+  return std::none_of(boxes.begin(), boxes.end(), [&](const CellBox& box) {
+    return half_cells_to(box, start) + half_cells_to(box, goal) < twice;
+  });
 }
 
 bool legal_way(const GridMap& ground, std::span<const Cell> way) {

@@ -11,11 +11,14 @@
 // A path that touches a box of freed cells is at least |s - box| + |box - t| long. If that is at least |P|
 // for each box, P is a shortest path of the new ground. In the same way, if the old ground has no path and no
 // cell has become free, the new ground has none.
+// Along the eight moves of the model `cells` the same holds with the octile length: a path that was illegal
+// enters a cell that was blocked, or passes its corner diagonally. Both touch its closed square.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "grid/octile.hpp"
 #include "outrider/path/grid/grid_map.hpp"
 
 namespace outrider::hub_labelling {
@@ -33,6 +36,10 @@ std::vector<CellBox> freed_boxes(const GridMap& now, const std::vector<Cell>& ch
 /// Returns a lower bound of the length of a path from `start` to `goal` that touches one of the boxes, cells;
 /// infinite without boxes.
 double least_length_over(std::span<const CellBox> boxes, Cell start, Cell goal);
+
+/// Returns true if no path along the eight moves that touches one of the boxes is shorter than `length`.
+/// Start and goal are cells; the path runs between their centres.
+bool none_shorter_over(std::span<const CellBox> boxes, Cell start, Cell goal, Octile length);
 
 /// Returns true if every leg is free and no pinch lies between the ends. O(cells on the legs).
 bool legal_way(const GridMap& ground, std::span<const Cell> way);

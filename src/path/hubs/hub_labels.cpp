@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "hub_kept.hpp"
 #include "hub_lists.hpp"
+#include "hub_memory.hpp"
 #include "outrider/path/grid/line_of_sight.hpp"
 #include "outrider/path/mesh/polyanya.hpp"
 
@@ -12,97 +12,78 @@ namespace outrider {
 namespace hub_labelling {
 namespace {
 
-struct Index {
-  std::vector<Cell> turns;
-  HubTrees trees;
-  std::vector<TileRow> rows;
-  std::uint64_t work = 0;          ///< work of building it, in expansions of polyanya
-  std::uint64_t work_of_mesh = 0;  ///< work of building the mesh of polyanya
-};
-
 constexpr std::size_t most_turns = 65535;  // limit of the turn index in a list entry
 
 // Work in expansions of polyanya, from measured times; a side is one of the mesh that polyanya makes first.
 constexpr std::uint64_t looks_an_expansion = 16, expansions_a_node = 4, expansions_a_side = 2;
 
+/// Index of the shortest paths in any direction, as hub_memory.hpp asks for it.
+struct AnyAngleIndex {
+  std::vector<Cell> turns;
+  std::vector<HubTrees::HubNode> nodes;
+  std::vector<TileRow> rows;
+  std::uint64_t work = 0;
+  std::uint64_t work_of_search = 0;
+
+  static std::unique_ptr<const AnyAngleIndex> of(const GridMap& ground, std::size_t most_bytes,
+                                                 const std::stop_token& stop);
+
+  [[nodiscard]] const TileRow& row_of(Cell corner) const {
+    return rows[static_cast<std::size_t>(corner.y / tile_side)];
+  }
+  [[nodiscard]] bool lists(Cell corner) const { return !row_of(corner).tiles.empty(); }
+
+  static bool straight_on(const GridMap& ground, Cell start, Cell goal, std::vector<Cell>& way) {
+    if (!visible(ground, start, goal)) return false;
+    way.push_back(goal);
+    return true;
+  }
+  static bool straight(const GridMap& ground, Cell start, Cell goal, std::vector<Cell>& way) {
+    return straight_on(ground, start, goal, way);
+  }
+  bool find(Cell start, Cell goal, std::vector<Cell>& way) const;
+
+  static double length_of(const std::vector<Cell>& way) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < way.size(); ++i) length += length_between(way[i - 1], way[i]);
+    return length;
+  }
+  static bool none_shorter(std::span<const CellBox> boxes, const std::vector<Cell>& way) {
+    return length_of(way) <= least_length_over(boxes, way.front(), way.back());
+  }
+};
+
 /// Returns the number of expansions of polyanya that take about as long as building the index: graph and
 /// trees by their nodes, lists by the entries visited.
-std::uint64_t work_of(const Index& index) {
+std::uint64_t work_of(const AnyAngleIndex& index) {
   std::uint64_t looks = 0;
   for (const TileRow& row : index.rows) looks += row.work;
-  return expansions_a_node * index.trees.nodes.size() + looks / looks_an_expansion;
+  return expansions_a_node * index.nodes.size() + looks / looks_an_expansion;
 }
 
 /// Builds the index. Returns nothing if its hubs do not fit into half of `most_bytes`, or if `stop` is
 /// requested.
-std::unique_ptr<const Index> index_of(const GridMap& ground, std::size_t most_bytes,
-                                      const std::stop_token& stop) {
+std::unique_ptr<const AnyAngleIndex> AnyAngleIndex::of(const GridMap& ground, std::size_t most_bytes,
+                                                       const std::stop_token& stop) {
   constexpr std::size_t of_a_node =
-      sizeof(HubTrees::HubNode) + sizeof(HubTrees::HubLabel) + sizeof(HubTrees::Departure);
+      sizeof(HubTrees::HubNode) + sizeof(HubTrees::HubLabel) + sizeof(TautDepartures::Departure);
   const NavigationMesh mesh = navigation_mesh(ground);
   if (mesh.turns.size() > most_turns) return nullptr;
   const auto graph = turn_graph(ground, mesh, most_bytes / sizeof(TurnGraph::Edge), stop);
   if (!graph) return nullptr;
-  auto trees = hub_trees(mesh, *graph, by_importance(*graph, stop), most_bytes / 2 / of_a_node, stop);
+  auto trees = hub_trees(*graph, by_importance(*graph, stop), most_bytes / 2 / of_a_node, stop);
   if (!trees) return nullptr;
-  Index index;
+  AnyAngleIndex index;
   for (const NavigationMesh::Turn& turn : mesh.turns) index.turns.push_back(turn.at);
-  index.trees = std::move(*trees);
-  const std::size_t left = most_bytes - index.trees.nodes.size() * of_a_node;
-  index.rows = hub_lists(ground, mesh, index.trees, left, stop);
+  const std::size_t left = most_bytes - trees->nodes.size() * of_a_node;
+  index.rows = hub_lists(ground, mesh, *trees, taut_departures(mesh, *trees), left, stop);
   if (stop.stop_requested()) return nullptr;
+  index.nodes = std::move(trees->nodes);
+  index.nodes.shrink_to_fit();
   index.work = work_of(index);
-  index.work_of_mesh = expansions_a_side * mesh.sides.size();
-  index.trees.keep_paths_alone();
-  return std::make_unique<const Index>(std::move(index));
+  index.work_of_search = expansions_a_side * mesh.sides.size();
+  return std::make_unique<const AnyAngleIndex>(std::move(index));
 }
-
-struct Memory {
-  std::shared_ptr<const GridMap> ground;  ///< ground of the index
-  std::int64_t index_mib = 0;
-  std::unique_ptr<const Index> index;    ///< none when it would be too large
-  std::shared_ptr<const GridMap> asked;  ///< ground of the last query; differs from `ground` in few cells
-  bool changed = false;                  ///< some cells differ
-  bool searched = false;                 ///< polyanya has been used and has built its mesh
-  std::vector<CellBox> freed;            ///< blocked in `ground`, free in `asked`
-  std::uint64_t spent = 0;               ///< work of polyanya on changed grounds, in expansions
-  std::vector<Cell> way;
-
-  void renew(const std::shared_ptr<const GridMap>& now, std::int64_t mib, const std::stop_token& stop) {
-    const bool made = ground != nullptr && index_mib == mib;
-    const bool near = made && (asked == now || compare(now));
-    if (near && (!changed || index == nullptr || spent <= index->work)) return;
-    make(now, mib, stop);
-  }
-
-  /// Compares the grounds; returns false if too many cells differ.
-  bool compare(const std::shared_ptr<const GridMap>& now) {
-    const auto cells = cells_changed(*ground, *now, now->frame.size() / 32);
-    if (!cells) return false;
-    changed = !cells->empty();
-    searched = false;
-    freed = freed_boxes(*now, *cells);
-    asked = now;
-    return true;
-  }
-
-  void make(const std::shared_ptr<const GridMap>& now, std::int64_t mib, const std::stop_token& stop) {
-    ground.reset();
-    asked.reset();
-    freed.clear();
-    changed = searched = false;
-    spent = 0;
-    index = index_of(*now, static_cast<std::size_t>(mib) << 20U, stop);
-    if (stop.stop_requested()) return;
-    ground = asked = now;
-    index_mib = mib;
-  }
-
-  [[nodiscard]] const TileRow& row_of(Cell corner) const {
-    return index->rows[static_cast<std::size_t>(corner.y / tile_side)];
-  }
-  [[nodiscard]] bool lists(Cell corner) const { return !row_of(corner).tiles.empty(); }
-};
 
 /// The list of a tile, read by one of its corners.
 struct Reading {
@@ -125,12 +106,6 @@ struct Reading {
   unsigned bit;
 };
 
-double length_of(const std::vector<Cell>& way) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < way.size(); ++i) length += length_between(way[i - 1], way[i]);
-  return length;
-}
-
 /// The point at which the two halves of a path meet: nodes of the same hub.
 struct Meeting {
   double length = std::numeric_limits<double>::infinity();
@@ -139,15 +114,13 @@ struct Meeting {
 
 class Query {
  public:
-  Query(Memory& memory, Cell start, Cell goal)
-      : memory_(memory), nodes_(memory.index->trees.nodes), start_(start), goal_(goal) {}
+  Query(const AnyAngleIndex& index, Cell start, Cell goal)
+      : index_(index), nodes_(index.nodes), start_(start), goal_(goal) {}
 
-  /// Finds the shortest path that turns, including both ends; returns false if there is none.
-  bool find_way() {
+  /// Adds the shortest path that turns, without the start; returns false if there is none.
+  bool find_way(std::vector<Cell>& way) const {
     const Meeting meeting = best_meeting();
     if (!(meeting.length < std::numeric_limits<double>::infinity())) return false;
-    std::vector<Cell>& way = memory_.way;
-    way.push_back(start_);
     for (std::uint32_t node = meeting.start_node;; node = nodes_[node].next) {
       way.push_back(at(node));
       if (nodes_[node].next == node) break;
@@ -161,7 +134,7 @@ class Query {
   }
 
  private:
-  [[nodiscard]] Cell at(std::uint32_t node) const { return memory_.index->turns[nodes_[node].turn]; }
+  [[nodiscard]] Cell at(std::uint32_t node) const { return index_.turns[nodes_[node].turn]; }
   [[nodiscard]] Meeting exactly(Meeting meeting) const {
     meeting.length = length_between(start_, at(meeting.start_node)) + nodes_[meeting.start_node].distance +
                      nodes_[meeting.goal_node].distance + length_between(at(meeting.goal_node), goal_);
@@ -170,10 +143,10 @@ class Query {
 
   /// Finds the best meeting. Distances in the lists are rounded, so those close to the least are computed
   /// again.
-  Meeting best_meeting() {
+  [[nodiscard]] Meeting best_meeting() const {
     constexpr double rounding = 1.0 + 4.0 * std::numeric_limits<float>::epsilon();
-    Reading from(memory_.row_of(start_).at(start_.x), start_);
-    Reading to(memory_.row_of(goal_).at(goal_.x), goal_);
+    Reading from(index_.row_of(start_).at(start_.x), start_);
+    Reading to(index_.row_of(goal_).at(goal_.x), goal_);
     Meeting best;
     double least = std::numeric_limits<double>::infinity();
     while (from.next != from.end && to.next != to.end) {
@@ -193,40 +166,13 @@ class Query {
     return best;
   }
 
-  Memory& memory_;
+  const AnyAngleIndex& index_;
   const std::vector<HubTrees::HubNode>& nodes_;
   Cell start_, goal_;
 };
 
-enum class Answer { way, no_path, unknown };
-
-/// Answers a query as far as the index proves an answer on the present ground; the path is in memory.way.
-Answer look_up(Memory& memory, Cell start, Cell goal) {
-  std::vector<Cell>& way = memory.way;
-  way.assign(1, start);
-  if (start == goal) return Answer::way;
-  way.push_back(goal);
-  if (visible(*memory.asked, start, goal)) return Answer::way;
-  way.clear();
-  if (!memory.lists(start) || !memory.lists(goal)) return Answer::unknown;
-  if (!memory.changed) return Query(memory, start, goal).find_way() ? Answer::way : Answer::no_path;
-
-  const GridMap& before = *memory.ground;
-  if (!before.place(start) || !before.place(goal) || visible(before, start, goal)) return Answer::unknown;
-  if (!Query(memory, start, goal).find_way()) return memory.freed.empty() ? Answer::no_path : Answer::unknown;
-  const bool shortest = length_of(way) <= least_length_over(memory.freed, start, goal);
-  return shortest && legal_way(*memory.asked, way) ? Answer::way : Answer::unknown;
-}
-
-/// Answers by polyanya; on a changed ground its work counts towards the next index.
-Outcome<Plan> search_instead(const Problem& problem, const Budget& budget, Workspace& workspace,
-                             Memory& memory) {
-  auto plan = polyanya(problem, {}, budget, workspace);
-  if (!memory.changed) return plan;
-  if (!memory.searched) memory.spent += memory.index->work_of_mesh;
-  memory.searched = true;
-  if (plan) memory.spent += plan->counters.expansions;
-  return plan;
+bool AnyAngleIndex::find(Cell start, Cell goal, std::vector<Cell>& way) const {
+  return Query(*this, start, goal).find_way(way);
 }
 
 }  // namespace
@@ -241,28 +187,13 @@ Outcome<Plan> hub_labels(const Problem& problem, const HubLabelsOptions& options
                          Workspace& workspace) {
   auto query = grid_query(problem);
   if (!query) return pass_on(query);
-  const auto& [ground, start, goal] = *query;
-  if (ground.model != GridModel::corners) {
-    return bad_input("hub_labels takes grids of the model 'corners', not 'cells'; take jps_plus instead",
+  if (query->ground.model != GridModel::corners) {
+    return bad_input("hub_labels takes grids of the model 'corners', not 'cells'; take octile_labels instead",
                      "planner");
   }
-  BudgetMeter meter(budget);
-  if (!meter.spend()) return meter.refusal();
-  auto& memory = workspace.get<hub_labelling::Memory>();
-  memory.renew(problem.grid, options.index_mib, budget.stop);
-  if (memory.ground == nullptr) return meter.refusal();
-  if (memory.index == nullptr) return polyanya(problem, {}, budget, workspace);
-
-  const auto answer = hub_labelling::look_up(memory, start, goal);
-  if (answer == hub_labelling::Answer::unknown)
-    return hub_labelling::search_instead(problem, budget, workspace, memory);
-  if (answer == hub_labelling::Answer::no_path)
-    return fault(FaultCode::no_path, "nothing joins the start and the goal");
-  double cost = hub_labelling::length_of(memory.way);  // cells
-  if (workspace.trace != nullptr)
-    workspace.trace->record({ground.index(start), ground.index(start), cost, 0.0, cost});
-  cost *= ground.frame.resolution_m;
-  return plan_along(problem, memory.way, cost, cost, {meter.spent(), 0, 0});
+  return hub_labelling::plan_by_hubs<hub_labelling::AnyAngleIndex>(
+      problem, *query, options.index_mib, budget, workspace,
+      [&] { return polyanya(problem, {}, budget, workspace); });
 }
 
 }  // namespace outrider

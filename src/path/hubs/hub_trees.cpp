@@ -1,5 +1,6 @@
 #include "hub_trees.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <queue>
 
@@ -72,43 +73,24 @@ class Growth {
   std::priority_queue<HubEntry, std::vector<HubEntry>, std::greater<>> open_;
 };
 
-/// Adds the departures, sorted into fans for paths that arrive at a turn.
-void add_departures(HubTrees& trees, const NavigationMesh& mesh) {
-  trees.departures.resize(trees.labels.size());
-  parallel_for(trees.labels.size(), [&](std::size_t turn) {
-    Fan<HubTrees::Departure>& fan = trees.departures[turn];
-    const Cell at = mesh.turns[turn].at;
-    HubTrees::Departure own;
-    for (const HubTrees::HubLabel& label : trees.labels[turn]) {
-      const Cell next = mesh.turns[trees.nodes[trees.nodes[label.node].next].turn].at;
-      const Cell way{next.x - at.x, next.y - at.y};
-      if (way == Cell{}) {
-        own = {way, label};
-      } else {
-        fan.add(trees.windings[turn].side(way), {way, label});
-      }
-    }
-    fan.sort(trees.windings[turn]);
-    fan.level.insert(fan.level.begin(), own);
-    fan.upright.insert(fan.upright.begin(), own);
-  });
-}
-
 }  // namespace
 
-std::optional<HubTrees> hub_trees(const NavigationMesh& mesh, const TurnGraph& graph,
-                                  std::vector<std::uint32_t> order, std::size_t most_nodes,
-                                  const std::stop_token& stop) {
+std::optional<HubTrees> hub_trees(const TurnGraph& graph, std::vector<std::uint32_t> order,
+                                  std::size_t most_nodes, const std::stop_token& stop) {
   HubTrees trees;
   trees.hubs = std::move(order);
   trees.labels.resize(graph.turns());
-  trees.windings = graph.windings;
   Growth growth(graph, trees);
   for (std::uint32_t rank = 0; rank < trees.hubs.size(); ++rank) {
     growth.grow(rank);
     if (trees.nodes.size() > most_nodes || stop.stop_requested()) return std::nullopt;
   }
-  add_departures(trees, mesh);
+  parallel_for(trees.labels.size(), [&](std::size_t turn) {
+    std::sort(trees.labels[turn].begin(), trees.labels[turn].end(),
+              [](const HubTrees::HubLabel& a, const HubTrees::HubLabel& b) {
+                return a.distance != b.distance ? a.distance < b.distance : a.hub < b.hub;
+              });
+  });
   return trees;
 }
 

@@ -31,29 +31,14 @@ struct HubTrees {
     std::uint32_t node = 0;
     double distance = 0.0;
   };
-  /// A label with the leg to the next turn; that of the hub itself is {0, 0}, on both sides.
-  struct Departure {
-    Cell way;
-    HubLabel label;
-  };
   std::vector<HubNode> nodes;                 ///< tree after tree, by rank of the hub
-  std::vector<std::vector<HubLabel>> labels;  ///< by turn, by rank of the hub
-  std::vector<Winding> windings;              ///< by turn
-  std::vector<Fan<Departure>> departures;     ///< by turn
+  std::vector<std::vector<HubLabel>> labels;  ///< by turn, the nearest hub first
   std::vector<std::uint32_t> hubs;            ///< turn, by rank
-
-  /// Discards what is needed only to build lists.
-  void keep_paths_alone() {
-    nodes.shrink_to_fit();
-    labels = {};
-    departures = {};
-  }
 };
 
 /// Builds the trees. Returns nothing if there would be more than `most_nodes`, or if `stop` is requested.
 /// O(nodes * (edges of a turn + label of a turn)).
-std::optional<HubTrees> hub_trees(const NavigationMesh& mesh, const TurnGraph& graph,
-                                  std::vector<std::uint32_t> order, std::size_t most_nodes,
-                                  const std::stop_token& stop);
+std::optional<HubTrees> hub_trees(const TurnGraph& graph, std::vector<std::uint32_t> order,
+                                  std::size_t most_nodes, const std::stop_token& stop);
 
 }  // namespace outrider::hub_labelling

@@ -93,7 +93,7 @@ TEST_F(PlanAnswerTest, RowsAgreeWithWhatSamplingSaysOfThePath) {
 TEST_F(PlanAnswerTest, SeveralGoalsAreAsManySingleQuestions) {
   const std::vector<std::string> goals = {"5,0", "0,3", "5,3"};
   const std::string map = write("a.map", cells);
-  for (const char* planner : {"dijkstra", "a_star", "jps_plus"}) {
+  for (const char* planner : {"dijkstra", "a_star", "jps_plus", "octile_labels"}) {
     const auto many = plan({{"map", map}, {"from", "0,0"}, {"to", "5,0 0, 3  5,3"}, {"planner", planner}});
     ASSERT_TRUE(many.has_value()) << to_string(many.error());
     ASSERT_EQ(rows_of(*many), 3U);
