@@ -120,7 +120,7 @@ class Plan(ToolTest):
         self.refused("plan", "small.map", "--from", "0,0", "--to", "3.5,3.5", says=["to 3.5,3.5", "blocked"])
         self.refused("plan", "small.map", "--from", "-1,0", "--to", "3.5,3.5", says=["from -1,0", "outside"])
         self.refused("plan", "small.map", "--from", "0,0", "--to", "99,0", "--compare", says=["to 99,0", "outside"])
-        for value in ["nan,0", "1", "1,2,3", "1e99,0"]:
+        for value in ["nan,0", "1", "1,2,3,4", "1,2,north", "1e99,0"]:
             self.refused("plan", "small.map", "--from", value, "--to", "0,0", says=["from", f"'{value}'", "1.5,-2"])
         self.refused("plan", "small.map", "--to", "0,0", says=["from", "missing", "1.5,-2"])
         self.refused("plan", "small.map", "--from", "0,0", says=["to", "missing", "1.5,-2"])

@@ -14,7 +14,6 @@
 namespace outrider {
 namespace {
 
-constexpr double relative = 1e-9;
 constexpr double slack_rad = 1e-6;
 
 tl::unexpected<Fault> refused(std::string sentence) { return bad_input(std::move(sentence), "plan"); }
