@@ -115,6 +115,16 @@ class Plan(ToolTest):
         self.assertEqual(len(compared["rows"]), len(PLANNERS))
         self.assertNotIn("done", {row["status"] for row in compared["rows"]})
 
+    def test_robots_that_steer_take_headings(self):
+        poses = ["--from", "0.5,0.5,90", "--to", "5.5,3.5,0"]
+        rows = self.json_of(self.run_tool("plan", "small.map", *poses, "--planner", "hybrid_a_star", "--compare", "--json"))["rows"]
+        self.assertEqual([row["planner"] for row in rows], ["hybrid_a_star", "state_lattice"])
+        for row in rows:
+            self.assertEqual((row["status"], row["cost_unit"]), ("done", "m eq"))
+            self.assertGreaterEqual(row["cost"], row["lower_bound"] - 1e-9)
+            self.assertTrue(row["pieces"])
+        self.refused("drive", "--goal", "1,0,0", "--planner", "hybrid_a_star", says=["hybrid_a_star", "turns in place"])
+
     def test_refusals(self):
         self.refused("plan", "small.map", "--from", "3.5,3.5", "--to", "0,0", says=["from 3.5,3.5", "blocked"])
         self.refused("plan", "small.map", "--from", "0,0", "--to", "3.5,3.5", says=["to 3.5,3.5", "blocked"])
