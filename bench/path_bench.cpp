@@ -68,6 +68,7 @@ void run(benchmark::State& state, const PathPlanner& row, GridModel model) {
 
 const bool registered = [] {
   for (const PathPlanner& row : path_planners()) {
+    if (row.steers) continue;  // steering_bench has them
     for (const GridModel model : row.models) {
       const std::string name = std::string(row.name) + "/" + std::string(to_string(model));
       benchmark::RegisterBenchmark(name.c_str(),

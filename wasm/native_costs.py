@@ -13,6 +13,8 @@ QUERIES = 100
 random = np.random.default_rng(1)
 cases = []
 for number, planner in enumerate(outrider.path_planners()):
+    if not outrider.PathPlanner(planner).guarantee["complete"]:
+        continue
     columns, rows = (int(side) for side in random.integers(20, 90, size=2))
     resolution = float(random.uniform(0.02, 1.0))
     blocked = random.random((rows, columns)) < 0.1 + 0.05 * (number % 6)

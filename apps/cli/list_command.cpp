@@ -72,6 +72,7 @@ void list_json(const std::vector<Job>& jobs) {
                         {"complete", planner.guarantee.complete},
                         {"models", models_of(planner)},
                         {"polygons", planner.polygons},
+                        {"steers", planner.steers},
                         {"index", planner.index},
                         {"tells", to_string(planner.tells)},
                         {"many_goals", static_cast<bool>(planner.configure().plan_many)},

@@ -13,6 +13,8 @@ std::string_view name_of(PathClass among) {
     case PathClass::any_direction: return "any_direction";
     case PathClass::any_curve: return "any_curve";
     case PathClass::widest_curve: return "widest_curve";
+    case PathClass::turning_curve: return "turning_curve";
+    case PathClass::lattice_curve: return "lattice_curve";
   }
   return "";
 }
@@ -22,6 +24,7 @@ std::string_view name_of(Measure measure) {
     case Measure::length: return "length";
     case Measure::time: return "time";
     case Measure::safety: return "safety";
+    case Measure::manoeuvre: return "manoeuvre";
   }
   return "";
 }

@@ -176,8 +176,8 @@ Json view_json(const Question& question, const PlanGround& ground, const Trace& 
   const PathPlanner& planner = question.planner.first;
   const bool on_polygons = planner.polygons && ground.polygons;
   if (trace.most > 0) {
-    view["trace"] =
-        on_polygons ? placed_trace_json(trace, planner.guarantee.measure) : trace_json(trace, ground);
+    view["trace"] = on_polygons || planner.steers ? placed_trace_json(trace, planner.guarantee.measure)
+                                                  : trace_json(trace, ground);
   }
   if (question.blocked && ground.grid) view["blocked"] = grid_json(ground.blocked, ground.yaw_rad);
   if (question.legs && on_polygons)
@@ -218,7 +218,7 @@ Outcome<QuestionScenario> scenario_of_question(const Json& request, PlanningMemo
   if (!map) return pass_on(map);
   QuestionScenario found{{}, std::move(*map)};
   PlanScenario& scenario = found.scenario;
-  const auto& [number, from, to] = question->query;
+  const Vec2 from = question->query.from, to = question->query.to;
   scenario.from = fmt::format("{},{}", from.x, from.y);
   scenario.to = fmt::format("{},{}", to.x, to.y);
   scenario.planner = question->planner.first.name;

@@ -35,8 +35,10 @@ Json chosen_options(const PlanScenario& scenario) {
   return options;
 }
 
+/// Returns x and y. A heading behind them is left out, as the page has none.
 Outcome<Json> point_from(const std::string& text, const char* key) {
-  auto numbers = parse_numbers(text, 2, key, "x,y in m, such as 1.5,-2");
+  const std::size_t count = std::ranges::count(text, ',') == 2 ? 3 : 2;
+  auto numbers = parse_numbers(text, count, key, "x,y in m, such as 1.5,-2");
   if (!numbers) return pass_on(numbers);
   return Json{(*numbers)[0], (*numbers)[1]};
 }

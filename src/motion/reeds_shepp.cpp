@@ -20,7 +20,8 @@ enum class Length { t, u, minus_u, v, quarter };
 /// A word of the paper with its equation there.
 struct Word {
   Formula formula;
-  std::vector<std::pair<int, Length>> pieces;
+  std::array<std::pair<int, Length>, 5> pieces;
+  std::size_t count;
   bool reversible;  ///< the word in the opposite order is another one
 };
 
@@ -105,15 +106,15 @@ std::optional<Lengths> two_quarters(const Pose2& goal) {  // (8.11)
 /// opposite order.
 std::span<const Word> words() {
   using enum Length;
-  static const std::vector<Word> all{
-      {left_straight_left, {{1, t}, {0, u}, {1, v}}, false},
-      {left_straight_right, {{1, t}, {0, u}, {-1, v}}, false},
-      {three_arcs, {{1, t}, {-1, u}, {1, v}}, true},
-      {four_arcs_one_cusp, {{1, t}, {-1, u}, {1, minus_u}, {-1, v}}, false},
-      {four_arcs_two_cusps, {{1, t}, {-1, u}, {1, u}, {-1, v}}, false},
-      {quarter_to_left, {{1, t}, {-1, quarter}, {0, u}, {1, v}}, true},
-      {quarter_to_right, {{1, t}, {-1, quarter}, {0, u}, {-1, v}}, true},
-      {two_quarters, {{1, t}, {-1, quarter}, {0, u}, {1, quarter}, {-1, v}}, false}};
+  static constexpr std::array<Word, 8> all{
+      {{left_straight_left, {{{1, t}, {0, u}, {1, v}}}, 3, false},
+       {left_straight_right, {{{1, t}, {0, u}, {-1, v}}}, 3, false},
+       {three_arcs, {{{1, t}, {-1, u}, {1, v}}}, 3, true},
+       {four_arcs_one_cusp, {{{1, t}, {-1, u}, {1, minus_u}, {-1, v}}}, 4, false},
+       {four_arcs_two_cusps, {{{1, t}, {-1, u}, {1, u}, {-1, v}}}, 4, false},
+       {quarter_to_left, {{{1, t}, {-1, quarter}, {0, u}, {1, v}}}, 4, true},
+       {quarter_to_right, {{{1, t}, {-1, quarter}, {0, u}, {-1, v}}}, 4, true},
+       {two_quarters, {{{1, t}, {-1, quarter}, {0, u}, {1, quarter}, {-1, v}}}, 5, false}}};
   return all;
 }
 
@@ -130,9 +131,7 @@ double length_of(Length which, const Lengths& lengths) {
 
 }  // namespace
 
-std::vector<TurningPath> reeds_shepp_paths(const Pose2& from, const Pose2& to, double radius_m) {
-  const Pose2 goal = turning::normalised(from, to, radius_m);
-  std::vector<TurningPath> found;
+void turning::add_reeds_shepp_words(const Pose2& goal, Words& found) {
   for (const Word& word : words()) {
     for (const bool opposite : {false, true}) {
       if (opposite && !word.reversible) continue;
@@ -147,16 +146,22 @@ std::vector<TurningPath> reeds_shepp_paths(const Pose2& from, const Pose2& to, d
                                              wrap_angle(time * mirror * base.heading_rad)});
           if (!lengths) continue;
           TurningPath path;
-          for (std::size_t i = 0; i < word.pieces.size(); ++i) {
-            const auto& [side, which] = word.pieces[opposite ? word.pieces.size() - 1 - i : i];
+          for (std::size_t i = 0; i < word.count; ++i) {
+            const auto& [side, which] = word.pieces[opposite ? word.count - 1 - i : i];
             path.add({mirror * side, time * length_of(which, *lengths)});
           }
-          found.push_back(path);
+          found.add(path);
         }
       }
     }
   }
-  return turning::arriving(found, goal, radius_m);
+}
+
+std::vector<TurningPath> reeds_shepp_paths(const Pose2& from, const Pose2& to, double radius_m) {
+  const Pose2 goal = turning::normalised(from, to, radius_m);
+  turning::Words words;
+  turning::add_reeds_shepp_words(goal, words);
+  return turning::arriving(words, goal, radius_m);
 }
 
 }  // namespace outrider

@@ -17,27 +17,19 @@ namespace {
 constexpr double moved_m = 0.5;  // at most, a start or a goal
 constexpr std::uint64_t most_expansions = 20'000'000;
 
-std::vector<std::string> planners_on_cells() {
-  std::vector<std::string> names;
-  for (const PathPlanner& planner : path_planners()) {
-    if (planner.takes(GridModel::cells)) names.emplace_back(planner.name);
-  }
-  return names;
-}
-
 }  // namespace
 
 PlannerNodeOptions::PlannerNodeOptions() : radius_m(burger().radius_m) {}
 
 std::vector<OptionGroup> describe(PlannerNodeOptions& options) {
-  return {
-      {"",
-       "the plans",
-       {choice_option("planner", "path planner, one that takes cells", &options.planner, planners_on_cells()),
-        {"radius", "m", 0.01, 10.0, "of a disk that contains the robot", &options.radius_m},
-        {"period", "s", 0.05, 1e6, "a plan is made again so often", &options.period_s}}},
-      {"ground", "where the robot may be", describe(options.ground)},
-      {"frame", "names of the frames", describe(options.frames)}};
+  return {{"",
+           "the plans",
+           {choice_option("planner", "path planner, one that takes cells", &options.planner,
+                          names_of_planners_in_place(GridModel::cells)),
+            {"radius", "m", 0.01, 10.0, "of a disk that contains the robot", &options.radius_m},
+            {"period", "s", 0.05, 1e6, "a plan is made again so often", &options.period_s}}},
+          {"ground", "where the robot may be", describe(options.ground)},
+          {"frame", "names of the frames", describe(options.frames)}};
 }
 
 PlannerNode::PlannerNode(PlannerNodeOptions options)

@@ -15,6 +15,8 @@
 #include "outrider/path/hubs/octile_labels.hpp"
 #include "outrider/path/mesh/polyanya.hpp"
 #include "outrider/path/sampling/sampling.hpp"
+#include "outrider/path/steering/hybrid_a_star.hpp"
+#include "outrider/path/steering/state_lattice.hpp"
 #include "outrider/path/visibility/least_time.hpp"
 #include "outrider/path/visibility/visibility_graph.hpp"
 
@@ -282,6 +284,40 @@ std::vector<PathPlanner> planners_with_prices() {
   };
 }
 
+std::vector<PathPlanner> planners_that_steer() {
+  return {
+      {.name = "hybrid_a_star",
+       .sentence = "For a robot that steers: A* over poses along arcs and straights, ended by Reeds-Shepp or "
+                   "Dubins paths.",
+       .paper = "Dolgov, Thrun, Montemerlo and Diebel, Path planning for autonomous vehicles in unknown "
+                "semi-structured environments, 2010",
+       .guarantee = {.complete = false,
+                     .among = PathClass::turning_curve,
+                     .most_ratio = unbounded,
+                     .sentence =
+                         "not complete: a cell keeps one pose for each heading; near the cheapest path, "
+                         "and states a bound for all paths of the robot",
+                     .measure = Measure::manoeuvre},
+       .configure = with_options(hybrid_a_star),
+       .models = {GridModel::cells},
+       .steers = true},
+      {.name = "state_lattice",
+       .sentence = "For a robot that steers: A* over motions between cell centres, generated from arcs and "
+                   "straights.",
+       .paper =
+           "Pivtoraiko, Knepper and Kelly, Differentially constrained mobile robot motion planning in state "
+           "lattices, 2009",
+       .guarantee = {.complete = false,
+                     .among = PathClass::lattice_curve,
+                     .most_ratio = 1.0,
+                     .sentence = "complete and cheapest on its lattice; a finer grid finds more",
+                     .measure = Measure::manoeuvre},
+       .configure = with_options(state_lattice),
+       .models = {GridModel::cells},
+       .steers = true},
+  };
+}
+
 #ifdef OUTRIDER_WITH_OMPL
 std::vector<PathPlanner> planners_that_sample() {
   const Guarantee guarantee = {
@@ -330,7 +366,8 @@ std::string_view unit_of(Measure measure) {
   switch (measure) {
     case Measure::length: return "m";
     case Measure::time: return "s";
-    case Measure::safety: return "m eq";
+    case Measure::safety:
+    case Measure::manoeuvre: return "m eq";
   }
   return "";
 }
@@ -352,12 +389,20 @@ const std::vector<PathPlanner>& path_planners() {
   static const std::vector<PathPlanner> planners = [] {
     std::vector<PathPlanner> all;
     for (const auto& part : {planners_along_moves(), planners_in_any_direction(), planners_round_corners(),
-                             planners_with_prices(), planners_that_sample()}) {
+                             planners_with_prices(), planners_that_steer(), planners_that_sample()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;
   }();
   return planners;
+}
+
+std::vector<std::string> names_of_planners_in_place(std::optional<GridModel> model) {
+  std::vector<std::string> names;
+  for (const PathPlanner& planner : path_planners()) {
+    if (!planner.steers && (!model || planner.takes(*model))) names.emplace_back(planner.name);
+  }
+  return names;
 }
 
 Outcome<Plan> plan_path(const Problem& problem, std::string_view planner, const Budget& budget) {

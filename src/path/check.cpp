@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "outrider/path/pieces.hpp"
 #include "outrider/path/safety.hpp"
+#include "steering/steering_check.hpp"
 #include "visibility/polygon_ground_check.hpp"
 
 namespace outrider {
@@ -151,11 +153,22 @@ Status check_exposure(const Plan& plan, const Problem& problem) {
                              truth.exposure_low, truth.exposure_high));
 }
 
+/// Returns what cusps and metres backwards cost.
+double reversing_of(const Plan& plan) {
+  double cost = 0.0;
+  for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
+    const PathPiece& piece = plan.pieces[i];
+    if (piece.backward) cost += plan.weights.per_backward_m * length_of(piece);
+    if (i > 0 && piece.backward != plan.pieces[i - 1].backward) cost += plan.weights.per_cusp;
+  }
+  return cost;
+}
+
 Status check_numbers(const Plan& plan, const Problem& problem) {
   const double length = length_of(plan);
   const Turning turning = plan.weights.per_rad == 0.0 ? Turning{} : turning_of(plan);
   const double sum = plan.weights.per_m * length + plan.weights.per_rad * turning.sum_rad +
-                     plan.weights.per_exposure_m * plan.exposure;
+                     plan.weights.per_exposure_m * plan.exposure + reversing_of(plan);
   const double slack = relative * std::max(1.0, sum);
   if (!(std::abs(plan.cost - sum) <= slack + plan.weights.per_rad * turning.rounding_rad)) {
     return refused(fmt::format("the cost is {}, but its legs add up to {}", plan.cost, sum));
@@ -181,6 +194,10 @@ Status check(const Plan& plan, const Problem& problem) {
     return check_numbers(plan, problem);
   }
   if (!problem.grid) return bad_input("the problem has no grid to check the plan on");
+  if (plan.steering) {
+    if (auto good = check_steering(plan, problem); !good) return good;
+    return check_numbers(plan, problem);
+  }
   const GridMap& ground = *problem.grid;
   if (plan.waypoints.empty() || plan.waypoints.size() != plan.vertices.size()) {
     return refused(fmt::format("{} waypoints came with {} vertices; give as many, and at least one",
@@ -209,9 +226,10 @@ Status check(const Plan& plan, const Problem& problem) {
 
 Status check(const Plan& plan, const CollisionMap& ground, double radius_m) {
   if (plan.waypoints.empty()) return refused("it has no waypoints");
-  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
-    const Segment leg{plan.waypoints[i == 0 ? 0 : i - 1], plan.waypoints[i]};
-    if (!ground.segment_free(leg, radius_m)) {
+  const double swept_m = std::max(0.0, radius_m - disk_way_error_m(plan));
+  for (const std::vector<Vec2>& way : disk_ways(plan)) {
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      if (ground.segment_free({way[i == 0 ? 0 : i - 1], way[i]}, swept_m)) continue;
       return refused(fmt::format("a disk of {} m touches an obstacle on leg {}", radius_m, i));
     }
   }

@@ -8,6 +8,8 @@
 namespace outrider {
 namespace {
 
+constexpr double way_step_rad = radians(1.0);
+
 double heading_at(const PathPiece& piece, Vec2 p) {
   const double looks = piece.backward ? -1.0 : 1.0;
   if (piece.turn_rad == 0.0) return heading_of(looks * (piece.to - piece.from));
@@ -49,6 +51,49 @@ std::vector<Vec2> points_along(Vec2 start, const std::vector<PathPiece>& pieces,
     points.push_back(piece.to);
   }
   return points;
+}
+
+Box2 bounds_of(const PathPiece& piece) {
+  Box2 box;
+  box.include(piece.from);
+  box.include(piece.to);
+  if (piece.turn_rad == 0.0) return box;
+  const double begin = heading_of(piece.from - piece.centre), end = begin + piece.turn_rad;
+  const auto [low, high] = std::minmax(begin, end);
+  for (double quarter = std::ceil(low / (0.5 * pi)); quarter * 0.5 * pi <= high; ++quarter) {
+    box.include(piece.centre + distance(piece.centre, piece.from) * direction(quarter * 0.5 * pi));
+  }
+  return box;
+}
+
+std::vector<PathPiece> carried(const std::vector<PathPiece>& pieces, double ahead_m) {
+  std::vector<PathPiece> other = pieces;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    other[i].from = pieces[i].from + ahead_m * direction(heading_in(pieces[i]));
+    other[i].to = pieces[i].to + ahead_m * direction(heading_out(pieces[i]));
+  }
+  return other;
+}
+
+std::vector<std::vector<Vec2>> disk_ways(const Plan& plan) {
+  if (!plan.steering || plan.pieces.empty()) return {plan.waypoints};
+  std::vector<std::vector<Vec2>> ways;
+  for (const double ahead_m : plan.steering->disks_m) {
+    const std::vector<PathPiece> pieces = carried(plan.pieces, ahead_m);
+    ways.push_back(points_along(pieces.front().from, pieces, way_step_rad));
+  }
+  return ways;
+}
+
+double disk_way_error_m(const Plan& plan) {
+  if (!plan.steering) return 0.0;
+  double radius_m = 0.0;
+  for (const PathPiece& piece : plan.pieces) {
+    if (piece.turn_rad != 0.0) radius_m = std::max(radius_m, distance(piece.centre, piece.from));
+  }
+  double ahead_m = 0.0;
+  for (const double disk_m : plan.steering->disks_m) ahead_m = std::max(ahead_m, std::abs(disk_m));
+  return std::hypot(radius_m, ahead_m) * (1.0 - std::cos(0.5 * way_step_rad));
 }
 
 }  // namespace outrider

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "outrider/path/check.hpp"
+#include "outrider/path/pieces.hpp"
+#include "visibility/polygon_ground_check.hpp"
 
 namespace outrider {
 namespace {
@@ -37,26 +39,25 @@ double clearance_on_grid(const GridMap& ground, Vec2 p) {
   return least;
 }
 
-double to_square(const Segment& leg, Cell c) {
+double to_square(const PathPiece& piece, Cell c) {
   const Vec2 low{double(c.x), double(c.y)}, high{c.x + 1.0, c.y + 1.0};
   const std::array<Vec2, 4> corners = {low, Vec2{high.x, low.y}, high, Vec2{low.x, high.y}};
-  double least = std::min(to_square(leg.a, c), to_square(leg.b, c));
+  double least = std::min(to_square(piece.from, c), to_square(piece.to, c));
   for (std::size_t i = 0; i < 4; ++i) {
-    least = std::min(least, distance(leg, Segment{corners[i], corners[(i + 1) % 4]}));
+    least = std::min(least, distance_to(piece, Segment{corners[i], corners[(i + 1) % 4]}));
   }
   return least;
 }
 
-/// Returns the least clearance along a leg in cells, at most `least`.
-double clearance_on_grid(const GridMap& ground, const Segment& leg, double least) {
+/// Returns the least clearance along a piece in cells, at most `least`.
+double clearance_on_grid(const GridMap& ground, const PathPiece& piece, double least) {
   const auto cell = [](double t) { return static_cast<int>(std::floor(t)); };
-  const auto [low_x, high_x] = std::minmax(leg.a.x, leg.b.x);
-  const auto [low_y, high_y] = std::minmax(leg.a.y, leg.b.y);
-  const int last_x = cell(high_x + least), last_y = cell(high_y + least);
-  for (int y = cell(low_y - least) - 1; y <= last_y + 1; ++y) {
-    for (int x = cell(low_x - least) - 1; x <= last_x + 1; ++x) {
-      if (!ground.blocked({x, y}) || distance(Vec2{x + 0.5, y + 0.5}, leg) > least + 0.71) continue;
-      least = std::min(least, to_square(leg, {x, y}));
+  const Box2 box = bounds_of(piece);
+  const int last_x = cell(box.high.x + least), last_y = cell(box.high.y + least);
+  for (int y = cell(box.low.y - least) - 1; y <= last_y + 1; ++y) {
+    for (int x = cell(box.low.x - least) - 1; x <= last_x + 1; ++x) {
+      if (!ground.blocked({x, y}) || distance_to(piece, Vec2{x + 0.5, y + 0.5}) > least + 0.71) continue;
+      least = std::min(least, to_square(piece, {x, y}));
     }
   }
   return least;
@@ -103,6 +104,7 @@ std::vector<PathPiece> pieces_of(const Plan& plan) {
 PathPiece in_cells(PathPiece piece, const GridFrame& frame) {
   piece.from = (1.0 / frame.resolution_m) * (piece.from - frame.origin);
   piece.to = (1.0 / frame.resolution_m) * (piece.to - frame.origin);
+  piece.centre = (1.0 / frame.resolution_m) * (piece.centre - frame.origin);
   return piece;
 }
 
@@ -110,10 +112,12 @@ PathPiece in_cells(PathPiece piece, const GridFrame& frame) {
 
 double clearance_m(const Plan& plan, const GridMap& ground, double most_m) {
   double least = most_m / ground.frame.resolution_m;
-  for (const PathPiece& each : pieces_of(plan)) {
-    const PathPiece piece = in_cells(each, ground.frame);
-    least = std::min(least, clearance_on_grid(ground, piece.from));
-    least = clearance_on_grid(ground, Segment{piece.from, piece.to}, least);
+  for (const double ahead_m : plan.steering.value_or(Steering{}).disks_m) {
+    for (const PathPiece& each : carried(pieces_of(plan), ahead_m)) {
+      const PathPiece piece = in_cells(each, ground.frame);
+      least = std::min(least, clearance_on_grid(ground, piece.from));
+      least = clearance_on_grid(ground, piece, least);
+    }
   }
   return ground.frame.resolution_m * least;
 }

@@ -92,7 +92,7 @@ class Manual(ToolTest):
             self.assertIn(planner["paper"], text)
             if "cells" not in planner["models"]:
                 continue
-            answer = self.run_tool("plan", "small.map", "--from", "0,0", "--to", "5,3", "--planner", planner["name"])
+            answer = self.run_tool("plan", "small.map", "--from", "0.5,0.5", "--to", "5.5,3.5", "--planner", planner["name"])
             self.assertEqual(answer.returncode, 0, answer.stderr)
 
     def test_schema_accepts_what_the_tool_accepts(self):

@@ -11,7 +11,7 @@ from tool import DATA, TOOL, ToolTest, main
 PGM = ("P2\n6 4\n255\n" + "254 254 254 0 254 254\n" * 3 + "254 254 254 254 254 254\n")
 YAML = "image: m.pgm\nresolution: 0.5\norigin: [10, 20, {yaw}]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"
 CATALOGUE = json.loads(subprocess.run([TOOL, "list", "--json"], capture_output=True, check=True).stdout)
-PLANNERS = [row["name"] for row in CATALOGUE["path_planners"] if "cells" in row["models"]]
+PLANNERS = [row["name"] for row in CATALOGUE["path_planners"] if "cells" in row["models"] and not row["steers"]]
 assert {"dijkstra", "a_star", "theta_star"} <= set(PLANNERS)
 
 
@@ -115,12 +115,22 @@ class Plan(ToolTest):
         self.assertEqual(len(compared["rows"]), len(PLANNERS))
         self.assertNotIn("done", {row["status"] for row in compared["rows"]})
 
+    def test_robots_that_steer_take_headings(self):
+        poses = ["--from", "0.5,0.5,90", "--to", "5.5,3.5,0"]
+        rows = self.json_of(self.run_tool("plan", "small.map", *poses, "--planner", "hybrid_a_star", "--compare", "--json"))["rows"]
+        self.assertEqual([row["planner"] for row in rows], ["hybrid_a_star", "state_lattice"])
+        for row in rows:
+            self.assertEqual((row["status"], row["cost_unit"]), ("done", "m eq"))
+            self.assertGreaterEqual(row["cost"], row["lower_bound"] - 1e-9)
+            self.assertTrue(row["pieces"])
+        self.refused("drive", "--goal", "1,0,0", "--planner", "hybrid_a_star", says=["hybrid_a_star", "turns in place"])
+
     def test_refusals(self):
         self.refused("plan", "small.map", "--from", "3.5,3.5", "--to", "0,0", says=["from 3.5,3.5", "blocked"])
         self.refused("plan", "small.map", "--from", "0,0", "--to", "3.5,3.5", says=["to 3.5,3.5", "blocked"])
         self.refused("plan", "small.map", "--from", "-1,0", "--to", "3.5,3.5", says=["from -1,0", "outside"])
         self.refused("plan", "small.map", "--from", "0,0", "--to", "99,0", "--compare", says=["to 99,0", "outside"])
-        for value in ["nan,0", "1", "1,2,3", "1e99,0"]:
+        for value in ["nan,0", "1", "1,2,3,4", "1,2,north", "1e99,0"]:
             self.refused("plan", "small.map", "--from", value, "--to", "0,0", says=["from", f"'{value}'", "1.5,-2"])
         self.refused("plan", "small.map", "--to", "0,0", says=["from", "missing", "1.5,-2"])
         self.refused("plan", "small.map", "--from", "0,0", says=["to", "missing", "1.5,-2"])

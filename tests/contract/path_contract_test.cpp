@@ -119,6 +119,10 @@ TEST_P(PathContract, CorridorOneCellWideAndDeadEndStart) {
   ASSERT_TRUE(answer.has_value()) << answer.error().sentence;
   EXPECT_TRUE(check(*answer, problem).has_value());
   const double least = oracle::shortest(grid, model(), {1, 5}, {7, 1}, any_direction());
+  if (row().steers) {  // the oracle knows legs, not arcs
+    EXPECT_LE(length_of(*answer), 1.3 * least);
+    return;
+  }
   EXPECT_GE(answer->cost, least - tiny);
   EXPECT_LE(length_of(*answer), 1.1 * least);
 }
@@ -199,6 +203,10 @@ TEST_P(PathContract, AgreesWithTheOracleOnRandomGrids) {
       continue;
     }
     const double least = oracle::shortest(grid, model(), start, goal, any_direction());
+    if (!row().guarantee.complete && !answer && std::isfinite(least)) {
+      ASSERT_EQ(answer.error().code, FaultCode::budget_exhausted) << "grid " << i;
+      continue;
+    }
     ASSERT_EQ(answer.has_value(), std::isfinite(least)) << "grid " << i;
     if (!answer) {
       ASSERT_EQ(answer.error().code, FaultCode::no_path);
@@ -207,6 +215,7 @@ TEST_P(PathContract, AgreesWithTheOracleOnRandomGrids) {
     ++joined;
     const auto verdict = check(*answer, problem);
     ASSERT_TRUE(verdict.has_value()) << "grid " << i << ": " << to_string(verdict.error());
+    if (row().steers) continue;  // the oracle knows legs, not arcs
     for (std::size_t k = 1; k < answer->vertices.size(); ++k) {
       ASSERT_TRUE(oracle::legal(grid, model(), answer->vertices[k - 1], answer->vertices[k])) << "grid " << i;
     }
@@ -244,6 +253,7 @@ Turned turned(const Turned& from, bool mirror, GridModel model) {
 }
 
 TEST_P(PathContract, MirroredAndTurnedGridsAreAnsweredAlike) {
+  if (!row().guarantee.complete) GTEST_SKIP() << "it may miss a path that it finds on a turned grid";
   const bool optimal = shortest() && row().guarantee.most_ratio == 1.0;
   Rng rng = Rng(13).child("symmetry");
   for (int i = 0; i < 300; ++i) {

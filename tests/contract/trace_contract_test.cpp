@@ -86,7 +86,7 @@ TEST(TraceContract, PlannersOnGridsTellTheirQueue) {
         const auto shared = std::make_shared<const GridMap>(std::move(*ground));
         const Cell far{grid.frame.width - 1, grid.frame.height - 1};
         const auto [plan, trace] = traced(row, {shared, shared->point({0, 0}), shared->point(far)});
-        EXPECT_TRUE(trace.places.empty());
+        EXPECT_EQ(trace.places.empty(), !row.steers || trace.openings.empty());
         if (row.tells == TraceKind::lookup) {
           EXPECT_LE(trace.expansions.size(), 1U);
           EXPECT_TRUE(trace.openings.empty());
@@ -96,7 +96,12 @@ TEST(TraceContract, PlannersOnGridsTellTheirQueue) {
         expect_a_search(trace);
         if (!plan) continue;
         EXPECT_EQ(trace.expansions.size(), plan->counters.expansions);
-        if (row.name == "polyanya") {  // it ends at the vertex that sees the goal
+        if (row.steers) {
+          const TracePlace last = trace.places[trace.expansions.back().state];
+          EXPECT_EQ((Vec2{last.x, last.y}), shared->point(far));
+          EXPECT_LE(plan->cost,
+                    trace.expansions.back().g * grid.frame.resolution_m + tiny);  // it is shortened
+        } else if (row.name == "polyanya") {  // it ends at the vertex that sees the goal
           EXPECT_NEAR(trace.expansions.back().f * grid.frame.resolution_m, plan->cost, tiny);
         } else {
           EXPECT_EQ(trace.expansions.back().state, shared->index(plan->vertices.back()));

@@ -42,4 +42,7 @@ std::vector<TurningPath> dubins_paths(const Pose2& from, const Pose2& to, double
 /// Returns the paths that may drive backwards too.
 std::vector<TurningPath> reeds_shepp_paths(const Pose2& from, const Pose2& to, double radius_m);
 
+/// Returns the length of the shortest path of all, m, with reversing or without. Faster than the paths.
+double shortest_turning_length(const Pose2& from, const Pose2& to, double radius_m, bool reverse);
+
 }  // namespace outrider

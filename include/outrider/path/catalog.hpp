@@ -22,13 +22,16 @@ enum class PathClass {
   any_direction,  ///< paths of straight legs between vertices, in any direction
   any_curve,      ///< all paths that the disk can drive on the ground
   widest_curve,   ///< those of them that keep the largest clearance, or the share of it that was asked for
+  turning_curve,  ///< those of them that a robot with a turning radius can drive
+  lattice_curve,  ///< those of them that consist of the motions of a lattice
 };
 
 /// The quantity that a planner minimises, which is the cost of its plans.
 enum class Measure {
-  length,  ///< length, m
-  time,    ///< driving time, s
-  safety,  ///< length plus weighted exposure (the integral of 1 / clearance), m eq
+  length,     ///< length, m
+  time,       ///< driving time, s
+  safety,     ///< length plus weighted exposure (the integral of 1 / clearance), m eq
+  manoeuvre,  ///< length plus the prices of cusps and of driving backwards, m eq
 };
 /// Returns the unit of a measure: "m", "s" or "m eq".
 std::string_view unit_of(Measure measure);
@@ -79,6 +82,7 @@ struct PathPlanner {
   TraceKind tells = TraceKind::search;  ///< events that it reports to a Trace
   bool axis = false;                    ///< searches the medial axis, which pictures show
   std::optional<Guarantee> on_polygons = std::nullopt;  ///< if it differs from that on grids
+  bool steers = false;  ///< plans poses for a robot that cannot turn in place; see Plan::steering
 
   /// Returns the guarantee on a kind of ground.
   [[nodiscard]] const Guarantee& guarantee_on(bool is_polygons) const {
@@ -93,6 +97,9 @@ struct PathPlanner {
 
 /// Returns all path planners, in the order of display.
 const std::vector<PathPlanner>& path_planners();
+
+/// Returns the names of the planners of robots that turn in place: those that take such a grid, or all.
+std::vector<std::string> names_of_planners_in_place(std::optional<GridModel> model = std::nullopt);
 
 /// Returns the planner of that name. Fault: bad_input, with the nearest known name.
 Outcome<PathPlanner> find_path_planner(std::string_view name);

@@ -8,9 +8,12 @@
 //  - the path ends as near to the goal as the plan states.
 // On a grid it also verifies that every waypoint lies on its vertex and that every leg is legal in the grid
 // model (separating axes in integers, exact). O(cells along the path).
-// On polygons it also verifies that the pieces join, that each piece keeps the radius from every edge (exact
-// distance between arc or leg and edge, to 2 contact_m), and that the waypoints stay within their stated
-// error of the pieces. O(pieces * edges). The fault states what is wrong and at which leg.
+// If the robot steers, it verifies instead that the pieces join in position and heading, that no arc is
+// tighter than the turning radius, that no disk of the robot touches a blocked cell along any piece (exact
+// distance between arc or leg and the sides of the cells nearby), and that the waypoints stay within their
+// error. On polygons it also verifies that the pieces join, that each piece keeps the radius from every edge
+// (exact distance between arc or leg and edge, to 2 contact_m), and that the waypoints stay within their
+// stated error of the pieces. O(pieces * edges). The fault states what is wrong and at which leg.
 #pragma once
 
 #include "outrider/path/plan.hpp"
@@ -26,7 +29,8 @@ Status check(const Plan& plan, const Problem& problem);
 double clearance_m(const Plan& plan, const PolygonGround& ground);
 
 /// Verifies that a disk of that radius can follow the waypoints without touching an obstacle. It uses the
-/// exact shapes of the world instead of the grid.
+/// exact shapes of the world instead of the grid. Of a robot that steers, it verifies all disks along the
+/// pieces, to disk_way_error_m().
 Status check(const Plan& plan, const CollisionMap& ground, double radius_m);
 
 }  // namespace outrider

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "outrider/geometry/box.hpp"
 #include "outrider/motion/pace.hpp"
 #include "outrider/path/plan.hpp"
 
@@ -26,5 +27,18 @@ Limits limits_on(const PathPiece& piece, const Pace& pace);
 /// Returns points along consecutive pieces: the start, the ends of the pieces, and on arcs points at most
 /// `step_rad` apart. The first piece must begin at `start`, every other piece at the end of the previous one.
 std::vector<Vec2> points_along(Vec2 start, const std::vector<PathPiece>& pieces, double step_rad);
+
+/// Returns the smallest box around the piece.
+Box2 bounds_of(const PathPiece& piece);
+
+/// Returns the path of a point that a robot carries `ahead_m` ahead of the one that the pieces are of.
+std::vector<PathPiece> carried(const std::vector<PathPiece>& pieces, double ahead_m);
+
+/// Returns the ways of the disks of a robot as chains of points: on arcs they are at most a degree apart, so
+/// that the legs stay within 4e-5 of the radius of the arc. A plan without `steering` has one disk, whose way
+/// is that of its waypoints.
+std::vector<std::vector<Vec2>> disk_ways(const Plan& plan);
+/// Returns the largest distance of these legs from the true ways of the disks, m.
+double disk_way_error_m(const Plan& plan);
 
 }  // namespace outrider

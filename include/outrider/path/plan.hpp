@@ -41,21 +41,38 @@ struct CostWeights {
   double per_rad = 0.0;               ///< cost per radian of turning, in place or along an arc
   std::optional<double> heading_rad;  ///< initial heading; if unset, the first turn costs nothing
   double per_exposure_m = 0.0;        ///< cost per unit of exposure, the integral of 1 / clearance
+  double per_cusp = 0.0;              ///< cost of each change between driving forwards and backwards
+  double per_backward_m = 0.0;        ///< cost per metre driven backwards, in addition to `per_m`
   friend bool operator==(const CostWeights&, const CostWeights&) = default;
+};
+
+/// What a robot that steers can do, and the room that it takes.
+struct Steering {
+  double turning_radius_m = 0.0;  ///< least radius of its arcs
+  bool reverse = false;           ///< it can drive backwards
+  std::vector<double> disks_m = {
+      0.0};  ///< centres of the disks that it consists of, ahead of the planned point
+  /// Set if the ends are those of a lattice: the path begins and ends within half a cell of a grid of the
+  /// given points along each axis, and within this angle of the given headings. Unset: exactly there.
+  std::optional<double> snap_rad = std::nullopt;
+  friend bool operator==(const Steering&, const Steering&) = default;
 };
 
 /// A path with its cost and a proven lower bound.
 struct Plan {
   std::vector<Vec2> waypoints;    ///< start, points where the path turns, and goal, m
-  std::vector<Cell> vertices;     ///< the waypoints as vertices of the grid; empty on polygons
+  std::vector<Cell> vertices;     ///< the waypoints as vertices of the grid; empty if there are pieces
   double cost = 0.0;              ///< cost of the path under `weights`: its length, m, or its time, s
   double lower_bound = 0.0;       ///< proven: no path of the planner's class costs less
   double reached_within = 0.0;    ///< distance from the last waypoint to the requested goal, m
   PlanCounters counters;          ///< work done
-  std::vector<PathPiece> pieces;  ///< on polygons: the exact path; empty on a grid, where legs join waypoints
+  std::vector<PathPiece> pieces;  ///< the exact path, on polygons or of a robot that steers; else empty
   double waypoint_error_m = 0.0;  ///< largest distance of the legs between waypoints from the pieces
   CostWeights weights;            ///< weights of the cost
   double exposure = 0.0;          ///< exposure as the planner counts it, if `weights` has a weight for it
+  /// Set for a robot that cannot turn in place: the path then consists of `pieces` that it can drive, on a
+  /// grid too, and `vertices` is empty.
+  std::optional<Steering> steering = std::nullopt;
   friend bool operator==(const Plan&, const Plan&) = default;
 };
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "outrider/path/grid/grid_map.hpp"
 #include "outrider/path/visibility/polygon_ground.hpp"
@@ -17,6 +18,10 @@ struct Problem {
   Vec2 start;                                               ///< m
   Vec2 goal;                                                ///< m
   std::shared_ptr<const PolygonGround> polygons = nullptr;  ///< the ground as polygons, or null
+  /// Headings at the start and at the goal, for planners of robots that steer; unset: any. Others ignore
+  /// them.
+  std::optional<double> start_heading_rad = std::nullopt;
+  std::optional<double> goal_heading_rad = std::nullopt;
 };
 
 /// A problem on a grid, with start and goal as vertices of the grid.

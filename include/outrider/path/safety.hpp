@@ -26,7 +26,8 @@ struct Safety {
   double exposure_high = 0.0;  ///< proven upper bound
 };
 
-/// Returns the least distance of a plan to the blocked cells of a grid, exactly, at most `most_m`.
+/// Returns the least distance of a plan, of all disks of a robot that steers, to the blocked cells of a grid,
+/// exactly, at most `most_m`.
 double clearance_m(const Plan& plan, const GridMap& ground, double most_m);
 
 /// Computes the safety of the pieces of the plan, or of the legs between its waypoints if it has no pieces.

@@ -13,15 +13,17 @@
 //     double value(const Cost& cost) const;    // a number that increases with the cost
 //     double priority(const Cost& g, const Cost& h) const;  // f
 //     double tie(const Cost& g) const;         // optional: of equal f the largest comes first; else value(g)
+//     static constexpr bool reopens = true;    // optional: opens a closed state again for a smaller g
 //     void settle(State s);                    // may change the label of s just before s is closed
 //     void expand(State s, Relax& relax);      // relax(neighbour, parent, g, h) for each neighbour
 //   };
 //
 // The order of expansion is least f, then largest g (or tie()), then least state, so the result is the same
-// on every machine. A closed state is never opened again. So if h is consistent and settle() changes nothing,
-// the cost found is optimal. Only states that the search reaches are touched. O((states + moves) log states).
-// Faults: no_path if all states reachable from the start are closed; budget_exhausted; cancelled. Sources:
-// Hart, Nilsson and Raphael (1968); Nash et al. (2007) for the choice of parent.
+// on every machine. A closed state is never opened again unless the policy reopens. So if h is consistent and
+// settle() changes nothing, the cost found is optimal; with reopening it suffices that h is a lower bound.
+// Only states that the search reaches are touched. O((states + moves) log states). Faults: no_path if all
+// states reachable from the start are closed; budget_exhausted; cancelled. Sources: Hart, Nilsson and Raphael
+// (1968); Nash et al. (2007) for the choice of parent.
 #pragma once
 
 #include "outrider/core/budget.hpp"
@@ -47,6 +49,15 @@ double tie_of(const Policy& policy, const typename Policy::Cost& g) {
   }
 }
 
+template <class Policy>
+constexpr bool reopens_closed() {
+  if constexpr (requires { Policy::reopens; }) {
+    return Policy::reopens;
+  } else {
+    return false;
+  }
+}
+
 /// Searches a path and returns the goal state. The labels in `memory` hold the path; see path_to().
 template <class Policy>
 Outcome<State> best_first(Policy& policy, SearchMemory<typename Policy::Cost>& memory, BudgetMeter& meter,
@@ -56,7 +67,7 @@ Outcome<State> best_first(Policy& policy, SearchMemory<typename Policy::Cost>& m
   BucketQueue& queue = memory.queue;
   const auto relax = [&](State s, State parent, const Cost& g, const Cost& h) {
     const bool known = labels.known(s);
-    if (known && (labels.closed(s) || !(g < labels.g(s)))) return;
+    if (known && ((!reopens_closed<Policy>() && labels.closed(s)) || !(g < labels.g(s)))) return;
     if (trace != nullptr && !known) trace->open(s);
     labels.open(s, parent, g);
     queue.push(policy.priority(g, h), tie_of(policy, g), s);

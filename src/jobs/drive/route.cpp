@@ -108,6 +108,12 @@ Outcome<DriveRoute> plan_route(const DriveTask& task, const CollisionMap& ground
                                const std::string& planner, const DriveRouteOptions& options) {
   auto row = find_path_planner(planner);
   if (!row) return pass_on(row);
+  if (row->steers) {
+    return bad_input(
+        fmt::format("{} plans for a robot that steers, and this one turns in place; take another one",
+                    planner),
+        "planner");
+  }
   const double radius_m = task.radius_m + options.margin_m;
   auto problem =
       problem_for(*row, ground, radius_m, task.start.position, goal.position, options.resolution_m);

@@ -163,7 +163,7 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
          &scenario.waypoints},
         {"goal", "", 0, 0, "x,y,heading, in place of waypoints", &scenario.goal},
         choice_option("planner", "a path planner of 'outrider list', for the way to the goal",
-                      &scenario.planner, names_of(path_planners())),
+                      &scenario.planner, names_of_planners_in_place()),
         {"tags", "", 0, 0, "id=x,y,facing[,height] of each tag, with blanks between", &scenario.tags},
         {"map_tags", "", 0, 0, "the same of the map that the robot has, if the world differs; empty: as tags",
          &scenario.map_tags},

@@ -109,13 +109,7 @@ std::string_view to_string(DecisionKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-std::vector<std::string> planners_on_cells() {
-  std::vector<std::string> names;
-  for (const PathPlanner& planner : path_planners()) {
-    if (std::ranges::count(planner.models, GridModel::cells) > 0) names.emplace_back(planner.name);
-  }
-  return names;
-}
+std::vector<std::string> planners_on_cells() { return names_of_planners_in_place(GridModel::cells); }
 
 std::vector<Option> describe(ExploreOptions& options) {
   std::vector<Option> all = {

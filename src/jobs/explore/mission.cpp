@@ -162,7 +162,9 @@ ExploreMission::ExploreMission(LaserSlam mapping, ExploreTask given)
 
 Outcome<ExploreMission> begin(const ExploreTask& task) {
   if (auto known = find_explore_strategy(task.explore.strategy); !known) return pass_on(known);
-  if (auto known = find_path_planner(task.explore.planner); !known) return pass_on(known);
+  const auto planners = names_of_planners_in_place(GridModel::cells);
+  if (std::ranges::count(planners, task.explore.planner) == 0)
+    return no_such_row("planner", task.explore.planner, planners, "planner");
   auto slam = LaserSlam::begin(task.slam, task.start);
   if (!slam) return pass_on(slam);
   return ExploreMission(std::move(*slam), task);

@@ -10,6 +10,7 @@
 #include "outrider/core/units.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/path/check.hpp"
+#include "outrider/path/pieces.hpp"
 #include "outrider/path/safety.hpp"
 
 namespace outrider {
@@ -24,28 +25,38 @@ std::string_view name_of(const Guarantee& guarantee) {
     case PathClass::any_direction: return "any_angle_optimal";
     case PathClass::any_curve: return "disk_optimal";
     case PathClass::widest_curve: return "widest_optimal";
+    case PathClass::turning_curve: return "none";
+    case PathClass::lattice_curve: return "lattice_optimal";
   }
   return "none";
 }
 
 Problem problem_of(const PathPlanner& planner, const PlanGround& ground, const PlanQuery& query) {
   Problem problem{nullptr, ground.to_grid(query.from), ground.to_grid(query.to)};
+  if (query.from_heading_rad) problem.start_heading_rad = *query.from_heading_rad - ground.yaw_rad;
+  if (query.to_heading_rad) problem.goal_heading_rad = *query.to_heading_rad - ground.yaw_rad;
   const bool on_polygons = planner.polygons && ground.polygons;
   if (on_polygons) problem.polygons = ground.polygons;
   if (!on_polygons) problem.grid = ground.grid;
   return problem;
 }
 
-/// The least distance of the legs to exact shapes, to 1 nm: the largest disk that can be swept along them.
-double clearance_of(const std::vector<Vec2>& points, const CollisionMap& shapes, double radius_m) {
+/// The least distance of the ways of its disks to exact shapes, to 1 nm: the largest disk that can be swept
+/// along them, at least `least_m`.
+double clearance_of(const Plan& plan, const CollisionMap& shapes, double least_m) {
+  const auto ways = disk_ways(plan);
   const auto fits = [&](double radius) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!shapes.segment_free({points[i == 0 ? 0 : i - 1], points[i]}, radius)) return false;
+    for (const std::vector<Vec2>& way : ways) {
+      for (std::size_t i = 0; i < way.size(); ++i) {
+        if (!shapes.segment_free({way[i == 0 ? 0 : i - 1], way[i]}, radius)) return false;
+      }
     }
     return true;
   };
-  double low = radius_m, high = radius_m;
-  for (const Vec2 p : points) high = std::max(high, shapes.clearance(p, 1e3));
+  double low = least_m, high = least_m;
+  for (const std::vector<Vec2>& way : ways) {
+    for (const Vec2 p : way) high = std::max(high, shapes.clearance(p, 1e3));
+  }
   while (high - low > 1e-9) {
     const double middle = 0.5 * (low + high);
     (fits(middle) ? low : high) = middle;
@@ -55,7 +66,8 @@ double clearance_of(const std::vector<Vec2>& points, const CollisionMap& shapes,
 
 /// The least distance of the middle of the robot to what stands on the ground, whatever it is planned on.
 double clearance_of(const PlanGround& ground, const Plan& plan) {
-  if (ground.shapes) return clearance_of(plan.waypoints, *ground.shapes, ground.radius_m);
+  if (ground.shapes)
+    return clearance_of(plan, *ground.shapes, std::max(0.0, ground.radius_m - disk_way_error_m(plan)));
   return clearance_m(plan, *ground.standing, std::numeric_limits<double>::infinity());
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 /// What a fault of a single question names: the end at which the robot cannot stand, or the planner.
 std::string place_of(const PlanRow& row) {
-  const auto& [number, from, to] = row.query;
+  const Vec2 from = row.query.from, to = row.query.to;
   if (row.fault->code == FaultCode::start_blocked) return fmt::format("from {},{}", from.x, from.y);
   if (row.fault->code == FaultCode::goal_blocked) return fmt::format("to {},{}", to.x, to.y);
   return "planner " + row.planner;

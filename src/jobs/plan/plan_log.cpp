@@ -44,6 +44,12 @@ nav_msgs::OccupancyGrid costmap_of(const PlanGround& ground) {
   return grid;
 }
 
+/// Returns the vertex of a state of the search: its own, or the one where it is.
+Cell vertex_of(const Trace& trace, std::uint32_t state, const GridMap& map) {
+  if (trace.places.empty()) return map.at(state);
+  return map.frame.cell_at({trace.places[state].x, trace.places[state].y});
+}
+
 /// Returns when each vertex was expanded first, in percent of the search. A vertex is the middle of its cell.
 nav_msgs::OccupancyGrid expanded_of(const Trace& trace, const PlanGround& ground) {
   const GridMap& map = *ground.grid;
@@ -54,7 +60,7 @@ nav_msgs::OccupancyGrid expanded_of(const Trace& trace, const PlanGround& ground
   const int width = frame.width + more, height = frame.height + more;
   auto grid = blank_grid(frame, ground.yaw_rad, width, height);
   for (std::size_t i = 0; i < trace.expansions.size(); ++i) {
-    const Cell v = map.at(trace.expansions[i].state);
+    const Cell v = vertex_of(trace, trace.expansions[i].state, map);
     auto& percent = grid.data[static_cast<std::size_t>(v.y) * static_cast<std::size_t>(width) +
                               static_cast<std::size_t>(v.x)];
     if (percent < 0) percent = static_cast<std::int8_t>(100 * i / trace.expansions.size());
@@ -101,15 +107,15 @@ void log_ground(Log& log, const PlanTask& task, const PlanGround& ground) {
 
 void log_queries(Log& log, const std::vector<PlanQuery>& queries) {
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    const auto& [number, from, to] = queries[i];
-    const double heading_rad = heading_of(to - from);
+    const Vec2 from = queries[i].from, to = queries[i].to;
+    const double ahead_rad = heading_of(to - from);
     if (i == 0 || from != queries[i - 1].from) {
       geometry_msgs::PoseWithCovarianceStamped start;
       start.header = header_of(0.0, "map");
-      start.pose.pose = pose_of(Pose2{from, heading_rad});
+      start.pose.pose = pose_of(Pose2{from, queries[i].from_heading_rad.value_or(ahead_rad)});
       log.append(topic::start, 0.0, std::move(start));
     }
-    log.append(topic::goal, 0.0, stamped(0.0, {to, heading_rad}));
+    log.append(topic::goal, 0.0, stamped(0.0, {to, queries[i].to_heading_rad.value_or(ahead_rad)}));
   }
 }
 
@@ -131,7 +137,12 @@ void log_answer(Log& log, const PlanTask& task, const PlanQuestion& question, co
   for (const PlanRow& row : answer.rows) {
     if (!row.found()) continue;
     const bool exact = !row.pieces.empty();
-    const auto points = exact ? points_along(row.waypoints.front(), row.pieces, arc_step_rad) : row.waypoints;
+    auto points = row.waypoints;
+    if (exact) {
+      const Vec2 start = row.pieces.front().from;
+      points = points_along(start, row.pieces, arc_step_rad);
+      for (Vec2& p : points) p = ground.to_world(p);
+    }
     log.append(std::string(topic::plan_of) + row.planner, 0.0, path_of(0.0, points));
   }
 }
@@ -139,7 +150,8 @@ void log_answer(Log& log, const PlanTask& task, const PlanQuestion& question, co
 std::string trace_json(const Trace& trace, const GridMap& ground) {
   auto expansions = nlohmann::ordered_json::array();
   for (const Expansion& expansion : trace.expansions) {
-    const Cell v = ground.at(expansion.state), parent = ground.at(expansion.parent);
+    const Cell v = vertex_of(trace, expansion.state, ground),
+               parent = vertex_of(trace, expansion.parent, ground);
     expansions.push_back({{"vertex", {v.x, v.y}},
                           {"parent", {parent.x, parent.y}},
                           {"f", expansion.f},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/core/units.hpp"
 #include "outrider/io/text.hpp"
 #include "outrider/io/values.hpp"
 
@@ -29,22 +30,33 @@ Outcome<std::vector<std::string>> items_of(std::string_view text, const std::str
   return bad_input(fmt::format("{} are too many; expected {}", items.size(), most_items), key);
 }
 
-Outcome<Vec2> point_of(const std::string& text, const std::string& key) {
-  auto numbers = parse_numbers(text, 2, key, "x,y in m, such as 1.5,-2");
+/// A point, and a heading if there is one.
+struct QueryEnd {
+  Vec2 position;
+  std::optional<double> heading_rad;
+};
+
+Outcome<QueryEnd> end_of(const std::string& text, const std::string& key) {
+  const bool has_heading = std::ranges::count(text, ',') == 2;
+  const char* form =
+      has_heading ? "x,y,heading in m and degrees, such as 1.5,-2,90" : "x,y in m, such as 1.5,-2";
+  auto numbers = parse_numbers(text, has_heading ? 3 : 2, key, form);
   if (!numbers) return pass_on(numbers);
-  return Vec2{(*numbers)[0], (*numbers)[1]};
+  QueryEnd end{{(*numbers)[0], (*numbers)[1]}, std::nullopt};
+  if (has_heading) end.heading_rad = radians((*numbers)[2]);
+  return end;
 }
 
 Outcome<std::vector<PlanQuery>> queries_to_goals(const PlanScenario& scenario) {
-  auto from = point_of(scenario.from, "from");
+  auto from = end_of(scenario.from, "from");
   if (!from) return pass_on(from);
   auto goals = items_of(scenario.to, "to");
   if (!goals) return pass_on(goals);
   std::vector<PlanQuery> queries;
   for (const std::string& goal : *goals) {
-    auto to = point_of(goal, "to");
+    auto to = end_of(goal, "to");
     if (!to) return pass_on(to);
-    queries.push_back({{}, *from, *to});
+    queries.push_back({{}, from->position, to->position, from->heading_rad, to->heading_rad});
     if (goals->size() > 1) queries.back().number = queries.size();
   }
   return queries;

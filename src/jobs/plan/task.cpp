@@ -11,8 +11,10 @@ namespace {
 Outcome<std::vector<ChosenPlanner>> chosen(const PlanScenario& scenario, const PlanGroundOptions& ground) {
   std::vector<ChosenPlanner> planners = scenario.planners;
   if (scenario.compare) {
+    const auto named = find_path_planner(scenario.planner);
+    const bool steers = named && named->steers;
     std::erase_if(planners, [&](const ChosenPlanner& planner) {
-      return !check_takes(planner.first, ground.model, ground.as_polygons);
+      return planner.first.steers != steers || !check_takes(planner.first, ground.model, ground.as_polygons);
     });
     return planners;
   }

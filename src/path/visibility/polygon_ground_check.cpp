@@ -23,13 +23,6 @@ bool passes(const PathPiece& arc, Vec2 v) {
   return std::abs(angle) <= std::abs(arc.turn_rad);
 }
 
-double distance_to(const PathPiece& piece, Vec2 p) {
-  if (piece.turn_rad == 0.0) return distance(p, Segment{piece.from, piece.to});
-  const double ends = std::min(distance(p, piece.from), distance(p, piece.to));
-  if (!passes(piece, p - piece.centre)) return ends;
-  return std::min(ends, std::abs(distance(p, piece.centre) - distance(piece.centre, piece.from)));
-}
-
 /// Returns the distance between an arc and an edge. It is attained at an end of one of them, at a crossing,
 /// or along the normal of the edge.
 double distance_to_arc(const PathPiece& arc, const Segment& edge) {
@@ -53,8 +46,7 @@ double distance_to_arc(const PathPiece& arc, const Segment& edge) {
 double clearance(const PathPiece& piece, const PolygonGround& ground) {
   double least = std::numeric_limits<double>::infinity();
   for (const Segment& edge : ground.edges) {
-    least = std::min(least, piece.turn_rad == 0.0 ? distance(Segment{piece.from, piece.to}, edge)
-                                                  : distance_to_arc(piece, edge));
+    least = std::min(least, distance_to(piece, edge));
   }
   return least;
 }
@@ -119,6 +111,17 @@ Status check_waypoints(const Plan& plan, const Problem& problem) {
 }
 
 }  // namespace
+
+double distance_to(const PathPiece& piece, Vec2 p) {
+  if (piece.turn_rad == 0.0) return distance(p, Segment{piece.from, piece.to});
+  const double ends = std::min(distance(p, piece.from), distance(p, piece.to));
+  if (!passes(piece, p - piece.centre)) return ends;
+  return std::min(ends, std::abs(distance(p, piece.centre) - distance(piece.centre, piece.from)));
+}
+
+double distance_to(const PathPiece& piece, const Segment& edge) {
+  return piece.turn_rad == 0.0 ? distance(Segment{piece.from, piece.to}, edge) : distance_to_arc(piece, edge);
+}
 
 double clearance_m(const Plan& plan, const PolygonGround& ground) {
   double least = std::numeric_limits<double>::infinity();

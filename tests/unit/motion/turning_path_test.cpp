@@ -58,6 +58,8 @@ TEST(TurningPath, RandomPosesAreJoinedAndReverseNeverCostsMore) {
     const auto forwards = dubins_paths(from, to, radius), both = reeds_shepp_paths(from, to, radius);
     expect_good(forwards, from, to, radius, false);
     expect_good(both, from, to, radius, true);
+    EXPECT_DOUBLE_EQ(shortest_turning_length(from, to, radius, false), forwards.front().length_m);
+    EXPECT_DOUBLE_EQ(shortest_turning_length(from, to, radius, true), both.front().length_m);
     const double one = forwards.front().length_m, two = both.front().length_m;
     EXPECT_LE(two, one + 1e-9);
     // The same length mirrored, and driven from the other end: forwards with the headings turned about.

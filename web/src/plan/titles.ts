@@ -1,7 +1,7 @@
 // What people call a planner: "A*" for a_star, "JPS+" for jps_plus, "Visibility graph, implicit".
 
 const whole: Record<string, string> = {
-  visibility_graph_implicit: "Visibility graph, implicit", visibility_graph_reduced: "Visibility graph, reduced", lazy_theta_star: "Lazy Theta*",
+  visibility_graph_implicit: "Visibility graph, implicit", visibility_graph_reduced: "Visibility graph, reduced", lazy_theta_star: "Lazy Theta*", hybrid_a_star: "Hybrid A*",
 };
 const capitals = new Set(["a", "jps", "prm", "rrt", "bit"]);
 

@@ -25,6 +25,9 @@ struct PlanQuery {
   std::optional<std::size_t> number;  ///< number of the query in the file, or of the goal, from 1
   Vec2 from;                          ///< start, world frame, m
   Vec2 to;                            ///< goal, world frame, m
+  /// Headings there, world frame, for planners of robots that steer; unset: any.
+  std::optional<double> from_heading_rad = std::nullopt;
+  std::optional<double> to_heading_rad = std::nullopt;
 };
 
 /// Queries for a set of planners on one ground.
@@ -46,22 +49,23 @@ struct PlanRow {
   double cost = unknown;        ///< cost of the path, in cost_unit
   std::string cost_unit = {};   ///< "m", "s" or "m eq"
   double length_m = unknown;
-  double lower_bound = unknown;  ///< proven: no path of the planner's class costs less
-  bool optimal = false;          ///< the path is proven optimal
-  std::string guarantee =
-      {};  ///< none, bounded, grid_optimal, any_angle_optimal, disk_optimal or widest_optimal
+  double lower_bound = unknown;       ///< proven: no path of the planner's class costs less
+  bool optimal = false;               ///< the path is proven optimal
+  std::string guarantee = {};         ///< none, bounded, grid_optimal, any_angle_optimal, disk_optimal,
+                                      ///< widest_optimal or lattice_optimal
   double clearance_m = unknown;       ///< least distance of the middle of the robot to what stands there
   double exposure = unknown;          ///< integral of 1 / clearance; infinite if the path touches an obstacle
   double reached_within_m = unknown;  ///< distance from the end of the path to the goal
   double waypoint_error_m = unknown;  ///< largest distance of the legs between waypoints from the pieces
   double expansions = unknown;
   double line_of_sight_checks = unknown;
-  double time_s = 0.0;                 ///< time of the search; its share if one search serves many goals
-  double build_s = 0.0;                ///< time to build an index before the search
-  std::vector<Vec2> waypoints = {};    ///< world frame
-  std::vector<PathPiece> pieces = {};  ///< on polygons: the exact path with its arcs
-  std::optional<Fault> fault = {};     ///< the reason if there is no path
-  std::optional<Plan> plan = {};       ///< the plan in the frame of the ground
+  double time_s = 0.0;               ///< time of the search; its share if one search serves many goals
+  double build_s = 0.0;              ///< time to build an index before the search
+  std::vector<Vec2> waypoints = {};  ///< world frame
+  std::vector<PathPiece> pieces =
+      {};                           ///< on polygons, or of a robot that steers: the exact path with its arcs
+  std::optional<Fault> fault = {};  ///< the reason if there is no path
+  std::optional<Plan> plan = {};    ///< the plan in the frame of the ground
 
   [[nodiscard]] bool found() const { return plan.has_value(); }
 };

@@ -4,7 +4,7 @@
 //   job: plan
 //   map: room_map.txt        # map_server .yaml, SDF .sdf or .world, MovingAI .map, polygons .txt
 //   from: "1,2"              # x,y in m (MovingAI: cells, y from the bottom)
-//   to: "5,2 1,5"            # one goal or several
+//   to: "5,2 1,5"            # one goal or several; x,y,heading for planners of robots that steer
 //   planner: theta_star
 //   radius: 0.2              # of the robot
 //
@@ -33,18 +33,18 @@ struct PlanScenario {
 
   std::string map;    ///< path of a file
   SdfOptions sdf;     ///< where it finds models
-  std::string from;   ///< x,y
-  std::string to;     ///< one or several goals x,y, separated by blanks
+  std::string from;   ///< x,y or x,y,heading
+  std::string to;     ///< one or several goals, each as `from`, separated by blanks
   std::string query;  ///< number of a query in a polygon file, or "all"; replaces from and to
-  std::string planner = "theta_star";   ///< a name of the catalogue
-  bool compare = false;                 ///< run every planner that accepts the map
-  std::string model = "cells";          ///< grid model: cells or corners
-  double radius_m = 0.26;               ///< radius of the robot
-  double height_m = 0.2;                ///< height of the robot, for SDF worlds
-  GridOptions grid;                     ///< options of a grid that is made from exact shapes
-  bool trace = false;                   ///< show what the search expands; grids only
-  std::string block;                    ///< cells to block: x,y or x,y,width,height, separated by blanks
-  std::string free;                     ///< cells to free, in the same form; applied after `block`
+  std::string planner = "theta_star";  ///< a name of the catalogue
+  bool compare = false;         ///< run every planner that accepts the map and steers as `planner` does
+  std::string model = "cells";  ///< grid model: cells or corners
+  double radius_m = 0.26;       ///< radius of the robot
+  double height_m = 0.2;        ///< height of the robot, for SDF worlds
+  GridOptions grid;             ///< options of a grid that is made from exact shapes
+  bool trace = false;           ///< show what the search expands; grids only
+  std::string block;            ///< cells to block: x,y or x,y,width,height, separated by blanks
+  std::string free;             ///< cells to free, in the same form; applied after `block`
   std::vector<ChosenPlanner> planners;  ///< all planners of the catalogue, with their options
 };
 

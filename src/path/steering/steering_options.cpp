@@ -1,0 +1,68 @@
+#include "outrider/path/steering/steering_options.hpp"
+
+#include <optional>
+
+namespace outrider {
+
+std::vector<Option> describe(SteeringOptions& options) {
+  return {
+      {"turning_radius", "m", 1e-3, 1e4, "least radius on which the robot turns", &options.turning_radius_m},
+      {"reverse", "", 0, 0, "the robot can drive backwards", &options.reverse},
+      {"cusp", "m", 0.0, 1e4, "price of a change between forwards and backwards, as a length",
+       &options.cusp_price_m},
+      {"backward", "", 1.0, 1e3, "price of a metre backwards, in metres forwards", &options.backward_price},
+      {"front", "m", 0.0, 1e3, "centre of the foremost disk of the robot, ahead of the point that is planned",
+       &options.front_m},
+      {"rear", "m", 0.0, 1e3, "centre of the hindmost disk, behind that point", &options.rear_m},
+      {"disks", "", 2, 16, "number of disks of the robot's radius from rear to front, if these are not 0",
+       &options.disks},
+      {"start_heading", "", 0, 0, "heading at the start in degrees, if the start has none; empty: any",
+       &options.start_heading},
+      {"goal_heading", "", 0, 0, "heading at the goal in degrees, if the goal has none; empty: any",
+       &options.goal_heading}};
+}
+
+Status check(const SteeringOptions& options) {
+  SteeringOptions copy = options;
+  for (const Option& option : describe(copy)) {
+    if (auto ok = assign(option, value_text(option)); !ok) return ok;
+  }
+  return {};
+}
+
+Outcome<Problem> with_headings(Problem problem, const SteeringOptions& options) {
+  const auto set = [](const std::string& text, const char* name,
+                      std::optional<double>& heading_rad) -> Status {
+    if (text.empty() || heading_rad) return {};
+    double angle_rad = 0.0;
+    const Option option{name, "deg", -3600.0, 3600.0, "", &angle_rad};
+    if (auto ok = assign(option, text); !ok) return ok;
+    heading_rad = angle_rad;
+    return {};
+  };
+  if (auto ok = set(options.start_heading, "start_heading", problem.start_heading_rad); !ok)
+    return pass_on(ok);
+  if (auto ok = set(options.goal_heading, "goal_heading", problem.goal_heading_rad); !ok) return pass_on(ok);
+  return problem;
+}
+
+Steering steering_of(const SteeringOptions& options) {
+  Steering steering{options.turning_radius_m, options.reverse, {0.0}};
+  const double length = options.front_m + options.rear_m;
+  if (length == 0.0) return steering;
+  for (std::int64_t i = 0; i < options.disks; ++i) {
+    const double at =
+        -options.rear_m + length * static_cast<double>(i) / static_cast<double>(options.disks - 1);
+    if (at != 0.0) steering.disks_m.push_back(at);
+  }
+  return steering;
+}
+
+CostWeights weights_of(const SteeringOptions& options) {
+  CostWeights weights;
+  weights.per_cusp = options.cusp_price_m;
+  weights.per_backward_m = options.backward_price - 1.0;
+  return weights;
+}
+
+}  // namespace outrider

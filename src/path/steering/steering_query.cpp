@@ -1,0 +1,82 @@
+#include "steering_query.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cell_sweep.hpp"
+#include "turning_pieces.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double most_radius = 1e6;  // cells
+
+Status check_ground(const Problem& problem, std::string_view planner) {
+  if (!problem.grid || problem.grid->model == GridModel::cells) return {};
+  return bad_input(fmt::format("{} takes a grid of cells, not of {}; take the model cells", planner,
+                               to_string(problem.grid->model)),
+                   "model");
+}
+
+/// Returns true if no disk touches a blocked cell at the pose; without a heading, if that of the point
+/// touches none.
+bool stands(const SteeringQuery& query, Vec2 p, std::optional<double> heading_rad) {
+  return clear_of_cells(query, {p, p, {}, 0.0}, heading_rad.value_or(0.0));
+}
+
+Status check_end(SteeringQuery query, Vec2 p, std::optional<double> heading_rad, const char* name,
+                 FaultCode code) {
+  if (!heading_rad) query.disks = {0.0};
+  if (stands(query, p, heading_rad)) return {};
+  return fault(code,
+               fmt::format("the robot at the {} touches a blocked cell; move it away from there, or take a "
+                           "finer grid",
+                           name));
+}
+
+}  // namespace
+
+Outcome<SteeringQuery> steering_query(const Problem& problem, const SteeringOptions& options,
+                                      std::string_view planner) {
+  if (auto ok = check_ground(problem, planner); !ok) return pass_on(ok);
+  const auto vertices = grid_query(problem);
+  if (!vertices) return tl::unexpected<Fault>(vertices.error());
+  if (auto ok = check(options); !ok) return pass_on(ok);
+  for (const auto heading : {problem.start_heading_rad, problem.goal_heading_rad}) {
+    if (heading && !(std::abs(*heading) <= 1e6)) return bad_input("a heading is no angle; give a finite one");
+  }
+  const GridFrame& frame = problem.grid->frame;
+  const double per_m = 1.0 / frame.resolution_m;
+  SteeringQuery query{problem.grid.get(),
+                      per_m * (problem.start - frame.origin),
+                      per_m * (problem.goal - frame.origin),
+                      problem.start_heading_rad,
+                      problem.goal_heading_rad,
+                      per_m * options.turning_radius_m,
+                      options.reverse,
+                      per_m * options.cusp_price_m,
+                      options.backward_price,
+                      steering_of(options).disks_m};
+  if (!(query.radius <= most_radius && query.radius >= 1.0 / most_radius)) {
+    return bad_input(fmt::format("{} m is not valid on cells of {} m; expected 1e-6 to 1e6 cells",
+                                 options.turning_radius_m, frame.resolution_m),
+                     "turning_radius");
+  }
+  for (double& disk : query.disks) disk *= per_m;
+  if (auto ok = check_end(query, query.start, query.start_heading_rad, "start", FaultCode::start_blocked);
+      !ok)
+    return pass_on(ok);
+  if (auto ok = check_end(query, query.goal, query.goal_heading_rad, "goal", FaultCode::goal_blocked); !ok)
+    return pass_on(ok);
+  return query;
+}
+
+bool clear_of_cells(const SteeringQuery& query, const PathPiece& piece, double heading_rad) {
+  return std::ranges::all_of(query.disks, [&](double ahead) {
+    return clear_of_cells(*query.ground, ahead == 0.0 ? piece : carried(piece, heading_rad, ahead));
+  });
+}
+
+}  // namespace outrider
