@@ -37,39 +37,44 @@ bool contains(std::span<const std::uint64_t> large, std::span<const std::uint64_
   return true;
 }
 
-/// How well a cell serves: forgiving shots first, room to stand second.
-float quality(const FiringMap& firing_map, const SureHits& hits, std::size_t cell) {
-  float sum = firing_map.clearance_m[cell];
-  for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
-    if (hits.has(cell, t)) sum += 1.0F - std::min(1.0F, firing_map.regions[t].error_ratio[cell]);
+/// A cell from which targets can be hit.
+struct Candidate {
+  std::size_t cell = 0;
+  int count = 0;      ///< number of targets
+  float worth = 0.0;  ///< how well it serves: forgiving shots first, room to stand second
+};
+
+Candidate candidate(const FiringMap& firing_map, const SureHits& hits, std::size_t cell) {
+  Candidate one{cell, 0, firing_map.clearance_m[cell]};
+  const auto set = hits.at(cell);
+  for (std::size_t w = 0; w < set.size(); ++w) {
+    for (std::uint64_t left = set[w]; left != 0; left &= left - 1) {
+      const std::size_t target = 64 * w + static_cast<std::size_t>(std::countr_zero(left));
+      ++one.count;
+      one.worth += 1.0F - std::min(1.0F, firing_map.regions[target].error_ratio[cell]);
+    }
   }
-  return sum;
+  return one;
 }
 
-using Tiles = std::map<std::pair<int, int>, std::vector<std::size_t>>;
+using Tiles = std::map<std::pair<int, int>, std::vector<Candidate>>;
 
 /// The cells of one tile reduced to one for each set of targets that no other set there contains.
-std::vector<std::size_t> largest_sets(const FiringMap& firing_map, const SureHits& hits,
-                                      std::vector<std::size_t> cells) {
-  std::vector<float> worth(cells.size());
-  std::vector<std::size_t> order(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    worth[i] = quality(firing_map, hits, cells[i]);
-    order[i] = i;
-  }
-  const auto count = [&](std::size_t i) {
-    int bits = 0;
-    for (const std::uint64_t word : hits.at(cells[i])) bits += std::popcount(word);
-    return bits;
-  };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return count(a) != count(b) ? count(a) > count(b) : worth[a] > worth[b];
+std::vector<std::size_t> largest_sets(const SureHits& hits, std::vector<Candidate> cells) {
+  std::ranges::stable_sort(cells, [](const Candidate& a, const Candidate& b) {
+    return a.count != b.count ? a.count > b.count : a.worth > b.worth;
   });
   std::vector<std::size_t> kept;
-  for (const std::size_t i : order) {
-    const bool covered = std::any_of(kept.begin(), kept.end(),
-                                     [&](std::size_t k) { return contains(hits.at(k), hits.at(cells[i])); });
-    if (!covered) kept.push_back(cells[i]);
+  std::vector<std::size_t> likely;  // the same, those first that contained a set lately
+  for (const Candidate& one : cells) {
+    const auto larger =
+        std::ranges::find_if(likely, [&](std::size_t k) { return contains(hits.at(k), hits.at(one.cell)); });
+    if (larger != likely.end()) {
+      std::rotate(likely.begin(), larger, larger + 1);
+    } else {
+      kept.push_back(one.cell);
+      likely.push_back(one.cell);
+    }
   }
   return kept;
 }
@@ -142,19 +147,19 @@ std::vector<std::size_t> choose_stops(const FiringMap& firing_map, const SureHit
     return around.empty() ||
            std::any_of(around.begin(), around.end(), [&](Vec2 a) { return distance(a, p) <= near_m; });
   };
-  std::vector<std::size_t> useful;
+  std::vector<Candidate> useful;
   for (std::size_t i = 0; i < firing_map.frame.size(); ++i) {
-    if (counts(i)) useful.push_back(i);
+    if (counts(i)) useful.push_back(candidate(firing_map, hits, i));
   }
   for (;; tile_m *= 1.25) {
     Tiles tiles;
-    for (const std::size_t i : useful) {
-      const Vec2 p = firing_map.frame.centre(firing_map.frame.cell(i)) - firing_map.frame.origin;
-      tiles[{static_cast<int>(p.y / tile_m), static_cast<int>(p.x / tile_m)}].push_back(i);
+    for (const Candidate& one : useful) {
+      const Vec2 p = firing_map.frame.centre(firing_map.frame.cell(one.cell)) - firing_map.frame.origin;
+      tiles[{static_cast<int>(p.y / tile_m), static_cast<int>(p.x / tile_m)}].push_back(one);
     }
     std::vector<std::size_t> chosen;
     for (auto& [where, cells] : tiles) {
-      for (const std::size_t cell : largest_sets(firing_map, hits, std::move(cells))) chosen.push_back(cell);
+      for (const std::size_t cell : largest_sets(hits, std::move(cells))) chosen.push_back(cell);
     }
     if (chosen.size() > most && tiles.size() > 1) continue;
     if (chosen.size() > most) chosen = covers(hits, std::move(chosen), most);

@@ -35,7 +35,7 @@ std::array<Cell, 4> corners_of(Cell c) {
   return {{{c.x, c.y}, {c.x + 1, c.y}, {c.x, c.y + 1}, {c.x + 1, c.y + 1}}};
 }
 
-double apart(Vec2 p, Cell corner) { return distance(p, {double(corner.x), double(corner.y)}); }
+double apart(Vec2 p, Cell corner) { return distance(p, Vec2{double(corner.x), double(corner.y)}); }
 
 }  // namespace
 
