@@ -12,7 +12,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::uint32_t>>;
 
-constexpr std::size_t most_close_nodes = 2048;
+constexpr std::size_t most_close_corners = 2048;
 
 bool free_at(const CollisionMap& ground, double radius_m, Vec2 p) {
   return ground.clearance(p, radius_m) >= radius_m - same_place_m;
@@ -33,6 +33,30 @@ std::vector<Node> thinned(const std::vector<Node>& nodes, double within_m) {
     }
   }
   return kept;
+}
+
+std::vector<Node> sorted(std::vector<Node> nodes) {
+  std::ranges::stable_sort(nodes, [](const Node& a, const Node& b) {
+    return a.at.x != b.at.x ? a.at.x < b.at.x : a.at.y < b.at.y;
+  });
+  return nodes;
+}
+
+/// Returns the corners of the grown obstacles where the robot fits.
+std::vector<Node> free_corners(const CollisionMap& ground, double radius_m, double arc_step_rad) {
+  std::vector<Node> nodes;
+  for (const RoundedPolygon& obstacle : ground.obstacles()) {
+    const RoundedPolygon grown{obstacle.core, obstacle.radius_m + radius_m};
+    for (const double step : std::set{arc_step_rad, std::min(2.0 * arc_step_rad, pi / 2)}) {
+      const std::vector<Vec2> corners = circumscribed(grown, step);
+      const std::size_t n = corners.size();
+      for (std::size_t i = 0; i < n; ++i) {
+        if (free_at(ground, radius_m, corners[i]))
+          nodes.push_back({corners[i], corners[(i + n - 1) % n], corners[(i + 1) % n]});
+      }
+    }
+  }
+  return nodes;
 }
 
 SightLines lines_of(const CollisionMap& ground, const Rows& rows, const std::vector<Node>& from,
@@ -89,27 +113,14 @@ std::vector<Node> open_nodes(const std::vector<Vec2>& places) {
 
 std::vector<Node> route_nodes(const CollisionMap& ground, double radius_m, double arc_step_rad,
                               const std::vector<Vec2>& extra) {
-  std::vector<Node> nodes;
-  for (const RoundedPolygon& obstacle : ground.obstacles()) {
-    const RoundedPolygon grown{obstacle.core, obstacle.radius_m + radius_m};
-    for (const double step : std::set{arc_step_rad, std::min(2.0 * arc_step_rad, pi / 2)}) {
-      const std::vector<Vec2> corners = circumscribed(grown, step);
-      const std::size_t n = corners.size();
-      for (std::size_t i = 0; i < n; ++i)
-        nodes.push_back({corners[i], corners[(i + n - 1) % n], corners[(i + 1) % n]});
-    }
-  }
-  for (const Vec2 place : extra) nodes.push_back({place});
-  std::erase_if(nodes, [&](const Node& node) { return !free_at(ground, radius_m, node.at); });
-
-  std::ranges::stable_sort(nodes, [](const Node& a, const Node& b) {
-    return a.at.x != b.at.x ? a.at.x < b.at.x : a.at.y < b.at.y;
-  });
-  nodes = thinned(nodes, same_place_m);
+  std::vector<Node> nodes = sorted(free_corners(ground, radius_m, arc_step_rad));
   for (const double share : {1.0 / 16.0, 1.0 / 8.0, 1.0 / 4.0}) {
-    if (nodes.size() > most_close_nodes) nodes = thinned(nodes, share * radius_m);
+    if (nodes.size() > most_close_corners) nodes = thinned(nodes, share * radius_m);
   }
-  return nodes;
+  for (const Vec2 place : extra) {
+    if (free_at(ground, radius_m, place)) nodes.push_back({place});
+  }
+  return thinned(sorted(std::move(nodes)), same_place_m);
 }
 
 Outcome<SightLines> sight_lines(const CollisionMap& ground, const RobotModel& robot,

@@ -43,9 +43,9 @@ struct Node {
 std::vector<Node> open_nodes(const std::vector<Vec2>& places);
 
 /// Returns the free corners around the obstacles and the free nodes of `extra`, sorted by x, then y; no two
-/// are at the same place. Of more than 2048, as around meshes of many triangles, one stands for those within
-/// a sixteenth of the radius, then an eighth, then a quarter. A node that stands for several counts as a
-/// place in the open.
+/// are at the same place. Of more than 2048 corners, as around meshes of many triangles, one stands for those
+/// within a sixteenth of the radius, then an eighth, then a quarter. A node that stands for several counts as
+/// a place in the open.
 std::vector<Node> route_nodes(const CollisionMap& ground, double radius_m, double arc_step_rad,
                               const std::vector<Vec2>& extra);
 

@@ -99,6 +99,16 @@ TEST(Routes, ExtraNodesOpenAPassageTooNarrowForTheCorners) {
   EXPECT_TRUE(with->route({yard.stops[0], 0.0}, yard.stops[1]));
 }
 
+/// 700 slats beside the ring make so many corners that they are thinned; the extra nodes stay.
+TEST(Routes, ExtraNodesAreNotThinned) {
+  Yard yard = tight_ring();
+  for (int i = 0; i < 700; ++i) yard.obstacles.push_back(box({-2.4 + 0.006 * i, 2.3}, 0.001, 0.02));
+  const auto routes = routes_of(yard, ring_nodes(60));
+  ASSERT_TRUE(routes) << to_string(routes.error());
+  ASSERT_LT(routes->between(0, 1).time_s, inf);
+  expect_sound(yard, routes->waypoints(0, 1));
+}
+
 TEST(Routes, APointRobotDoesNotPassThroughWallsOrFences) {
   Yard yard;
   yard.robot.radius_m = 0.0;

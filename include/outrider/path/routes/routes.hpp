@@ -6,8 +6,8 @@
 // that step (at most 90 degrees): the finer corners lie closer to the obstacle, the coarser ones need
 // fewer halts. Its edges are the pairs of nodes and stops that a straight leg joins and that it touches as
 // a tangent: a leg that enters the polygon of a corner belongs to no path that is pulled taut. Where there
-// are more than 2048 nodes, one stands for those within up to a quarter of the radius. A route does not pass
-// through other stops.
+// are more than 2048 corners, one stands for those within up to a quarter of the radius. A route does not
+// pass through other stops.
 //
 // The cost of a route is the time of its legs and of the turns between them. A turn depends on the
 // direction of arrival, so Dijkstra's algorithm settles pairs (node, heading); of two labels of a node
@@ -19,7 +19,7 @@
 // - The time is the least of all routes on this graph.
 // - Length: let k = 1 / cos(step / 2), 1.08 at 45 degrees. A robot for which each rounded corner had a
 //   radius k times as large, and which can stand on both stops, may get from one to the other: then a
-//   route exists here, and one on the graph is no longer than that robot's shortest. (Up to 2048 nodes.)
+//   route exists here, and one on the graph is no longer than that robot's shortest. (Up to 2048 corners.)
 // - Narrower passages may be lost at the corners. Extra nodes, such as the cells of a grid path,
 //   restore them: stops joined by a chain of free legs over extra nodes are always connected.
 // - The route from j to i is the route from i to j reversed. Same input, same bytes, any number of
