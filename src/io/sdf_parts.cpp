@@ -133,8 +133,8 @@ void repair_name(const SdfFile& file, SdfElement& element, UniqueNames& taken) {
   std::string wanted = without_colons(attribute);
   if (wanted != attribute) file.warn(element, "'::' in a name was replaced by '_'");
   if (is_reserved(wanted)) {
-    file.warn(element, fmt::format("the name '{}' is reserved and got a '_' behind it", excerpt(wanted)));
-    wanted += '_';
+    file.warn(element, fmt::format("the name '{0}' is reserved and became '{0}_1'", excerpt(wanted)));
+    wanted += "_1";
   }
   const std::string name = taken.take(wanted);
   if (name != wanted) {

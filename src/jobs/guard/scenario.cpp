@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "outrider/io/files.hpp"
@@ -31,11 +32,14 @@ Outcome<World> with_terrain(World world, const Box2& bounds, const GuardScenario
 }
 
 /// Returns the bounds grown so that there is ground around the start and around each target that lies outside
-/// them: they are the box of what stands in the yard, which may be little.
+/// them: they are the box of what stands in the yard, which may be little. What lies far outside is left
+/// there.
 Box2 with_room(Box2 bounds, Vec2 start, double robot_radius_m, const std::vector<Target>& targets) {
   constexpr double room_m = 2.0;
   const Box2 standing = bounds;
+  const double farthest_m = std::max({10.0, standing.size().x, standing.size().y});
   const auto include = [&](Vec2 p) {
+    if (standing.distance_to(p) > farthest_m) return;
     bounds.include(p - Vec2{room_m, room_m});
     bounds.include(p + Vec2{room_m, room_m});
   };

@@ -316,16 +316,15 @@ TEST(Sdf, TheFloorMayBeTheMeshOfAHouse) {
   EXPECT_EQ(loaded->world.bounds.high, (Vec2{6, 4}));
 }
 
-TEST(Sdf, ReservedNamesGetAnUnderscore) {
+TEST(Sdf, ReservedNamesGetANumber) {
   const auto [world, warnings] =
       load("<sdf version='1.7'><world name='world'>\n" + ground + model("world", "0 0 1 0 0 0", unit_box) +
            model("__a__", "4 0 1 0 0 0", unit_box) + "</world></sdf>");
-  EXPECT_EQ(world.name, "world_");
-  EXPECT_EQ(solid(world, "world_").world_T_solid.position, (Vec3{0, 0, 1}));
-  EXPECT_EQ(solid(world, "__a___").world_T_solid.position, (Vec3{4, 0, 1}));
+  EXPECT_EQ(world.name, "world_1");
+  EXPECT_EQ(solid(world, "world_1").world_T_solid.position, (Vec3{0, 0, 1}));
+  EXPECT_EQ(solid(world, "__a___1").world_T_solid.position, (Vec3{4, 0, 1}));
   ASSERT_EQ(warnings.size(), 2U);
-  EXPECT_EQ(warnings[0],
-            "w.sdf:1: the name 'world' is reserved and got a '_' behind it (2 times, first here)");
+  EXPECT_EQ(warnings[0], "w.sdf:1: the name 'world' is reserved and became 'world_1' (2 times, first here)");
 }
 
 TEST(Sdf, BoundsOfAnEmptyYardAreTheFloors) {

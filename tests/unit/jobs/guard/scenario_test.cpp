@@ -36,6 +36,12 @@ TEST(GuardScenario, LeavesRoomAroundAStartAndTargetsOutsideOfWhatStands) {
   EXPECT_EQ(on_top.high, (Vec2{2, 2.4}));
 }
 
+TEST(GuardScenario, LeavesWhatIsFarAwayOutside) {
+  const Box2 bounds = bounds_of("type=1 x=0 y=0 z=1\n", "50,0,0");
+  EXPECT_EQ(bounds.low, (Vec2{-0.5, -0.5}));
+  EXPECT_EQ(bounds.high, (Vec2{0.5, 0.5}));
+}
+
 TEST(GuardScenario, KeepsBoundsThatAreGiven) {
   const Box2 given = bounds_of("type=1 x=3 y=0\n", "-1,0,0", "-2,-2,2,2");
   EXPECT_EQ(given.low, (Vec2{-2, -2}));
