@@ -15,48 +15,15 @@
 #include "outrider/path/hubs/octile_labels.hpp"
 #include "outrider/path/mesh/polyanya.hpp"
 #include "outrider/path/sampling/sampling.hpp"
-#include "outrider/path/steering/hybrid_a_star.hpp"
-#include "outrider/path/steering/state_lattice.hpp"
 #include "outrider/path/visibility/least_time.hpp"
 #include "outrider/path/visibility/visibility_graph.hpp"
+#include "steering/steering_rows.hpp"
+#include "with_options.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-template <class Options>
-using Planner = Outcome<Plan> (*)(const Problem&, const Options&, const Budget&, Workspace&);
-
-template <class Options>
-std::function<ConfiguredPlanner()> with_options(Planner<Options> planner) {
-  return [planner] {
-    const auto options = std::make_shared<Options>();
-    return ConfiguredPlanner{
-        describe(*options),
-        [planner, options](const Problem& problem, const Budget& budget, Workspace& workspace) {
-          return planner(problem, *options, budget, workspace);
-        }};
-  };
-}
-
-template <class Options>
-using ManyPlanner = std::vector<Outcome<Plan>> (*)(const Problem&, const std::vector<Vec2>&, const Options&,
-                                                   const Budget&, Workspace&);
-
-template <class Options>
-std::function<ConfiguredPlanner()> with_options(Planner<Options> planner, ManyPlanner<Options> many) {
-  return [planner, many] {
-    const auto options = std::make_shared<Options>();
-    return ConfiguredPlanner{
-        describe(*options),
-        [planner, options](const Problem& problem, const Budget& budget, Workspace& workspace) {
-          return planner(problem, *options, budget, workspace);
-        },
-        [many, options](const Problem& problem, const std::vector<Vec2>& goals, const Budget& budget,
-                        Workspace& workspace) { return many(problem, goals, *options, budget, workspace); }};
-  };
-}
 
 /// What searches on the medial axis promise.
 Guarantee along_the_axis() {
@@ -281,40 +248,6 @@ std::vector<PathPlanner> planners_with_prices() {
        .index = true,
        .polygons = true,
        .axis = true},
-  };
-}
-
-std::vector<PathPlanner> planners_that_steer() {
-  return {
-      {.name = "hybrid_a_star",
-       .sentence = "For a robot that steers: A* over poses along arcs and straights, ended by Reeds-Shepp or "
-                   "Dubins paths.",
-       .paper = "Dolgov, Thrun, Montemerlo and Diebel, Path planning for autonomous vehicles in unknown "
-                "semi-structured environments, 2010",
-       .guarantee = {.complete = false,
-                     .among = PathClass::turning_curve,
-                     .most_ratio = unbounded,
-                     .sentence =
-                         "not complete: a cell keeps one pose for each heading; near the cheapest path, "
-                         "and states a bound for all paths of the robot",
-                     .measure = Measure::manoeuvre},
-       .configure = with_options(hybrid_a_star),
-       .models = {GridModel::cells},
-       .steers = true},
-      {.name = "state_lattice",
-       .sentence = "For a robot that steers: A* over motions between cell centres, generated from arcs and "
-                   "straights.",
-       .paper =
-           "Pivtoraiko, Knepper and Kelly, Differentially constrained mobile robot motion planning in state "
-           "lattices, 2009",
-       .guarantee = {.complete = false,
-                     .among = PathClass::lattice_curve,
-                     .most_ratio = 1.0,
-                     .sentence = "complete and cheapest on its lattice; a finer grid finds more",
-                     .measure = Measure::manoeuvre},
-       .configure = with_options(state_lattice),
-       .models = {GridModel::cells},
-       .steers = true},
   };
 }
 

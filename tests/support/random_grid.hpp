@@ -21,6 +21,26 @@ inline Grid<std::uint8_t> random_grid(Rng& rng, int most_side) {
   return grid;
 }
 
+/// So many cells, each blocked with that chance.
+inline Grid<std::uint8_t> strewn(Rng& rng, int width, int height, double density) {
+  Grid<std::uint8_t> grid(GridFrame{{}, 1.0, width, height});
+  for (std::uint8_t& cell : grid.cells) cell = rng.uniform() < density ? 1 : 0;
+  return grid;
+}
+
+/// Walls all over, with gaps, and pillars that may touch them at corners.
+inline Grid<std::uint8_t> rooms(Rng& rng, int side) {
+  Grid<std::uint8_t> grid = strewn(rng, side, side, 0.03);
+  const int pitch = 4 + static_cast<int>(rng.below(5));
+  for (int i = pitch; i < side; i += pitch) {
+    for (int k = 0; k < side; ++k) {
+      if (rng.below(5) != 0) grid[{i, k}] = 1;
+      if (rng.below(5) != 0) grid[{k, i}] = 1;
+    }
+  }
+  return grid;
+}
+
 /// A grid as it looks on the page: first row on top, '#' blocked.
 inline Grid<std::uint8_t> drawn(const std::vector<std::string>& rows) {
   GridFrame frame;

@@ -114,8 +114,7 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
         {"start", "", 0, 0, "x,y,heading of the robot at first, m, m and degrees", &scenario.start},
         {"bounds", "", 0, 0,
          "low x,low y,high x,high y of the yard, m; empty: the box of its walls, with 2 m around a start or "
-         "a target "
-         "outside",
+         "a target outside",
          &scenario.bounds},
         {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed},
         {"sim", "", 0, 0, "what carries the plan out: kinematic, or physics (rigid bodies)", &scenario.sim},

@@ -47,7 +47,7 @@ unsigned CornerDistances::moves_of(Cell v) const {
   return moves_by_free_cells[pattern];
 }
 
-void CornerDistances::begin(const GridMap& ground, Vec2 goal, Vec2 start, const std::stop_token& stop) {
+Status CornerDistances::begin(const GridMap& ground, Vec2 goal, Vec2 start, const std::stop_token& stop) {
   ground_ = &ground;
   goal_ = goal;
   goal_cell_ = cell_of(goal);
@@ -62,6 +62,9 @@ void CornerDistances::begin(const GridMap& ground, Vec2 goal, Vec2 start, const 
     relax(corner, apart(goal, corner));
     goal_offset_ = std::min(goal_offset_, apart(goal, corner));
   }
+  if (std::isfinite(at(start)) || stop.stop_requested()) return {};
+  return fault(FaultCode::no_path,
+               "nothing joins the start and the goal, even for a point that turns in place");
 }
 
 void CornerDistances::relax(Cell v, double distance) {

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <stop_token>
 
+#include "outrider/core/outcome.hpp"
 #include "outrider/path/grid/grid_map.hpp"
 #include "outrider/search/labels.hpp"
 #include "outrider/search/queue.hpp"
@@ -25,7 +26,8 @@ namespace outrider {
 class CornerDistances {
  public:
   /// Begins a search. The ground must outlive it, the cells of goal and start must be free; both in cells.
-  void begin(const GridMap& ground, Vec2 goal, Vec2 start, const std::stop_token& stop);
+  /// Fault: no_path, which is proven, unless `stop` is requested: then the distances mean nothing.
+  Status begin(const GridMap& ground, Vec2 goal, Vec2 start, const std::stop_token& stop);
 
   /// Returns the length of a path to the goal, at most by 1 / cos(22.5 degrees) and a cell longer than the
   /// shortest one; infinite if nothing leads there. `p` lies in a free cell.

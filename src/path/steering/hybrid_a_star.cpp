@@ -132,14 +132,11 @@ struct HybridPolicy {
     const double h = estimate(node);
     if (std::isinf(h)) return;
     if (s == StateTable::none) {
-      if (memory.nodes.size() >= static_cast<std::size_t>(options.most_states)) {
+      s = add_state(memory, key, node, options.most_states);
+      if (s == StateTable::none) {
         full = true;
         return;
       }
-      s = static_cast<State>(memory.nodes.size());
-      memory.states.add(key, s);
-      memory.nodes.push_back(node);
-      memory.search.labels.grow(memory.nodes.size());
     } else {
       memory.nodes[s] = node;
     }
@@ -237,19 +234,16 @@ std::vector<Option> describe(HybridAStarOptions& options) {
 
 Outcome<Plan> hybrid_a_star(const Problem& asked, const HybridAStarOptions& options, const Budget& budget,
                             Workspace& workspace) {
-  const auto with = with_headings(asked, options.steering);
-  if (!with) return tl::unexpected<Fault>(with.error());
+  auto with = with_headings(asked, options.steering);
+  if (!with) return pass_on(with);
   const Problem& problem = *with;
-  const auto query = steering_query(problem, options.steering, "hybrid_a_star");
-  if (!query) return tl::unexpected<Fault>(query.error());
+  auto query = steering_query(problem, options.steering, "hybrid_a_star");
+  if (!query) return pass_on(query);
   if (auto ok = check(options); !ok) return pass_on(ok);
   BudgetMeter meter(budget);
   HybridMemory& memory = workspace.get<HybridMemory>();
-  memory.corners.begin(*query->ground, query->goal, query->start, budget.stop);
-  if (std::isinf(memory.corners.at(query->start)) && !budget.stop.stop_requested()) {
-    return fault(FaultCode::no_path,
-                 "nothing joins the start and the goal, even for a point that turns in place");
-  }
+  if (auto ok = memory.corners.begin(*query->ground, query->goal, query->start, budget.stop); !ok)
+    return pass_on(ok);
   const double resolution_m = problem.grid->frame.resolution_m;
   const double cell = options.cell_m > 0.0 ? options.cell_m / resolution_m : 0.2 * query->radius;
   const double cells = std::max(query->ground->frame.width, query->ground->frame.height) / cell;
@@ -265,11 +259,10 @@ Outcome<Plan> hybrid_a_star(const Problem& asked, const HybridAStarOptions& opti
   memory.nodes[goal_state].position = query->goal;
   HybridPolicy search{*query, options, memory, cell};
   const PlacedTrace trace(workspace.trace);
-  const auto found = best_first(search, memory.search, meter, workspace.trace);
+  auto found = best_first(search, memory.search, meter, workspace.trace);
   trace.report([&](State s) { return problem.grid->frame.origin + resolution_m * memory.nodes[s].position; });
   if (!found) {
-    return found.error().code == FaultCode::no_path ? nothing_found(search)
-                                                    : tl::unexpected<Fault>(found.error());
+    return found.error().code == FaultCode::no_path ? nothing_found(search) : pass_on(found);
   }
   const auto [motions, heading_rad] = motions_along(search, resolution_m);
   auto pieces = pieces_along({problem.start, heading_rad}, motions, options.steering.turning_radius_m);

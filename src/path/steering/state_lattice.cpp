@@ -121,14 +121,11 @@ struct LatticePolicy {
     if (s == StateTable::none) {
       node.estimate = bound_from(node.cell, node.heading);
       if (std::isinf(node.estimate)) return;
-      if (memory.nodes.size() >= static_cast<std::size_t>(options.most_states)) {
+      s = add_state(memory, key, node, options.most_states);
+      if (s == StateTable::none) {
         full = true;
         return;
       }
-      s = static_cast<State>(memory.nodes.size());
-      memory.states.add(key, s);
-      memory.nodes.push_back(node);
-      memory.search.labels.grow(memory.nodes.size());
     } else {
       memory.nodes[s].motion = node.motion;
     }
@@ -223,8 +220,8 @@ std::vector<Option> describe(StateLatticeOptions& options) {
 
 Outcome<Plan> state_lattice(const Problem& asked, const StateLatticeOptions& options, const Budget& budget,
                             Workspace& workspace) {
-  const auto with = with_headings(asked, options.steering);
-  if (!with) return tl::unexpected<Fault>(with.error());
+  auto with = with_headings(asked, options.steering);
+  if (!with) return pass_on(with);
   const Problem& problem = *with;
   Problem snapped = problem;
   if (const auto vertices = grid_query(problem)) {
@@ -233,7 +230,7 @@ Outcome<Plan> state_lattice(const Problem& asked, const StateLatticeOptions& opt
   }
   snapped.start_heading_rad = snapped.goal_heading_rad = std::nullopt;  // judged once they are of the lattice
   auto query = steering_query(snapped, options.steering, "state_lattice");
-  if (!query) return tl::unexpected<Fault>(query.error());
+  if (!query) return pass_on(query);
   if (auto ok = check(options); !ok) return pass_on(ok);
   if (auto ok = check_radius(*query); !ok) return pass_on(ok);
   LatticeMemory& memory = workspace.get<LatticeMemory>();
@@ -248,20 +245,16 @@ Outcome<Plan> state_lattice(const Problem& asked, const StateLatticeOptions& opt
   if (problem.goal_heading_rad)
     search.last_heading = memory.motions.nearest_heading(*problem.goal_heading_rad);
   BudgetMeter meter(budget);
-  memory.corners.begin(*query->ground, query->goal, query->start, budget.stop);
-  if (std::isinf(memory.corners.at(query->start)) && !budget.stop.stop_requested()) {
-    return fault(FaultCode::no_path,
-                 "nothing joins the start and the goal, even for a point that turns in place");
-  }
+  if (auto ok = memory.corners.begin(*query->ground, query->goal, query->start, budget.stop); !ok)
+    return pass_on(ok);
   memory.states.begin();
   memory.nodes.assign(1, LatticeNode{search.first});
   memory.nodes[start_state].estimate = memory.corners.lower_bound(query->start);
   const PlacedTrace trace(workspace.trace);
-  const auto found = best_first(search, memory.search, meter, workspace.trace);
+  auto found = best_first(search, memory.search, meter, workspace.trace);
   trace.report([&](State s) { return frame.centre(memory.nodes[s].cell); });
   if (!found) {
-    return found.error().code == FaultCode::no_path ? nothing_found(search)
-                                                    : tl::unexpected<Fault>(found.error());
+    return found.error().code == FaultCode::no_path ? nothing_found(search) : pass_on(found);
   }
   const double bound = frame.resolution_m * memory.search.labels.g(*found) / options.weight;
   Plan plan = steering_plan(problem, options.steering, snapped.start, pieces_of(search, *found, frame), bound,

@@ -64,4 +64,16 @@ class StateTable {
   std::uint32_t search_ = 0;
 };
 
+/// Adds a state: its key, its node and its label. `memory` has the members `states`, `nodes` and `search`.
+/// Returns `none` and adds nothing if there are `most` states already.
+template <class Memory, class Node>
+State add_state(Memory& memory, std::uint64_t key, const Node& node, std::int64_t most) {
+  if (memory.nodes.size() >= static_cast<std::size_t>(most)) return StateTable::none;
+  const auto state = static_cast<State>(memory.nodes.size());
+  memory.states.add(key, state);
+  memory.nodes.push_back(node);
+  memory.search.labels.grow(memory.nodes.size());
+  return state;
+}
+
 }  // namespace outrider

@@ -41,8 +41,8 @@ Status check_end(SteeringQuery query, Vec2 p, std::optional<double> heading_rad,
 Outcome<SteeringQuery> steering_query(const Problem& problem, const SteeringOptions& options,
                                       std::string_view planner) {
   if (auto ok = check_ground(problem, planner); !ok) return pass_on(ok);
-  const auto vertices = grid_query(problem);
-  if (!vertices) return tl::unexpected<Fault>(vertices.error());
+  auto vertices = grid_query(problem);
+  if (!vertices) return pass_on(vertices);
   if (auto ok = check(options); !ok) return pass_on(ok);
   for (const auto heading : {problem.start_heading_rad, problem.goal_heading_rad}) {
     if (heading && !(std::abs(*heading) <= 1e6)) return bad_input("a heading is no angle; give a finite one");

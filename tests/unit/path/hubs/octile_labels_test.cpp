@@ -25,25 +25,6 @@ Cell random_cell(Rng& rng, const GridFrame& frame) {
           static_cast<int>(rng.below(static_cast<std::uint64_t>(frame.height)))};
 }
 
-Blocked strewn(Rng& rng, int width, int height, double density) {
-  Blocked grid(GridFrame{{}, 1.0, width, height});
-  for (std::uint8_t& cell : grid.cells) cell = rng.uniform() < density ? 1 : 0;
-  return grid;
-}
-
-/// Walls all over, with gaps, and pillars.
-Blocked rooms(Rng& rng, int side) {
-  Blocked grid = strewn(rng, side, side, 0.03);
-  const int pitch = 4 + static_cast<int>(rng.below(5));
-  for (int i = pitch; i < side; i += pitch) {
-    for (int k = 0; k < side; ++k) {
-      if (rng.below(5) != 0) grid[{i, k}] = 1;
-      if (rng.below(5) != 0) grid[{k, i}] = 1;
-    }
-  }
-  return grid;
-}
-
 Problem between(const std::shared_ptr<const GridMap>& ground, Cell start, Cell goal) {
   return {ground, ground->point(start), ground->point(goal)};
 }

@@ -24,7 +24,8 @@ TEST(CornerDistances, BoundTheShortestLegsFromBothSides) {
     };
     const Cell start = cell(), goal = cell();
     if (grid[start] != 0 || grid[goal] != 0) continue;
-    kept.begin(ground, grid.frame.centre(goal), grid.frame.centre(start), {});
+    const Status begun = kept.begin(ground, grid.frame.centre(goal), grid.frame.centre(start), {});
+    ASSERT_EQ(begun.has_value(), std::isfinite(kept.at(grid.frame.centre(start))));
     for (int k = 0; k < 4; ++k) {
       const Cell from = k == 0 ? start : cell();
       if (grid[from] != 0) continue;
@@ -46,7 +47,7 @@ TEST(CornerDistances, BoundTheShortestLegsFromBothSides) {
 TEST(CornerDistances, OneRowOfCells) {
   const GridMap ground = *GridMap::of(drawn({"....."}), GridModel::cells);
   CornerDistances distances;
-  distances.begin(ground, {4.5, 0.5}, {0.5, 0.5}, {});
+  ASSERT_TRUE(distances.begin(ground, {4.5, 0.5}, {0.5, 0.5}, {}));
   EXPECT_DOUBLE_EQ(distances.lower_bound({0.5, 0.5}), 4.0) << "the straight distance";
   EXPECT_NEAR(distances.at({0.5, 0.5}), 3.0 + 2.0 * std::sqrt(0.5), 1e-12);
 }
