@@ -83,6 +83,16 @@ Status assign(const Option& option, std::string_view text) {
   return std::visit(Overload{number, integer, boolean, string}, option.value);
 }
 
+Status check_ranges(const std::vector<Option>& options, const std::string& section) {
+  for (const Option& option : options) {
+    const auto ok = assign(option, value_text(option));
+    if (ok) continue;
+    const std::string& name = ok.error().where;
+    return bad_input(ok.error().sentence, section.empty() ? name : section + "." + name);
+  }
+  return {};
+}
+
 std::string value_text(const Option& option) {
   const auto number = [&](const double* value) {
     if (option.unit != "deg") return fmt::format("{}", *value);

@@ -112,11 +112,8 @@ std::vector<Option> describe(LaserSlamOptions& o) {
 Outcome<LaserSlam> LaserSlam::begin(const LaserSlamOptions& options, const Pose2& start) {
   if (!in_the_world(start)) return bad_input("the start is not finite; give x, y and heading", "start");
   LaserSlamOptions held = options;
-  for (const std::vector<Option>& group : {describe(held), describe(held.map)}) {
-    for (const Option& option : group) {
-      if (auto ok = assign(option, value_text(option)); !ok) return pass_on(ok);
-    }
-  }
+  if (auto ok = check_ranges(describe(held)); !ok) return pass_on(ok);
+  if (auto ok = check_ranges(describe(held.map)); !ok) return pass_on(ok);
   return LaserSlam(std::make_unique<State>(options, start));
 }
 

@@ -52,6 +52,10 @@ Status assign(const Option& option, std::string_view text);
 /// Returns the present value as text, in the shortest form that parses to the same value (degrees for "deg").
 std::string value_text(const Option& option);
 
+/// Checks that the present values could be assigned; the options are those of a copy, as degrees are rounded.
+/// Fault: that of assign(), with `section` before the name unless it is empty.
+Status check_ranges(const std::vector<Option>& options, const std::string& section = "");
+
 /// Returns the JSON schema type: "number", "integer", "boolean" or "string".
 std::string_view type_name(const Option& option);
 

@@ -29,14 +29,6 @@ ShotRules rules_of(const GuardProblem& problem, const GuardOptions& options) {
           problem.world.terrain};
 }
 
-Status check_ranges(const std::vector<Option>& options, const std::string& section) {
-  for (const Option& option : options) {
-    auto ok = assign(option, value_text(option));
-    if (!ok) return bad_input(ok.error().sentence, section + "." + ok.error().where);
-  }
-  return {};
-}
-
 /// The room of the robot is that of its barrel, too, which may point anywhere.
 Status check_barrel(const GuardProblem& problem) {
   const double reach = barrel_reach(problem.gun);

@@ -162,10 +162,7 @@ struct HybridPolicy {
 
 Status check(const HybridAStarOptions& options) {
   HybridAStarOptions copy = options;
-  for (const Option& option : describe(copy)) {
-    if (auto ok = assign(option, value_text(option)); !ok) return ok;
-  }
-  return {};
+  return check_ranges(describe(copy));
 }
 
 /// Returns the motions along the path, lengths in m, and the heading at its beginning.

@@ -163,9 +163,7 @@ std::vector<PathPiece> pieces_of(const LatticePolicy& search, State goal, const 
 
 Status check(const StateLatticeOptions& options) {
   StateLatticeOptions copy = options;
-  for (const Option& option : describe(copy)) {
-    if (auto ok = assign(option, value_text(option)); !ok) return ok;
-  }
+  if (auto ok = check_ranges(describe(copy)); !ok) return ok;
   if (options.headings == 8 || options.headings == 16 || options.headings == 32) return {};
   return bad_input(fmt::format("{} is not valid; expected 8, 16 or 32", options.headings), "headings");
 }

@@ -24,10 +24,7 @@ std::vector<Option> describe(SteeringOptions& options) {
 
 Status check(const SteeringOptions& options) {
   SteeringOptions copy = options;
-  for (const Option& option : describe(copy)) {
-    if (auto ok = assign(option, value_text(option)); !ok) return ok;
-  }
-  return {};
+  return check_ranges(describe(copy));
 }
 
 Outcome<Problem> with_headings(Problem problem, const SteeringOptions& options) {

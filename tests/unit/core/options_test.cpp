@@ -120,6 +120,19 @@ TEST(Options, DegreesReadAsTheyWereWritten) {
   }
 }
 
+TEST(CheckRanges, NamesTheFirstValueOutOfRangeAndItsSection) {
+  double speed = 1.0;
+  double angle_rad = radians(200.0);
+  const std::vector<Option> options = {{"speed", "m/s", 0.0, 2.0, "", &speed},
+                                       {"angle", "deg", -180.0, 180.0, "", &angle_rad}};
+  EXPECT_EQ(check_ranges(options).error().where, "angle");
+  EXPECT_EQ(check_ranges(options, "robot").error().where, "robot.angle");
+  angle_rad = radians(-180.0);
+  EXPECT_TRUE(check_ranges(options));
+  speed = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(check_ranges(options).error().where, "speed");
+}
+
 TEST(NearestName, FindsTheMisspelled) {
   const std::vector<std::string> known = {"radius", "resolution", "muzzle_speed", "theta_star"};
   EXPECT_EQ(nearest_name("radus", known), "radius");

@@ -294,11 +294,9 @@ TEST(StopTasks, GivesUpWhatTakesTooLongToHit) {
   EXPECT_EQ(soon.status, TargetStatus::failed);
   EXPECT_NE(soon.reason.find("missed 1 time; given up, as a hit from elsewhere takes"), std::string::npos)
       << soon.reason;
-  // The first pass goes on as long as a hit takes less than that, and the second does not begin.
-  const double flights_s = never.shot->flight_s / never.shot->hit_rate;
-  if (never.shot->hit_rate > 0.0) {
-    EXPECT_GE(shots_of(1.3 * flights_s).shots, problem.tries);
-  }
+  // The first pass goes on as long as a hit takes less than that.
+  ASSERT_GT(never.shot->hit_rate, 0.0) << "the premise: some shots hit";
+  EXPECT_GE(shots_of(1.3 * never.shot->flight_s / never.shot->hit_rate).shots, problem.tries);
 }
 
 TEST(StopTasks, NamesEveryStatus) {
