@@ -88,7 +88,7 @@ Status check_ranges(const std::vector<Option>& options, const std::string& secti
     const auto ok = assign(option, value_text(option));
     if (ok) continue;
     const std::string& name = ok.error().where;
-    return bad_input(ok.error().sentence, section.empty() ? name : section + "." + name);
+    return bad_input(ok.error().sentence, section.empty() ? name : fmt::format("{}.{}", section, name));
   }
   return {};
 }
