@@ -55,12 +55,15 @@ void SimulatedRobot::tell(double time_s, std::string kind, std::string sentence)
   waited_ = waits;
 }
 
-/// Logs the pose of the robot and of its gun.
+/// Brings the gun to where it is now if it turns, and logs the pose of the robot and of its gun.
 void SimulatedRobot::sample() {
-  Log* const log = log_now();
-  if (log == nullptr) return;
   const auto& waypoints = body<WaypointBody>();
   const Pose2& pose = waypoints.pose();
+  if (gun_motion_) {
+    devices_.gun->be_between(gun_motion_->from, gun_motion_->to, waypoints.time_s() - gun_motion_->begin_s);
+  }
+  Log* const log = log_now();
+  if (log == nullptr) return;
   log_pose(*log, waypoints.time_s(), pose);
   if (!devices_.gun) return;
   const Shot barrel = devices_.gun->barrel(waypoints.stance(), pose.heading_rad);
@@ -80,34 +83,51 @@ void SimulatedRobot::gauge() {
   }
 }
 
-/// Drives a straight, and shoots on the way.
-void SimulatedRobot::drive_straight(WaypointBody& body, Vec2 goal, std::span<const FireInPassing> shots) {
-  const StraightDrive drive = body.begin_straight(goal, [this] { sample(); });
+/// Lets the gun turn to where it has to point next: for the shot after those done, or on arrival.
+void SimulatedRobot::turn_gun(const std::vector<Vec2>& waypoints, const FollowWaypoints& command,
+                              std::size_t shots_done) {
+  gun_motion_.reset();
+  if (!devices_.gun) return;
+  const auto heading_to = [&](std::size_t leg) { return heading_of(waypoints[leg] - waypoints[leg - 1]); };
+  GunState to;
+  if (shots_done < command.shots.size()) {
+    const FireInPassing& next = command.shots[shots_done];
+    to = {wrap_angle(next.shot.yaw_rad - heading_to(next.leg)), next.shot.pitch_rad};
+  } else if (command.aim) {
+    to = {wrap_angle(command.aim->yaw_rad - heading_to(waypoints.size() - 1)), command.aim->pitch_rad};
+  } else {
+    return;
+  }
+  gun_motion_ = GunMotion{devices_.gun->state(), to, body<WaypointBody>().time_s()};
+}
+
+/// Drives the straight that ends at waypoint `leg`, and shoots on the way.
+void SimulatedRobot::drive_straight(WaypointBody& body, const std::vector<Vec2>& waypoints, std::size_t leg,
+                                    const FollowWaypoints& command) {
+  const StraightDrive drive = body.begin_straight(waypoints[leg], [this] { sample(); });
   if (drive.length_m == 0.0) return;
+  const auto [first, last] = std::ranges::equal_range(command.shots, leg, {}, &FireInPassing::leg);
   int samples = 1;
   double last_shot = 0.0;
-  for (const FireInPassing& shot : shots) {
-    SimulatedGun& gun = *devices_.gun;
-    const GunState rest = gun.state();
-    const GunState aim{shot.shot.yaw_rad - body.pose().heading_rad, shot.shot.pitch_rad};
-    const auto point = [&](double t) {
-      body.be_on(drive, t);
-      gun.be_between(rest, aim, t - last_shot);
+  const auto sample_until = [&](double end_s) {
+    for (; samples * sample_period_s < end_s; ++samples) {
+      body.be_on(drive, samples * sample_period_s);
       sample();
-    };
-    const double at = std::clamp(shot.after_s + gun.draw_delay_s(), last_shot, drive.total_s);
-    for (; samples * sample_period_s < at; ++samples) point(samples * sample_period_s);
-    point(at);
-    const Vec2 velocity = body.velocity_on(drive, at);
+    }
+  };
+  for (auto shot = first; devices_.gun && shot != last; ++shot) {
+    SimulatedGun& gun = *devices_.gun;
+    const double at = std::clamp(shot->after_s + gun.draw_delay_s(), last_shot, drive.total_s);
+    sample_until(at);
+    body.be_on(drive, at);
+    sample();
     const Shot barrel{wrap_angle(body.pose().heading_rad + gun.state().yaw_rad), gun.state().pitch_rad,
-                      shot.shot.speed_mps};
-    shoot({shot.target, barrel}, velocity);
+                      shot->shot.speed_mps};
+    shoot({shot->target, barrel}, body.velocity_on(drive, at));
+    turn_gun(waypoints, command, static_cast<std::size_t>(shot - command.shots.begin()) + 1);
     last_shot = at;
   }
-  for (; samples * sample_period_s < drive.total_s; ++samples) {
-    body.be_on(drive, samples * sample_period_s);
-    sample();
-  }
+  sample_until(drive.total_s);
   body.end_straight(drive);
   sample();
 }
@@ -119,22 +139,14 @@ void SimulatedRobot::follow(WaypointBody& body, const FollowWaypoints& command) 
   if (Log* const log = log_now()) log_plan(*log, body.time_s(), waypoints);
   tell(body.time_s(), "drive",
        fmt::format("drives to ({:.2f}, {:.2f})", waypoints.back().x, waypoints.back().y));
+  turn_gun(waypoints, command, 0);
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
-    const auto shots = std::ranges::equal_range(command.shots, i, {}, &FireInPassing::leg);
-    drive_straight(body, waypoints[i], {shots.begin(), shots.end()});
+    drive_straight(body, waypoints, i, command);
     if (command.until_arrival && devices_.targets && devices_.targets->somebody_entered(body.time_s())) break;
   }
+  gun_motion_.reset();
   body.end_way();
   if (Log* const log = log_now()) log_plan(*log, body.time_s(), {});
-  if (!landed_.empty()) await_balls(body);
-}
-
-/// Stands until the balls of the shots in passing have landed.
-void SimulatedRobot::await_balls(WaypointBody& body) {
-  double until_s = body.time_s();
-  for (const ShotResult& shot : landed_) until_s = std::max(until_s, shot.landed_s);
-  body.wait_until(until_s);
-  sample();
 }
 
 void SimulatedRobot::aim(WaypointBody& body, const AimGun& command) {
@@ -179,12 +191,13 @@ Impact SimulatedRobot::shoot(const Fire& command, Vec2 velocity_mps) {
                   : fmt::format("misses {}: touches {}", target.name, shot.contact));
   ++record.shots;
   if (Log* const log = log_now()) log->append(topic::shots, time_s, std::move(shot));
-  landed_.push_back({command.target, impact.hit, time_s + impact.time_s});
+  flights_.push_back({command.target, impact.hit, time_s + impact.time_s});
   return impact;
 }
 
 void SimulatedRobot::fire(WaypointBody& body, const Fire& command) {
   const Impact impact = shoot(command, {});
+  if (!command.until_landed) return;
   body.wait_until(body.time_s() + impact.time_s);
   sample();
   if (impact.hit && devices_.targets) devices_.targets->hit(command.target, body.time_s(), queue_);

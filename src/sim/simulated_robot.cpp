@@ -49,7 +49,11 @@ Observation SimulatedRobot::sense() {
   if (devices_.gun) seen.gun = devices_.gun->state();
   if (devices_.stores) seen.stores = {devices_.stores->water(), devices_.stores->charge_j()};
   if (devices_.targets) seen.targets = devices_.targets->look(seen.time_s);
-  seen.shots = std::exchange(landed_, {});
+  const auto flying = std::stable_partition(flights_.begin(), flights_.end(), [&](const ShotResult& shot) {
+    return shot.landed_s <= seen.time_s + instant_s;
+  });
+  seen.shots.assign(flights_.begin(), flying);
+  flights_.erase(flights_.begin(), flying);
   return seen;
 }
 

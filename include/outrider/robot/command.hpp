@@ -17,8 +17,14 @@
 
 namespace outrider {
 
-/// A shot fired while the robot drives along a straight leg. The barrel starts to turn at the beginning of
-/// the leg, or after the previous shot on this leg; the gun fires `after_s` after the leg began.
+/// Turn the barrel to a yaw in the world frame and a pitch.
+struct AimGun {
+  double yaw_rad = 0.0;
+  double pitch_rad = 0.0;
+};
+
+/// A shot fired while the robot drives along a straight leg. The barrel starts to turn when the drive begins,
+/// or after the previous shot; the gun fires `after_s` after the leg began.
 struct FireInPassing {
   std::size_t target = 0;  ///< index of the target
   std::size_t leg = 0;     ///< index of the waypoint at which the leg ends
@@ -30,7 +36,9 @@ struct FireInPassing {
 struct FollowWaypoints {
   std::vector<Vec2> waypoints;            ///< the first is the present position of the robot
   bool until_arrival = false;             ///< stop at the next waypoint once an intruder enters
-  std::vector<FireInPassing> shots = {};  ///< in order of time; the command ends when all balls have landed
+  std::vector<FireInPassing> shots = {};  ///< in order of time
+  /// Direction of the barrel on arrival; it turns there during the drive, after the last shot.
+  std::optional<AimGun> aim = {};
 };
 /// Drive along one piece of a path: turn in place to its initial heading, wait for the pause, then drive
 /// along the piece from rest to rest.
@@ -53,15 +61,11 @@ struct DriveWheels {
 struct Wait {
   double until_s = 0.0;  ///< may be infinite
 };
-/// Turn the barrel to a yaw in the world frame and a pitch.
-struct AimGun {
-  double yaw_rad = 0.0;
-  double pitch_rad = 0.0;
-};
 /// Fire along the present direction of the barrel.
 struct Fire {
   std::size_t target = 0;  ///< index of the target
   Shot shot;
+  bool until_landed = true;  ///< the command ends when the ball has landed; otherwise at once
 };
 /// Fill a store completely at the station where the robot stands.
 struct Fill {

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <variant>
 
 #include "outrider/robot/robot.hpp"
@@ -66,12 +65,13 @@ class SimulatedRobot final : public Robot {
   // gun_commands.cpp
   void act_on(WaypointBody& body, const Command& command);
   void follow(WaypointBody& body, const FollowWaypoints& command);
-  void drive_straight(WaypointBody& body, Vec2 goal, std::span<const FireInPassing> shots);
+  void drive_straight(WaypointBody& body, const std::vector<Vec2>& waypoints, std::size_t leg,
+                      const FollowWaypoints& command);
   void aim(WaypointBody& body, const AimGun& command);
   void fire(WaypointBody& body, const Fire& command);
   void wait(WaypointBody& body, const Wait& command);
   void fill(WaypointBody& body, const Fill& command);
-  void await_balls(WaypointBody& body);
+  void turn_gun(const std::vector<Vec2>& waypoints, const FollowWaypoints& command, std::size_t shots_done);
   Impact shoot(const Fire& command, Vec2 velocity_mps);
   Log* log_now();
   void sample();
@@ -82,7 +82,14 @@ class SimulatedRobot final : public Robot {
   SimulatedDevices devices_;
   Kidnapping kidnapping_;
   bool kidnapped_ = false;
-  std::vector<ShotResult> landed_;  // not yet reported
+  /// A motion of the gun during a drive.
+  struct GunMotion {
+    GunState from;
+    GunState to;
+    double begin_s = 0.0;
+  };
+  std::optional<GunMotion> gun_motion_;
+  std::vector<ShotResult> flights_;  // not yet reported, some not yet ended
   Log* log_ = nullptr;
   LogQueue queue_;       // what happens in the future
   bool waited_ = false;  // the newest event is a wait

@@ -116,7 +116,7 @@ void plan_anew(ArrivingTargets& targets, StopTasks& tasks, const Observation& se
     for (const std::uint32_t who : visit.goals) {
       const auto service = std::ranges::find(table.services[visit.stop], pending[who].goal, &Service::goal);
       task.targets.push_back(targets.inside[who].target);
-      task.pitches.push_back(service->pitch_rad);
+      task.guns.push_back({service->yaw_rad, service->pitch_rad});
     }
     tasks.queue.push_back(std::move(task));
   }

@@ -40,22 +40,28 @@ GuardPlan begin_plan(const GuardProblem& problem, const FiringMap& firing_map, c
 double mission_time(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan) {
   double time = 0.0;
   double heading = problem.start.heading_rad;
-  GunState rest;
+  GunState gun;
+  double gun_free = 0.0;  // since when the gun may turn to the next shot
+  double landed = 0.0;    // the last ball
   for (const PlannedStop& stop : plan.stops) {
     const DriveCost drive = drive_cost(problem.robot, heading, stop.waypoints, firing_map.ground.terrain());
-    time += std::max(drive.time_s, last_landing_s(stop.passing));
-    rest = gun_after(stop.waypoints, stop.passing, rest);
+    if (!stop.passing.empty()) gun_free = time + stop.passing.back().leaves_s;
+    landed = std::max(landed, time + last_landing_s(stop.passing));
+    gun = gun_after(stop.waypoints, stop.passing, gun);
+    time += drive.time_s;
     heading = drive.heading_rad;
     const double forward = heading_on(stance_at(firing_map.rules, stop.position), heading);
     for (const PlannedHit& hit : stop.hits) {
-      const GunAngles& gun = hit.shot.gun;
-      const double relative = gun.yaw_rad - forward;
-      time +=
-          aim_time(problem.gun, relative - rest.yaw_rad, gun.pitch_rad - rest.pitch_rad) + hit.shot.flight_s;
-      rest = {relative, gun.pitch_rad};
+      const GunState to{hit.shot.gun.yaw_rad - forward, hit.shot.gun.pitch_rad};
+      const double aim = aim_time(problem.gun, to.yaw_rad - gun.yaw_rad, to.pitch_rad - gun.pitch_rad);
+      gun = to;
+      time = plan.on_the_move ? std::max(time, gun_free + aim) : time + aim;
+      landed = std::max(landed, time + hit.shot.flight_s);
+      if (!is_left_flying(plan, hit.shot)) time += hit.shot.flight_s;
+      gun_free = time;
     }
   }
-  return time;
+  return std::max(time, landed);
 }
 
 Status finish_plan(const GuardProblem& problem, const FiringMap& firing_map, const Budget& budget,

@@ -125,8 +125,8 @@ std::vector<std::vector<Service>> services(const Drafting& drafting, const std::
         if (entry == drafting.book.end() || !entry->second || !(any || entry->second->hit_rate >= good_rate))
           continue;
         const PlannedShot& shot = *entry->second;
-        offered[i].push_back(
-            {static_cast<std::uint32_t>(goal), shot.gun.yaw_rad, shot.gun.pitch_rad, expected_flight(shot)});
+        offered[i].push_back({static_cast<std::uint32_t>(goal), shot.gun.yaw_rad, shot.gun.pitch_rad,
+                              service_time(shot, drafting.options)});
         found = true;
       }
       return found;
@@ -218,7 +218,7 @@ Status settle(const Drafting& drafting, Draft& draft, double& told_s) {
     if (auto ok = search_on(drafting, draft); !ok) return ok;
     options.iterations = 0;
   }
-  // What would be proven holds for shots from rest.
+  // What would be proven holds for a gun that rests during drives.
   if (drafting.options.shoot_on_the_move) options.gap = 1.0;
   if (drafting.options.prove) {
     options.gap = 0.0;
@@ -269,14 +269,14 @@ Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_m
   if (auto ok = cover_all(drafting, cells); !ok) return pass_on(ok);
   auto best = solve_over(drafting, cells, told_s);
   if (!best) return best;
-  choose_shots(problem, firing_map, book, *best);
+  choose_shots(problem, firing_map, options, book, *best);
   for (const Closeness& within : rounds(wanted)) {
     for (std::int64_t i = 0; i < options.refinements; ++i) {
       auto closer = solve_over(drafting, cells_near(drafting, *best, within), told_s);
       if (!closer) return closer;
       if (closer->tour.cost_s >= best->tour.cost_s) break;
       best = std::move(closer);
-      choose_shots(problem, firing_map, book, *best);
+      choose_shots(problem, firing_map, options, book, *best);
     }
   }
   if (auto settled = settle(drafting, *best, told_s); !settled) return pass_on(settled);

@@ -16,8 +16,9 @@ namespace outrider {
 /// The exact shot by (cell, target); nothing where no shot keeps the margin. Filled as needed.
 using ShotBook = std::map<std::pair<std::size_t, std::size_t>, std::optional<PlannedShot>>;
 
-/// Flights until the first hit, on average, times the length of one.
-double expected_flight(const PlannedShot& shot);
+/// Time that the robot spends on a shot once the gun is aimed, s: on the move none if the shot hits for sure;
+/// otherwise the flight times the number of flights until the first hit, on average.
+double service_time(const PlannedShot& shot, const GuardOptions& options);
 
 /// A tour over cells. Its goals are the targets that have a firing region and in it, decided exactly, a shot
 /// from some cell.

@@ -58,7 +58,8 @@ struct Label {
 };
 
 /// The index of the shot to take at each step: the least sum of aims and flights, by dynamic programming.
-std::vector<std::size_t> soonest(const GunModel& gun, const std::vector<Step>& steps) {
+std::vector<std::size_t> soonest(const GunModel& gun, const GuardOptions& options,
+                                 const std::vector<Step>& steps) {
   std::vector<std::vector<Label>> layers{{{0.0, {}, 0}}};
   for (const Step& step : steps) {
     std::vector<Label> layer;
@@ -69,7 +70,7 @@ std::vector<std::size_t> soonest(const GunModel& gun, const std::vector<Step>& s
       for (std::size_t i = 0; i < layers.back().size(); ++i) {
         const Label& from = layers.back()[i];
         const double time =
-            from.time_s + expected_flight(shot) +
+            from.time_s + service_time(shot, options) +
             aim_time(gun, label.gun.yaw_rad - from.gun.yaw_rad, label.gun.pitch_rad - from.gun.pitch_rad);
         if (time < label.time_s) label.time_s = time, label.before = i;
       }
@@ -89,9 +90,13 @@ std::vector<std::size_t> soonest(const GunModel& gun, const std::vector<Step>& s
 
 }  // namespace
 
-double expected_flight(const PlannedShot& shot) { return shot.flight_s / std::max(shot.hit_rate, 0.05); }
+double service_time(const PlannedShot& shot, const GuardOptions& options) {
+  if (options.shoot_on_the_move && shot.survives) return 0.0;
+  return shot.flight_s / std::max(shot.hit_rate, 0.05);
+}
 
-void choose_shots(const GuardProblem& problem, const FiringMap& firing_map, ShotBook& book, Draft& draft) {
+void choose_shots(const GuardProblem& problem, const FiringMap& firing_map, const GuardOptions& options,
+                  ShotBook& book, Draft& draft) {
   TourProblem& offered = draft.offered;
   std::vector<Step> steps = steps_of(offered, draft.tour.visits);
   parallel_for(steps.size(), [&](std::size_t i) {
@@ -100,14 +105,14 @@ void choose_shots(const GuardProblem& problem, const FiringMap& firing_map, Shot
     step.shots = shots_like(problem, firing_map, target, firing_map.frame.centre(firing_map.frame.cell(cell)),
                             *book.at({cell, target}));
   });
-  const auto chosen = soonest(problem.gun, steps);
+  const auto chosen = soonest(problem.gun, options, steps);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const Step& step = steps[i];
     const PlannedShot& shot = step.shots[chosen[i]];
     book[{draft.cells[step.stop], draft.targets[step.goal]}] = shot;
     auto& services = offered.services[step.stop];
-    *std::ranges::find(services, step.goal, &Service::goal) = {step.goal, shot.gun.yaw_rad,
-                                                               shot.gun.pitch_rad, expected_flight(shot)};
+    *std::ranges::find(services, step.goal, &Service::goal) = {
+        step.goal, shot.gun.yaw_rad, shot.gun.pitch_rad, service_time(shot, options)};
   }
   draft.tour.cost_s = cost(offered, draft.tour.visits);
   draft.tour.lower_bound_s = 0.0;  // what was proven holds for the shots that were offered before

@@ -202,23 +202,23 @@ std::vector<PassingHit> PassingShots::along(double heading_rad, const std::vecto
   const auto way = straights(problem_.robot, heading_rad, waypoints);
   auto offered = offers(way, targets);
   std::vector<PassingHit> chosen;
+  double free_s = 0.0;  // since when the gun may turn to the next shot
   for (const Straight& straight : way) {
     const double heading = heading_of(straight.to - straight.from);
-    double free_s = 0.0;  // since when the gun may turn to the next shot
     for (int k = 1; k * moment_s < straight.length_s; ++k) {
       const double after = k * moment_s;
       const auto in_time = [&](const PassingHit& offer) {
         const GunAngles& to = offer.shot.gun;
         return free_s + settle_s +
                    aim_time(problem_.gun, to.yaw_rad - heading - gun.yaw_rad, to.pitch_rad - gun.pitch_rad) <=
-               after;
+               straight.begin_s + after;
       };
       auto* const urgent = most_urgent(offered, straight.leg, after, in_time);
       if (urgent == nullptr) continue;
       chosen.push_back(*offer_at(*urgent, straight.leg, after));
       urgent->clear();
       gun = gun_after(waypoints, chosen, gun);
-      free_s = after;
+      free_s = straight.begin_s + after;
     }
   }
   return chosen;

@@ -132,6 +132,8 @@ GuardPlan shoot_in_passing(const GuardProblem& problem, const FiringMap& firing_
   best.anywhere_lower_bound_s = best.lower_bound_s;
   best.tour_proven = false;
   best.stops_offered = 0;
+  best.on_the_move = !fills && !firing_map.rules.terrain;
+  best.cost_s = mission_time(problem, firing_map, best);
   const GuardPlan standing = best;
   if (targets.empty() || fills || firing_map.rules.terrain || !standing.routes) return best;
 

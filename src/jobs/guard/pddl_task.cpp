@@ -14,17 +14,19 @@ Outcome<TemporalMission> mission_of(const GuardScenario& scenario, const RunWatc
   if (scenario.arrivals.any() || scenario.arrivals.leave < 1.0 || scenario.wander.any()) {
     return bad_input("the PDDL problem is of a still yard; leave arrivals and wander out", "pddl");
   }
-  auto planner = find_guard_planner(scenario.options.planner);
+  GuardOptions options = scenario.options;
+  options.shoot_on_the_move = false;  // its actions follow one another
+  auto planner = find_guard_planner(options.planner);
   if (!planner) return pass_on(planner);
   RunSteps steps(watch, 3);
   if (auto ok = steps.next("surveying from where each target can be hit"); !ok) return pass_on(ok);
   auto firing_map = build_firing_map(scenario.problem, scenario.options, watch.budget());
   if (!firing_map) return pass_on(firing_map);
   if (auto ok = steps.next("planning the tour"); !ok) return pass_on(ok);
-  auto plan = planner->plan(scenario.problem, *firing_map, scenario.options, watch.budget());
+  auto plan = planner->plan(scenario.problem, *firing_map, options, watch.budget());
   if (!plan) return pass_on(plan);
   if (auto ok = steps.next("solving the tour of the stops offered"); !ok) return pass_on(ok);
-  return temporal_mission(scenario.problem, *firing_map, *plan, scenario.options,
+  return temporal_mission(scenario.problem, *firing_map, *plan, options,
                           static_cast<std::size_t>(scenario.pddl.stops), watch.budget());
 }
 

@@ -5,6 +5,7 @@
 #include "assemble.hpp"
 #include "draft.hpp"
 #include "outrider/jobs/guard/bound.hpp"
+#include "outrider/jobs/guard/passing_plan.hpp"
 
 namespace outrider {
 namespace {
@@ -59,9 +60,8 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firi
   plan.tour_proven = draft->tour.proven_optimal;
   plan.stops_offered = draft->cells.size() - 1;
   if (auto ok = finish_plan(problem, firing_map, budget, plan); !ok) return pass_on(ok);
-  if (!options.shoot_on_the_move) {  // else shoot_in_passing() has a bound of its own
-    plan.anywhere_lower_bound_s = mission_bound(problem, firing_map, draft->targets, options, budget);
-  }
+  if (options.shoot_on_the_move) return shoot_in_passing(problem, firing_map, plan, budget.stop);
+  plan.anywhere_lower_bound_s = mission_bound(problem, firing_map, draft->targets, options, budget);
   plan.expected_s = draft->tour.cost_s;
   plan.lower_bound_s =
       std::max(draft->tour.lower_bound_s, std::min(plan.anywhere_lower_bound_s, plan.cost_s));

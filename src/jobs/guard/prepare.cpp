@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "outrider/jobs/guard/catalog.hpp"
-#include "outrider/jobs/guard/passing_plan.hpp"
 #include "outrider/jobs/guard/supply_plan.hpp"
 #include "outrider/jobs/guard/survivors.hpp"
 
@@ -92,10 +91,7 @@ Outcome<GuardPlan> plan_targets(const GuardScenario& scenario, const GuardProble
   if (!planner) return pass_on(planner);
   auto plan = planner->plan(problem, firing_map, scenario.options, budget, observe);
   if (!plan || scenario.arrivals.any() || scenario.arrivals.leave < 1.0) return plan;
-  plan = supply_plan(problem, firing_map, std::move(*plan), budget);
-  if (plan && scenario.options.shoot_on_the_move)
-    plan = shoot_in_passing(problem, firing_map, *plan, budget.stop);
-  return plan;
+  return supply_plan(problem, firing_map, std::move(*plan), budget);
 }
 
 Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const Budget& budget) {

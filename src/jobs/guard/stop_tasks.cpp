@@ -12,6 +12,8 @@
 namespace outrider {
 namespace {
 
+constexpr double lost_s = 5.0;  // after the planned landing, a ball without a result
+
 /// The nearest place, at least `apart_m` from here, from where the target can be hit; sure hits first.
 std::optional<Vec2> another_place(const GuardProblem& problem, const FiringMap& firing_map,
                                   std::size_t target, Vec2 here, double apart_m) {
@@ -33,8 +35,8 @@ std::optional<Vec2> another_place(const GuardProblem& problem, const FiringMap& 
 void drop_target(StopTasks& tasks) {
   auto& targets = tasks.queue.front().targets;
   targets.erase(targets.begin());
-  auto& pitches = tasks.queue.front().pitches;
-  if (!pitches.empty()) pitches.erase(pitches.begin());
+  auto& guns = tasks.queue.front().guns;
+  if (!guns.empty()) guns.erase(guns.begin());
   tasks.aimed = false;
 }
 
@@ -99,16 +101,18 @@ void look_elsewhere(StopTasks& tasks, const Observation& seen, const GuardProble
 /// Goes to the nearest place to shoot at a target from, after the present task.
 void stop_for(StopTasks& tasks, std::size_t target, const GuardProblem& problem,
               const FiringMap& firing_map) {
-  const Vec2 end = tasks.queue.front().place;
+  const bool idle = tasks.queue.empty();
+  const Vec2 end = idle ? tasks.last_place : tasks.queue.front().place;
   const auto place = another_place(problem, firing_map, target, end, 0.0);
-  tasks.queue.insert(tasks.queue.begin() + 1, StopTask{place.value_or(end), {target}});
+  tasks.queue.insert(tasks.queue.begin() + (idle ? 0 : 1), StopTask{place.value_or(end), {target}});
+  if (idle) tasks.arrived = false;
 }
 
 /// The shots of the present task in passing on that way. Who cannot be hit from it gets a stop.
 std::vector<FireInPassing> shots_in_passing(StopTasks& tasks, const std::vector<Vec2>& way,
                                             const Observation& seen, const GuardProblem& problem,
                                             const FiringMap& firing_map) {
-  const auto targets = std::exchange(tasks.queue.front().passing, {});
+  auto targets = std::exchange(tasks.queue.front().passing, {});
   std::vector<FireInPassing> shots;
   if (targets.empty()) return shots;
   PassingShots solver(problem, firing_map);
@@ -121,32 +125,48 @@ std::vector<FireInPassing> shots_in_passing(StopTasks& tasks, const std::vector<
     ++record.shots;
     record.shot = hit.shot;
     record.pose = {platform_on(problem.robot, from, to, hit.after_s).position, heading_of(to - from)};
-    tasks.passing.push_back(hit.target);
+    tasks.flying.push_back({hit.target, seen.time_s + hit.leaves_s + hit.shot.flight_s, true});
     shots.push_back({hit.target, hit.leg, hit.after_s, hit.shot.shot});
+    std::erase(targets, hit.target);
   }
-  for (const std::size_t target : targets) {
-    if (std::ranges::count(tasks.passing, target) == 0) stop_for(tasks, target, problem, firing_map);
-  }
+  for (const std::size_t target : targets) stop_for(tasks, target, problem, firing_map);
   return shots;
 }
 
-/// What has become of the shots in passing.
-void note_passing(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
-                  const FiringMap& firing_map) {
-  for (const std::size_t target : std::exchange(tasks.passing, {})) {
-    TargetRecord& record = tasks.records[target];
-    const ShotResult* const result = result_of(seen, target);
-    if (result != nullptr && result->hit) {
-      settle(record, TargetStatus::reached,
-             fmt::format("hit by shot {} in passing from ({:.2f}, {:.2f})", record.shots,
-                         record.pose.position.x, record.pose.position.y),
-             result->landed_s);
+/// What has become of the balls that nobody waited for.
+void note_flying(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
+                 const FiringMap& firing_map) {
+  for (const FlyingBall& ball : std::exchange(tasks.flying, {})) {
+    TargetRecord& record = tasks.records[ball.target];
+    const ShotResult* const result = result_of(seen, ball.target);
+    if (result == nullptr && seen.time_s < ball.lands_s + lost_s) {
+      tasks.flying.push_back(ball);
+    } else if (result != nullptr && result->hit) {
+      settle(
+          record, TargetStatus::reached,
+          fmt::format("hit by shot {}{} from ({:.2f}, {:.2f})", record.shots,
+                      ball.in_passing ? " in passing" : "", record.pose.position.x, record.pose.position.y),
+          result->landed_s);
     } else if (++record.tries < problem.tries) {
-      stop_for(tasks, target, problem, firing_map);
+      stop_for(tasks, ball.target, problem, firing_map);
     } else {
       settle(record, TargetStatus::failed, missed(record), seen.time_s);
     }
   }
+}
+
+/// Waits until the balls in the air have landed, and a little longer for results that are late. If time does
+/// not go on meanwhile, their results count as lost.
+std::optional<Wait> wait_for_balls(StopTasks& tasks, double time_s) {
+  constexpr double late_s = 0.1;
+  if (tasks.waited_s == time_s) {
+    for (FlyingBall& ball : tasks.flying) ball.lands_s = time_s - lost_s;
+    return std::nullopt;
+  }
+  tasks.waited_s = time_s;
+  double until_s = time_s + late_s;
+  for (const FlyingBall& ball : tasks.flying) until_s = std::max(until_s, ball.lands_s);
+  return Wait{until_s};
 }
 
 /// Returns true if the second pass leaves a failed target out, and says so in its reason: a hit from that
@@ -222,7 +242,10 @@ std::optional<FollowWaypoints> set_off(StopTasks& tasks, const Observation& seen
   tasks.arrived = true;
   tasks.last_place = place;
   if (distance(seen.odometry.position, place) <= there_m) return std::nullopt;
-  return FollowWaypoints{std::move(way), false, std::move(shots)};
+  FollowWaypoints drive{std::move(way), false, std::move(shots)};
+  const auto& guns = tasks.queue.front().guns;
+  if (tasks.on_the_move && !guns.empty()) drive.aim = AimGun{guns.front().yaw_rad, guns.front().pitch_rad};
+  return drive;
 }
 
 /// Aims at the first target of the present task from the pose really reached; nothing when it has no shot.
@@ -233,7 +256,7 @@ std::optional<AimGun> take_aim(StopTasks& tasks, const Observation& seen, const 
   const std::size_t at = target_of(tasks, target);
   ShotRules rules = firing_map.rules;
   if (tasks.second_pass) rules.margin_m = 0.0;
-  const double pitch = task.pitches.empty() ? seen.gun->pitch_rad : task.pitches.front();
+  const double pitch = task.guns.empty() ? seen.gun->pitch_rad : task.guns.front().pitch_rad;
   TargetRecord& record = tasks.records[target];
   record.pose = seen.odometry;
   const auto shot =
@@ -242,6 +265,22 @@ std::optional<AimGun> take_aim(StopTasks& tasks, const Observation& seen, const 
   record.shot = shot;
   tasks.aimed = true;
   return AimGun{shot->shot.yaw_rad, shot->shot.pitch_rad};
+}
+
+/// Shoots at the first target of the present task, at which the gun is aimed.
+Fire fire(StopTasks& tasks, double time_s) {
+  const std::size_t target = tasks.queue.front().targets.front();
+  TargetRecord& record = tasks.records[target];
+  ++record.shots;
+  const PlannedShot& shot = *record.shot;
+  const bool awaited = !tasks.on_the_move || !shot.survives;
+  if (awaited) {
+    tasks.fired = true;
+  } else {
+    tasks.flying.push_back({target, time_s + shot.flight_s});
+    drop_target(tasks);
+  }
+  return {target, shot.shot, awaited};
 }
 
 }  // namespace
@@ -271,6 +310,7 @@ StopTasks tasks_of(const GuardProblem& problem, const GuardPlan& plan) {
   tasks.records.resize(problem.targets.size());
   tasks.last_place = problem.start.position;
   tasks.routes = plan.routes;
+  tasks.on_the_move = plan.on_the_move;
   for (const Unreachable& lost : plan.unreachable) {
     settle(tasks.records[lost.target], TargetStatus::unreachable, lost.reason, 0.0);
   }
@@ -282,7 +322,7 @@ StopTasks tasks_of(const GuardProblem& problem, const GuardPlan& plan) {
     for (const PassingHit& hit : stop.passing) task.passing.push_back(hit.target);
     for (const PlannedHit& hit : stop.hits) {
       task.targets.push_back(hit.target);
-      task.pitches.push_back(hit.shot.gun.pitch_rad);
+      task.guns.push_back(hit.shot.gun);
     }
     tasks.queue.push_back(std::move(task));
   }
@@ -291,7 +331,7 @@ StopTasks tasks_of(const GuardProblem& problem, const GuardPlan& plan) {
 
 void note_shots(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
                 const FiringMap& firing_map) {
-  note_passing(tasks, seen, problem, firing_map);
+  note_flying(tasks, seen, problem, firing_map);
   if (!std::exchange(tasks.fired, false)) return;
   const ShotResult* const result = result_of(seen, tasks.queue.front().targets.front());
   note_result(tasks, result != nullptr && result->hit, seen, problem);
@@ -300,6 +340,11 @@ void note_shots(StopTasks& tasks, const Observation& seen, const GuardProblem& p
 std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
                                     const FiringMap& firing_map) {
   for (;;) {
+    if (tasks.queue.empty() && !tasks.flying.empty()) {
+      if (const auto wait = wait_for_balls(tasks, seen.time_s)) return *wait;
+      note_flying(tasks, seen, problem, firing_map);
+      continue;
+    }
     if (tasks.queue.empty()) {
       if (tasks.second_pass || tasks.more_to_come) return std::nullopt;
       plan_second_pass(tasks, problem, firing_map);
@@ -324,11 +369,7 @@ std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, c
       look_elsewhere(tasks, seen, problem, firing_map);
       continue;
     }
-    const std::size_t target = task.targets.front();
-    TargetRecord& record = tasks.records[target];
-    ++record.shots;
-    tasks.fired = true;
-    return Fire{target, record.shot->shot};
+    return fire(tasks, seen.time_s);
   }
 }
 

@@ -1,10 +1,9 @@
 // Shots in passing: shots fired while the robot drives along a straight leg of its path.
 //
 // The robot follows the path as drive_cost() (motion/robot_model.hpp) counts it: it turns in place, then
-// drives straight from rest to rest. While it drives, the gun turns to the next shot, from the beginning of
-// the leg or from the previous shot on. The velocity of the ball is its muzzle velocity plus the velocity of
-// the robot. The robot waits for balls to land only at the end of the path. Level ground only, with or
-// without air.
+// drives straight from rest to rest. Meanwhile the gun turns to the next shot, from the beginning of the path
+// or from the previous shot on. The velocity of the ball is its muzzle velocity plus the velocity of the
+// robot. Nobody waits for a ball to land. Level ground only, with or without air.
 //
 // Frames and units: world, metres, seconds, radians; `after_s` counts from the beginning of a leg.
 #pragma once

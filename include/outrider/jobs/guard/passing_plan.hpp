@@ -7,8 +7,9 @@
 
 namespace outrider {
 
-/// Improves a plan: moves shots from stops to drives (passing.hpp), one shot or all shots of a stop at a
-/// time, as long as that makes the mission shorter. A stop without shots is removed, and the path past it is
+/// Improves a plan: lets the gun turn during drives, waits for no ball that hits for sure, and moves shots
+/// from stops to drives (passing.hpp), one shot or all shots of a stop at a time, as long as that makes the
+/// mission shorter. A stop without shots is removed, and the path past it is
 /// planned again. The result is never longer than `plan`, with the cost counted in the same way. Both lower
 /// bounds become moving_bound(), because the bounds of a tour hold only for shots from rest. The shots of a
 /// plan over terrain or with stops at stations stay as they are. A stop request ends the search for shorter

@@ -50,7 +50,11 @@ struct GuardPlan {
   /// (solve.hpp). If the robot may shoot in passing, the bound holds for every mission (passing_plan.hpp).
   double lower_bound_s = 0.0;
   double anywhere_lower_bound_s =
-      0.0;                        ///< bound for plans that hit from any cells of the regions (bound.hpp)
+      0.0;  ///< bound for plans that hit from any cells of the regions (bound.hpp)
+  /// The gun turns to the next shot during drives, and nobody waits for a ball that hits for sure
+  /// (PlannedShot::survives). Otherwise the gun rests during drives, and each ball lands before the next
+  /// move.
+  bool on_the_move = false;
   bool tour_proven = false;       ///< the tour is optimal for the stops last given to the solver
   std::size_t stops_offered = 0;  ///< number of stops last given to the tour solver
   std::size_t places = 0;         ///< number of reachable cells

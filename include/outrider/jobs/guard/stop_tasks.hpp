@@ -11,7 +11,11 @@
 // probability of at least one hit in `tries` shots.
 //
 // Shots in passing (passing.hpp) are solved again for the actual path when the drive begins. A target that
-// cannot be hit from the path, or was missed, is shot at next from the place nearest to the end of the path.
+// cannot be hit from the path is shot at next from the place nearest to its end.
+//
+// If the plan is made on the move, the gun turns to the first shot of a stop during the drive there, and the
+// robot goes on while a ball that hits for sure is in the air. A target that such a ball missed is shot at
+// after the present stop, from the place nearest to it. The mission ends when the last ball has landed.
 #pragma once
 
 #include <deque>
@@ -48,20 +52,29 @@ struct StopTask {
   std::vector<std::size_t> targets = {};  ///< targets to shoot at from the place, in order
   std::optional<StationCall> call = {};   ///< set if a store is filled here
   std::vector<std::size_t> passing = {};  ///< targets to shoot at during the drive there
-  std::vector<double> pitches = {};       ///< planned gun pitch for each target, rad; empty: none planned
+  std::vector<GunAngles> guns = {};       ///< planned aim for each target; empty: none planned
+};
+
+/// A ball in the air that nobody waits for.
+struct FlyingBall {
+  std::size_t target = 0;
+  double lands_s = 0.0;     ///< as planned
+  bool in_passing = false;  ///< fired during a drive
 };
 
 /// The remaining stops and the records of all targets.
 struct StopTasks {
-  std::vector<TargetRecord> records;      ///< by target
-  std::deque<StopTask> queue;             ///< tasks to do; the first is the present one
-  bool arrived = false;                   ///< the robot is at the place of the present task
-  bool aimed = false;                     ///< the gun was commanded to aim
-  bool fired = false;                     ///< the last command was a shot
-  std::vector<std::size_t> passing = {};  ///< targets that the last command shot at in passing
-  bool second_pass = false;               ///< the second pass has begun
-  bool more_to_come = false;              ///< delays the second pass, because more intruders may enter
-  Vec2 last_place;                        ///< last place to which the robot was sent
+  std::vector<TargetRecord> records;    ///< by target
+  std::deque<StopTask> queue;           ///< tasks to do; the first is the present one
+  bool arrived = false;                 ///< the robot is at the place of the present task
+  bool aimed = false;                   ///< the gun was commanded to aim
+  bool fired = false;                   ///< the last command was a shot
+  bool on_the_move = false;             ///< as the plan (GuardPlan)
+  std::vector<FlyingBall> flying = {};  ///< balls whose results are not known yet
+  std::optional<double> waited_s = {};  ///< time at which the robot last waited for such a ball
+  bool second_pass = false;             ///< the second pass has begun
+  bool more_to_come = false;            ///< delays the second pass, because more intruders may enter
+  Vec2 last_place;                      ///< last place to which the robot was sent
   /// By record: the target of the problem at whose place it is now. Empty: each record is at its own target.
   std::vector<std::size_t> stands_at;
   std::optional<Routes> routes;  ///< routes of the plan
@@ -74,7 +87,8 @@ std::size_t target_of(const StopTasks& tasks, std::size_t record);
 /// Makes the tasks of a plan. Targets that the plan leaves out get their final status.
 StopTasks tasks_of(const GuardProblem& problem, const GuardPlan& plan);
 
-/// Updates the records with the results of the last shots. A shot without a result counts as a miss.
+/// Updates the records with the results of the last shots. A shot without a result counts as a miss; one that
+/// nobody waits for, 5 s after the planned landing.
 void note_shots(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
                 const FiringMap& firing_map);
 
