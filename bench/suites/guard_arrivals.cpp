@@ -41,6 +41,7 @@ Outcome<Yard> prepared(const std::string& path, std::int64_t seeds) {
   if (!scenario.arrivals.any()) return bad_input("nobody comes; give arrivals.count", path);
   auto firing_map = build_firing_map(scenario.problem, scenario.options);
   if (!firing_map) return pass_on(firing_map);
+  scenario.options.shoot_on_the_move = false;  // the policies shoot from rest
   auto plan = plan_guard(scenario.problem, *firing_map, scenario.options, {});
   if (!plan) return pass_on(plan);
   auto precomputed = precompute_stops(scenario.problem, *firing_map, *plan, scenario.arrivals, {});

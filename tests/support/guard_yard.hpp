@@ -9,9 +9,16 @@
 
 namespace outrider::testing {
 
-/// Coarse enough that a small yard is planned in milliseconds.
-inline GuardOptions quick() {
+/// Plans that stand still to shoot and wait for each ball.
+inline GuardOptions from_rest() {
   GuardOptions options;
+  options.shoot_on_the_move = false;
+  return options;
+}
+
+/// The same, coarse enough that a small yard is planned in milliseconds.
+inline GuardOptions quick() {
+  GuardOptions options = from_rest();
   options.resolution_m = 0.15;
   options.stops = 60;
   options.iterations = 200;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view still_bodies =
     "the physics engine holds targets that stand still and leave when hit";
-constexpr std::string_view planned_once = "shots on the move are planned once, for targets that stand still";
+constexpr std::string_view planned_once = "shots on the move are planned for targets that stand still";
 constexpr std::string_view who_is_inside = "what stands in the way would change with who is inside";
 constexpr std::string_view unseen = "while the yard is explored nobody may come, move or be missed";
 
@@ -30,7 +30,6 @@ const std::vector<CapabilityRow>& capabilities() {
       {supplies, "limited supplies", "supplies"},
       {terrain, "terrain", "terrain"},
       {air, "air", "air.drag"},
-      {on_the_move, "shots on the move", "plan.shoot_on_the_move"},
       {unknown, "an unknown yard", "scout.unknown"},
       {rigid, "rigid bodies", "sim"},
       {blocking, "targets that block", "targets_block"},
@@ -42,30 +41,23 @@ const std::vector<Clash>& clashes() {
   using enum Capability;
   static const std::vector<Clash> table = {
       {arrivals, walkers, "who enters goes to one place and stays there"},
-      {arrivals, on_the_move, planned_once},
       {arrivals, unknown, unseen},
       {arrivals, rigid, still_bodies},
       {arrivals, blocking, who_is_inside},
       {survivors, walkers, "who walks about leaves when hit"},
-      {survivors, on_the_move, planned_once},
       {survivors, unknown, unseen},
       {survivors, rigid, still_bodies},
       {survivors, blocking, who_is_inside},
       {walkers, supplies, "the stops against walkers are chosen without stations"},
       {walkers, terrain, "walks and the shots that lead them are for level ground"},
-      {walkers, on_the_move, planned_once},
       {walkers, unknown, unseen},
       {walkers, rigid, still_bodies},
       {walkers, blocking, who_is_inside},
-      {supplies, on_the_move, "plans with stations shoot from a standstill"},
       {supplies, rigid, "the rigid robot has no tank and no battery"},
       {terrain, air, "drag is modelled on level ground only"},
-      {terrain, on_the_move, "shots from a robot that drives are solved for level ground"},
       {terrain, unknown, "the map of a range finder is level"},
       {terrain, rigid, "the rigid robot rolls on a level floor"},
       {air, rigid, "the physics engine knows no drag"},
-      {on_the_move, unknown, "shots on the move need the true walls"},
-      {on_the_move, rigid, "the rigid robot shoots from a standstill"},
       {unknown, rigid, "the rigid robot has no range finder"},
       {unknown, blocking, "targets that block would be walls on the map"},
   };
@@ -82,7 +74,6 @@ std::vector<Capability> asked_of(const GuardScenario& scenario) {
       {supplies, problem.supplies.any()},
       {terrain, problem.world.terrain != nullptr},
       {air, !problem.air.none()},
-      {on_the_move, scenario.options.shoot_on_the_move},
       {unknown, scenario.scout.unknown},
       {rigid, scenario.sim != "kinematic"},
       {blocking, problem.targets_block},
@@ -102,6 +93,22 @@ Status check_capabilities(const std::vector<Capability>& asked) {
     return bad_input(fmt::format("{} and {} do not go together, because {}; leave out {} or {}", one.noun,
                                  other.noun, clash.why, one.key, other.key),
                      std::string(other.key));
+  }
+  return {};
+}
+
+std::string_view why_from_rest(const std::vector<Capability>& asked) {
+  using enum Capability;
+  constexpr std::pair<Capability, std::string_view> hindrances[] = {
+      {arrivals, planned_once},
+      {survivors, planned_once},
+      {walkers, planned_once},
+      {supplies, "plans with stations shoot from a standstill"},
+      {terrain, "shots from a robot that drives are solved for level ground"},
+      {rigid, "the rigid robot shoots from a standstill"},
+  };
+  for (const auto& [capability, why] : hindrances) {
+    if (std::ranges::count(asked, capability) > 0) return why;
   }
   return {};
 }

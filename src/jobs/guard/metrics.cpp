@@ -250,7 +250,7 @@ Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord&
   };
   const Supplies& supplies = true_problem(run).supplies;
   if (supplies.any()) add(supply_metrics(log, supplies, mission.stores));
-  if (run.options.shoot_on_the_move) add(passing_metrics(log));
+  if (run.plan.on_the_move) add(passing_metrics(log));
   if (record.rigid) add(rigid_metrics(*record.rigid));
   Table table = target_table();
   for (std::size_t i = 0; i < records.size(); ++i)

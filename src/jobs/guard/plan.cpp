@@ -47,8 +47,10 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firi
   GuardPlan plan = begin_plan(problem, firing_map, options);
   if (plan.unreachable.size() == problem.targets.size()) return plan;
 
+  GuardOptions drafting = options;
+  if (firing_map.rules.terrain) drafting.shoot_on_the_move = false;  // it is for level ground
   ShotBook book;
-  const auto draft = draft_tour(problem, firing_map, options, budget, book, observe);
+  const auto draft = draft_tour(problem, firing_map, drafting, budget, book, observe);
   if (!draft) return tl::unexpected(draft.error());
   for (std::size_t t = 0; t < problem.targets.size(); ++t) {
     const auto& planned = draft->targets;
@@ -60,7 +62,7 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firi
   plan.tour_proven = draft->tour.proven_optimal;
   plan.stops_offered = draft->cells.size() - 1;
   if (auto ok = finish_plan(problem, firing_map, budget, plan); !ok) return pass_on(ok);
-  if (options.shoot_on_the_move) return shoot_in_passing(problem, firing_map, plan, budget.stop);
+  if (drafting.shoot_on_the_move) return shoot_in_passing(problem, firing_map, plan, budget.stop);
   plan.anywhere_lower_bound_s = mission_bound(problem, firing_map, draft->targets, options, budget);
   plan.expected_s = draft->tour.cost_s;
   plan.lower_bound_s =

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/supply_plan.hpp"
 #include "outrider/jobs/guard/survivors.hpp"
@@ -89,7 +90,9 @@ Outcome<GuardPlan> plan_targets(const GuardScenario& scenario, const GuardProble
                                 const DraftObserver& observe) {
   auto planner = find_guard_planner(scenario.options.planner);
   if (!planner) return pass_on(planner);
-  auto plan = planner->plan(problem, firing_map, scenario.options, budget, observe);
+  GuardOptions options = scenario.options;
+  if (!why_from_rest(asked_of(scenario)).empty()) options.shoot_on_the_move = false;
+  auto plan = planner->plan(problem, firing_map, options, budget, observe);
   if (!plan || scenario.arrivals.any() || scenario.arrivals.leave < 1.0) return plan;
   return supply_plan(problem, firing_map, std::move(*plan), budget);
 }

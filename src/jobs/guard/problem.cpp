@@ -31,7 +31,8 @@ std::vector<Option> describe(GuardOptions& options) {
       {"prove", "", 0, 0,
        "prove the best tour of the stops; take minutes and half of the memory for the bounds",
        &options.prove},
-      {"shoot_on_the_move", "", 0, 0, "shoot while driving where that makes the mission shorter",
+      {"shoot_on_the_move", "", 0, 0,
+       "shoot while driving and go on while balls fly; false: from rest, with proven bounds of the tour",
        &options.shoot_on_the_move},
   };
 }

@@ -14,16 +14,15 @@ namespace outrider {
 struct GuardScenario;
 
 enum class Capability : std::uint8_t {
-  arrivals,     ///< intruders enter one after another
-  survivors,    ///< an intruder may survive a hit and move to another place
-  walkers,      ///< intruders walk about
-  supplies,     ///< limited water and battery
-  terrain,      ///< height fields and slopes
-  air,          ///< drag and wind
-  on_the_move,  ///< shots from a moving robot
-  unknown,      ///< an unknown yard, which is explored first
-  rigid,        ///< rigid-body simulation of robot and balls
-  blocking,     ///< targets that block robot and shots
+  arrivals,   ///< intruders enter one after another
+  survivors,  ///< an intruder may survive a hit and move to another place
+  walkers,    ///< intruders walk about
+  supplies,   ///< limited water and battery
+  terrain,    ///< height fields and slopes
+  air,        ///< drag and wind
+  unknown,    ///< an unknown yard, which is explored first
+  rigid,      ///< rigid-body simulation of robot and balls
+  blocking,   ///< targets that block robot and shots
 };
 
 /// The names of a capability.
@@ -51,5 +50,9 @@ std::vector<Capability> asked_of(const GuardScenario& scenario);
 /// Checks that the capabilities combine. The fault describes the first pair that does not, at the key of its
 /// second member.
 Status check_capabilities(const std::vector<Capability>& asked);
+
+/// Returns why the robot shoots from rest although it may shoot on the move (plan.shoot_on_the_move), as a
+/// clause; empty if nothing hinders it.
+std::string_view why_from_rest(const std::vector<Capability>& asked);
 
 }  // namespace outrider

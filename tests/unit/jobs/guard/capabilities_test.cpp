@@ -131,7 +131,6 @@ void ask_for(GuardScenario& scenario, Capability capability) {
       break;
     }
     case Capability::air: problem.air = {0.02, 0.5, 1.0}; break;
-    case Capability::on_the_move: scenario.options.shoot_on_the_move = true; break;
     case Capability::unknown: scenario.scout.unknown = true; break;
     case Capability::rigid: scenario.sim = "physics"; break;
     case Capability::blocking: problem.targets_block = true; break;

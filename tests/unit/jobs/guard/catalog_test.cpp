@@ -59,7 +59,7 @@ TEST(GuardCatalog, EveryPlannerKeepsItsPromises) {
     auto problem = random_guard_problem(rng, 10, 1 + static_cast<std::size_t>(i) % 6, 2.5);
     problem.targets_block = i % 3 == 0;
     if (i % 4 == 1) problem.targets[0].base.z = 7.0;
-    GuardOptions options;
+    GuardOptions options = testing::from_rest();
     options.resolution_m = 0.15;
     options.stops = 60;
     options.iterations = 300;
@@ -126,7 +126,7 @@ GuardProblem row_of_targets() {
 
 TEST(ShrinkingCircles, TakeTheFirstPlaceOfTheLargestCircleAndListedGroups) {
   const GuardProblem problem = row_of_targets();
-  GuardOptions options;
+  GuardOptions options = testing::from_rest();
   options.group = 2;
   const auto firing_map = build_firing_map(problem, options);
   ASSERT_TRUE(firing_map.has_value());
@@ -151,7 +151,7 @@ TEST(ShrinkingCircles, TakeTheFirstPlaceOfTheLargestCircleAndListedGroups) {
 
 TEST(ShrinkingCircles, OneGroupOfAllIsTheBestOrderOfDrives) {
   const GuardProblem problem = row_of_targets();
-  GuardOptions options;
+  GuardOptions options = testing::from_rest();
   options.group = 6;
   const auto firing_map = build_firing_map(problem, options);
   ASSERT_TRUE(firing_map.has_value());

@@ -34,7 +34,7 @@ auto boxes_of(const GuardProblem& problem) {
 }
 
 GuardOptions coarse() {
-  GuardOptions options;
+  GuardOptions options = testing::from_rest();
   options.resolution_m = 0.25;
   options.stops = 60;
   options.refinements = 0;

@@ -46,7 +46,7 @@ double best_of_all(const GuardProblem& problem, const Drafted& given) {
         const auto shot = best_shot(map.rules, map.space(target), problem.targets[target],
                                     map.frame.centre(map.frame.cell(cell)), pitch);
         if (shot && shot->hit_rate >= given.book.at({cell, target})->hit_rate)
-          shots.push_back({goal, shot->gun.yaw_rad, shot->gun.pitch_rad, expected_flight(*shot)});
+          shots.push_back({goal, shot->gun.yaw_rad, shot->gun.pitch_rad, service_time(*shot, {})});
       }
       choices.emplace_back(&*service, std::move(shots));
     }
@@ -87,12 +87,12 @@ TEST(ChooseShots, EndsTheTourAsSoonAsTheBestOfAllCombinations) {
         const auto& shot = given->book.at({given->draft.cells[visit.stop], given->draft.targets[goal]});
         auto& services = given->draft.offered.services[visit.stop];
         *std::ranges::find(services, goal, &Service::goal) = {goal, shot->gun.yaw_rad, shot->gun.pitch_rad,
-                                                              expected_flight(*shot)};
+                                                              service_time(*shot, {})};
       }
     }
     const double before = cost(given->draft.offered, given->draft.tour.visits);
     const double best = best_of_all(problem, *given);
-    choose_shots(problem, given->firing_map, given->book, given->draft);
+    choose_shots(problem, given->firing_map, {}, given->book, given->draft);
     EXPECT_LE(given->draft.tour.cost_s, best + 1e-9);
     EXPECT_EQ(given->draft.tour.cost_s, cost(given->draft.offered, given->draft.tour.visits));
     sooner += given->draft.tour.cost_s < before - 0.01 ? 1 : 0;

@@ -103,7 +103,7 @@ TEST(HundredTargets, WhatIsPlannedHitsAndWhatIsRefusedIsOutOfReach) {
   for (int i = 0; i < cases(1); ++i) {
     const GuardProblem problem = random_town(rng);
     ASSERT_EQ(problem.targets.size(), most_targets);
-    GuardOptions options;
+    GuardOptions options = testing::from_rest();
     options.stops = 150;
     options.iterations = 500;
     options.refinements = 1;

@@ -11,7 +11,7 @@ namespace outrider {
 namespace {
 
 GuardOptions quick() {
-  GuardOptions options;
+  GuardOptions options = testing::from_rest();
   options.resolution_m = 0.25;
   options.stops = 40;
   options.refinements = 0;

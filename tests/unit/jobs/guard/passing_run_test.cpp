@@ -50,7 +50,9 @@ struct Planned {
 Planned planned(GuardProblem problem) {
   auto firing_map = build_firing_map(problem, on_the_move());
   EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
-  auto plan = plan_guard(problem, *firing_map, on_the_move(), {});
+  GuardOptions from_rest = on_the_move();
+  from_rest.shoot_on_the_move = false;
+  auto plan = plan_guard(problem, *firing_map, from_rest, {});
   EXPECT_TRUE(plan.has_value());
   GuardPlan passing = shoot_in_passing(problem, *firing_map, *plan);
   EXPECT_LT(passing.cost_s, plan->cost_s);

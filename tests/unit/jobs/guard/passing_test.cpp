@@ -53,7 +53,7 @@ struct Case {
 Case planned_case(GuardProblem problem) {
   auto firing_map = build_firing_map(problem, quick_on_the_move());
   EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
-  auto plan = plan_guard(problem, *firing_map, quick_on_the_move(), {});
+  auto plan = plan_guard(problem, *firing_map, testing::quick(), {});
   EXPECT_TRUE(plan.has_value()) << plan.error().sentence;
   GuardPlan passing = shoot_in_passing(problem, *firing_map, *plan);
   return {std::move(problem), std::move(*firing_map), std::move(*plan), std::move(passing)};
@@ -87,23 +87,36 @@ bool hits_from(const Case& c, const Platform& platform, std::size_t target, cons
       .hit;
 }
 
-/// The time of a plan, added up from waypoints and shots; the gun is seen to be in time for each shot.
-double own_cost_in_passing(const GuardProblem& problem, const GuardPlan& plan) {
-  const RobotModel& robot = problem.robot;
-  double time = 0.0;
-  double heading = problem.start.heading_rad;
-  double yaw = 0.0;  // of the gun against the body
+/// A gun that turns while the robot drives, and the balls in the air.
+struct OwnMovingGun {
+  const GuardProblem& problem;
+  double yaw = 0.0;  // against the body
   double pitch = 0.0;
-  const auto turn_gun = [&](const Shot& shot) {
+  double free = 0.0;    // since when it may turn
+  double landed = 0.0;  // the last ball
+
+  /// Turns for a shot from a body with that heading; when it is ready.
+  double ready(const Shot& shot, double heading) {
     const double relative = shot.yaw_rad - heading;
     const double turn_s = std::max(own_angle(relative - yaw) / problem.gun.yaw_rate_radps,
                                    std::abs(shot.pitch_rad - pitch) / problem.gun.pitch_rate_radps);
     yaw = relative;
     pitch = shot.pitch_rad;
-    return turn_s;
-  };
+    return free + turn_s;
+  }
+  void fires(double time, double flight_s) {
+    free = time;
+    landed = std::max(landed, time + flight_s);
+  }
+};
+
+/// The time of a plan, added up from waypoints and shots; the gun is seen to be in time for each shot.
+double own_cost_in_passing(const GuardProblem& problem, const GuardPlan& plan) {
+  const RobotModel& robot = problem.robot;
+  OwnMovingGun gun{problem};
+  double time = 0.0;
+  double heading = problem.start.heading_rad;
   for (const PlannedStop& stop : plan.stops) {
-    double landed = 0.0;
     std::size_t shots = 0;
     for (std::size_t i = 1; i < stop.waypoints.size(); ++i) {
       const Vec2 leg = stop.waypoints[i] - stop.waypoints[i - 1];
@@ -111,21 +124,22 @@ double own_cost_in_passing(const GuardProblem& problem, const GuardPlan& plan) {
       const double next = std::atan2(leg.y, leg.x);
       time += own_duration(own_angle(next - heading), robot.turn_rate_radps, robot.turn_acceleration_radps2);
       heading = next;
-      double last = 0.0;
       for (const PassingHit& hit : stop.passing) {
         if (hit.leg != i) continue;
-        EXPECT_LE(last + turn_gun(hit.shot.shot), hit.after_s);
-        last = hit.after_s;
-        landed = std::max(landed, time + hit.after_s + hit.shot.flight_s);
+        EXPECT_LE(gun.ready(hit.shot.shot, heading), time + hit.after_s);
+        gun.fires(time + hit.after_s, hit.shot.flight_s);
         ++shots;
       }
       time += own_duration(norm(leg), robot.speed_mps, robot.acceleration_mps2);
     }
     EXPECT_EQ(shots, stop.passing.size());
-    time = std::max(time, landed);
-    for (const PlannedHit& hit : stop.hits) time += turn_gun(hit.shot.shot) + hit.shot.flight_s;
+    for (const PlannedHit& hit : stop.hits) {
+      time = std::max(time, gun.ready(hit.shot.shot, heading));
+      gun.fires(time, hit.shot.flight_s);
+      if (!hit.shot.survives) gun.free = time = time + hit.shot.flight_s;
+    }
   }
-  return time;
+  return std::max(time, gun.landed);
 }
 
 std::size_t in_passing(const GuardPlan& plan) {

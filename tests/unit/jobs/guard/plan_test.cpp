@@ -74,7 +74,7 @@ TEST(PlanGuard, KeepsItsPromisesInRandomYards) {
     auto problem = random_guard_problem(rng, 12, 1 + static_cast<std::size_t>(i) % 6, 2.5);
     problem.targets_block = i % 3 == 0;
     if (i % 4 == 1) problem.targets[0].base.z = 7.0;
-    GuardOptions options;
+    GuardOptions options = testing::from_rest();
     options.resolution_m = 0.15;
     options.stops = 60;
     options.iterations = 300;
@@ -125,7 +125,7 @@ GuardProblem hut_problem() {
 
 TEST(PlanGuard, NamesWhatStandsInTheWayOfAnUnreachableTarget) {
   const GuardProblem problem = hut_problem();
-  const GuardOptions options{.resolution_m = 0.2};
+  const GuardOptions options{.resolution_m = 0.2, .shoot_on_the_move = false};
   const auto firing_map = build_firing_map(problem, options);
   ASSERT_TRUE(firing_map.has_value());
   const auto plan = plan_guard(problem, *firing_map, options, {});
@@ -150,7 +150,7 @@ TEST(PlanGuard, NamesWhatStandsInTheWayOfAnUnreachableTarget) {
 TEST(PlanGuard, SaysWhenATargetIsOutOfReachOrOnlyHitFromElsewhere) {
   GuardProblem problem = hut_problem();
   problem.targets[1].base.z = 8.0;
-  const GuardOptions options{.resolution_m = 0.2};
+  const GuardOptions options{.resolution_m = 0.2, .shoot_on_the_move = false};
   const auto firing_map = build_firing_map(problem, options);
   const auto plan = plan_guard(problem, *firing_map, options, {});
   ASSERT_EQ(plan->unreachable.size(), 1U);
@@ -176,7 +176,7 @@ TEST(PlanGuard, SaysWhenATargetIsOutOfReachOrOnlyHitFromElsewhere) {
 TEST(PlanGuard, TellsOfFasterAndFasterToursAndPlansTheSame) {
   Rng rng(5);
   const GuardProblem problem = random_guard_problem(rng, 12, 6, 2.5);
-  GuardOptions options;
+  GuardOptions options = testing::from_rest();
   options.resolution_m = 0.15;
   options.stops = 60;
   options.iterations = 300;
@@ -209,7 +209,7 @@ TEST(PlanGuard, IsEmptyWithoutTargets) {
   problem.targets.clear();
   const auto firing_map = build_firing_map(problem, {});
   ASSERT_TRUE(firing_map.has_value());
-  const auto plan = plan_guard(problem, *firing_map, {}, {});
+  const auto plan = plan_guard(problem, *firing_map, testing::from_rest(), {});
   ASSERT_TRUE(plan.has_value());
   EXPECT_TRUE(plan->stops.empty());
   EXPECT_EQ(plan->cost_s, 0.0);
@@ -221,7 +221,7 @@ TEST(PlanGuard, PassesABudgetThatEndsAtOnceOn) {
   const auto firing_map = build_firing_map(problem, {});
   Budget budget;
   budget.expansions = 0;
-  const auto plan = plan_guard(problem, *firing_map, {}, budget);
+  const auto plan = plan_guard(problem, *firing_map, testing::from_rest(), budget);
   ASSERT_FALSE(plan.has_value());
   EXPECT_EQ(plan.error().code, FaultCode::budget_exhausted);
 }
@@ -237,7 +237,7 @@ TEST(PlanGuard, ShootsThroughASlitThatTheCentreDoesNotSee) {
                           box_at("lintel", {0, 1.0, 2.0}, {6, 0.05, 2.0}),
                           box_at("west", {-1.2, 1.7, 1.5}, {0.05, 1.4, 3.0}),
                           box_at("east", {1.2, 1.7, 1.5}, {0.05, 1.4, 3.0})};
-  GuardOptions options;
+  GuardOptions options = testing::from_rest();
   options.resolution_m = 0.3;
   const auto firing_map = build_firing_map(problem, options);
   ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;

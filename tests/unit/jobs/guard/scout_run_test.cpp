@@ -37,6 +37,7 @@ GuardProblem yard() {
 Outcome<Run> mission(std::uint64_t seed, LogSink* sink = nullptr) {
   const GuardProblem problem = yard();
   GuardOptions options;
+  options.shoot_on_the_move = false;
   options.resolution_m = 0.25;
   ScoutTask task;
   task.options.unknown = true;

@@ -65,7 +65,7 @@ struct Yard {
 };
 
 GuardOptions quick() {
-  GuardOptions options;
+  GuardOptions options = testing::from_rest();
   options.resolution_m = 0.2;
   options.stops = 40;
   options.iterations = 100;

@@ -18,7 +18,7 @@ namespace outrider {
 namespace {
 
 GuardOptions coarse() {
-  GuardOptions options;
+  GuardOptions options = testing::from_rest();
   options.resolution_m = 0.25;
   options.stops = 60;
   options.refinements = 0;

@@ -17,7 +17,7 @@ using testing::hill;
 using testing::terrain_of;
 
 GuardOptions on_terrain() {
-  GuardOptions options;
+  GuardOptions options = testing::from_rest();
   options.resolution_m = 0.25;
   options.refinements = 0;
   options.iterations = 50;
