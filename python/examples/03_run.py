@@ -15,5 +15,5 @@ except outrider.BadInput as refusal:
 
 # Prints:
 # guard: done, 23 of 24 targets
-# 23 shots, the first after 2.3 s
+# 23 shots, the first after 1.4 s
 # robot.radius: '-1' is not valid; expected a number from 0 to 100 m

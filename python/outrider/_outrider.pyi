@@ -925,7 +925,7 @@ class FireInPassing:
 class FollowWaypoints:
     """Turn in place towards the next waypoint, drive straight to it and stop, until the last one.
 
-    The command ends when all balls of its shots have landed.
+    The command does not wait for the balls of its shots to land.
     """
 
     def __init__(self, waypoints: Points, *, until_arrival: bool = False) -> None: ...
@@ -938,6 +938,9 @@ class FollowWaypoints:
     @property
     def shots(self) -> list[FireInPassing]:
         """In the order of time."""
+    @property
+    def aim(self) -> AimGun | None:
+        """Direction of the barrel on arrival, to which it turns during the drive, after the last shot."""
 
 class AimGun:
     """Turn the barrel to a yaw and a pitch in the world, rad."""
@@ -953,7 +956,9 @@ class AimGun:
 class Fire:
     """Fire along the barrel, and tell the outcome as a ShotResult: angles in rad, the speed at the muzzle in m/s."""
 
-    def __init__(self, *, target: int, yaw: float, pitch: float, speed: float) -> None: ...
+    def __init__(
+        self, *, target: int, yaw: float, pitch: float, speed: float, until_landed: bool = True
+    ) -> None: ...
     @property
     def target(self) -> int:
         """Number of the target."""
@@ -966,6 +971,9 @@ class Fire:
     @property
     def speed(self) -> float:
         """Of the ball at the muzzle, m/s."""
+    @property
+    def until_landed(self) -> bool:
+        """The command ends when the ball has landed; otherwise at once, and the outcome is told later."""
 
 class Fill:
     """Fill a store completely at the station where the robot stands."""

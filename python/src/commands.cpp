@@ -82,7 +82,8 @@ void bind_ways(py::module_& module) {
       .def_property_readonly("waypoints",
                              [](const FollowWaypoints& command) { return array_of(command.waypoints); })
       .def_readonly("until_arrival", &FollowWaypoints::until_arrival)
-      .def_readonly("shots", &FollowWaypoints::shots);
+      .def_readonly("shots", &FollowWaypoints::shots)
+      .def_readonly("aim", &FollowWaypoints::aim);
 }
 
 void bind_gun(py::module_& module) {
@@ -92,14 +93,16 @@ void bind_gun(py::module_& module) {
       .def_readonly("yaw", &AimGun::yaw_rad)
       .def_readonly("pitch", &AimGun::pitch_rad);
   py::class_<Fire>(module, "Fire")
-      .def(py::init([](std::size_t target, double yaw, double pitch, double speed) {
-             return Fire{target, {yaw, pitch, speed}};
+      .def(py::init([](std::size_t target, double yaw, double pitch, double speed, bool until_landed) {
+             return Fire{target, {yaw, pitch, speed}, until_landed};
            }),
-           py::kw_only(), py::arg("target"), py::arg("yaw"), py::arg("pitch"), py::arg("speed"))
+           py::kw_only(), py::arg("target"), py::arg("yaw"), py::arg("pitch"), py::arg("speed"),
+           py::arg("until_landed") = true)
       .def_readonly("target", &Fire::target)
       .def_property_readonly("yaw", [](const Fire& command) { return command.shot.yaw_rad; })
       .def_property_readonly("pitch", [](const Fire& command) { return command.shot.pitch_rad; })
-      .def_property_readonly("speed", [](const Fire& command) { return command.shot.speed_mps; });
+      .def_property_readonly("speed", [](const Fire& command) { return command.shot.speed_mps; })
+      .def_readonly("until_landed", &Fire::until_landed);
   py::class_<Fill>(module, "Fill")
       .def_property_readonly("station", [](const Fill& command) { return command.call.station; })
       .def_property_readonly("store",
@@ -110,8 +113,8 @@ void bind_gun(py::module_& module) {
 
 void bind_commands(py::module_& module) {
   bind_drives(module);
-  bind_ways(module);
   bind_gun(module);
+  bind_ways(module);
 }
 
 }  // namespace outrider::python

@@ -58,14 +58,18 @@ class DriveBy(ToolTest):
             self.run_of("run", LANE, *QUICK, "--threads", threads, out=threads)
         self.same_run("1", "2")
 
-    def test_what_does_not_go_together_gets_a_sentence(self):
-        for flags, says in [
-                (["--sim", "physics"], ["sim", "shots on the move"]),
-                (["--arrivals-leave", "0.5"], ["arrivals.leave", "shots on the move"]),
-                (["--wander-speed", "0.5"], ["wander.speed", "shots on the move"]),
-                (["--errors-timing", "-1"], ["--errors-timing", "'-1'", "from 0 to 1"])]:
+    def test_stands_still_where_something_hinders_it(self):
+        for flags in [["--sim", "physics"], ["--arrivals-leave", "0.5"], ["--wander-speed", "0.5"],
+                      ["--plan-prove"], ["--supplies-tank", "9"]]:
             with self.subTest(flags=flags):
-                self.refused("run", LANE, *flags, "--out", "out", says=says)
+                metrics, log = self.run_of("run", LANE, *QUICK, *flags, out=flags[0])
+                self.assertNotIn("shots_in_passing", metrics)
+                self.assertFalse(any(shot.platform_velocity.x or shot.platform_velocity.y
+                                     for _, shot in log.read("/shots")))
+
+    def test_a_bad_error_is_refused(self):
+        self.refused("run", LANE, "--errors-timing", "-1", "--out", "out",
+                     says=["--errors-timing", "'-1'", "from 0 to 1"])
 
 
 if __name__ == "__main__":

@@ -27,7 +27,7 @@ class Scout(ToolTest):
                 self.assertIn(base64.b64encode(log).decode(), file.read())
 
     def test_what_does_not_go_together(self):
-        for words in [["--targets-block"], ["--plan-shoot-on-the-move"], ["--wander-speed", "0.5"]]:
+        for words in [["--targets-block"], ["--wander-speed", "0.5"]]:
             result = self.run_tool("run", YARD, *words)
             self.assertEqual(result.returncode, 2, words)
             self.assertIn("an unknown yard", result.stderr)

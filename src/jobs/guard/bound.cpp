@@ -55,9 +55,11 @@ std::uint16_t sum(std::uint32_t a, std::uint32_t b) {
 std::size_t without(std::size_t set, std::size_t bit) { return set & ~(std::size_t{1} << bit); }
 
 /// The mission without turns, aims and halts at bends, over the targets chosen so far. Times are in units.
+/// On the move, drives have no halts and no ball is waited for.
 class Relaxed {
  public:
-  Relaxed(const GuardProblem& problem, const FiringMap& firing_map, const std::vector<std::size_t>& targets);
+  Relaxed(const GuardProblem& problem, const FiringMap& firing_map, const std::vector<std::size_t>& targets,
+          bool on_the_move);
 
   /// Takes one more target in; false, and nothing done, when the budget ends first or the token is raised.
   bool choose(std::size_t index, BudgetMeter& meter, const std::stop_token& stop);
@@ -70,11 +72,15 @@ class Relaxed {
   [[nodiscard]] Field arrived(std::size_t set) const;
   void drive(Field& value) const;
   [[nodiscard]] std::vector<std::size_t> stops() const;
+  [[nodiscard]] double value_s(std::size_t set) const;
   [[nodiscard]] bool is_chosen(std::size_t index) const {
     return std::find(chosen_.begin(), chosen_.end(), index) != chosen_.end();
   }
 
   Lattice lattice_;
+  Limits straight_;
+  bool on_the_move_ = false;
+  double aside_s_ = 0.0;  // on the move, to drive to the centre of a cell and back
   double unit_s_ = 0.0;
   std::uint32_t overhead_ = 0;                   // of a drive, to speed up and to slow down
   std::size_t home_ = 0;                         // the cell nearest to the start
@@ -86,15 +92,17 @@ class Relaxed {
 };
 
 Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
-                 const std::vector<std::size_t>& targets)
+                 const std::vector<std::size_t>& targets, bool on_the_move)
     : lattice_(firing_map, problem.robot.radius_m),
+      straight_(problem.robot.straight()),
+      on_the_move_(on_the_move),
       flight_(targets.size(), GridPart<std::uint16_t>(endless)),
       least_(targets.size(), endless),
       value_(1, Field(firing_map.frame.size(), 0)) {
-  const Limits straight = problem.robot.straight();
-  unit_s_ = lattice_.unit_m() / straight.speed;
-  overhead_ =
-      static_cast<std::uint32_t>(std::min<double>(endless, straight.speed / straight.acceleration / unit_s_));
+  unit_s_ = lattice_.unit_m() / straight_.speed;
+  if (on_the_move_) aside_s_ = std::sqrt(2.0) * firing_map.frame.resolution_m / straight_.speed;
+  overhead_ = static_cast<std::uint32_t>(
+      std::min<double>(endless, straight_.speed / straight_.acceleration / unit_s_));
   const auto place = [&](std::size_t c) { return firing_map.frame.centre(firing_map.frame.cell(c)); };
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t c = 0; c < firing_map.frame.size(); ++c) {
@@ -102,12 +110,13 @@ Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
     if (way < nearest) home_ = c;
     nearest = std::min(nearest, way);
   }
-  to_home_s_ = 2.0 * nearest / straight.speed;
+  to_home_s_ = 2.0 * nearest / straight_.speed;
   parallel_for(targets.size(), [&](std::size_t i) {
     const std::size_t t = targets[i];
     flight_[i] = firing_map.regions[t].pitch.mapped(endless, [&](std::size_t c, std::uint8_t pitch) {
       if (pitch == FiringRegion::no_shot) return endless;
-      const double units = least_flight(firing_map.rules, problem.targets[t], place(c)) / unit_s_;
+      const double units =
+          on_the_move_ ? 0.0 : least_flight(firing_map.rules, problem.targets[t], place(c)) / unit_s_;
       const auto flight = static_cast<std::uint16_t>(std::min<double>(endless - 1, units));
       least_[i] = std::min(least_[i], flight);
       return flight;
@@ -129,7 +138,9 @@ Field Relaxed::arrived(std::size_t set) const {
 
 /// Adds the choice of driving first. A drive of length d takes, with speed v and acceleration a, no less
 /// than the lesser of 2 d / v, the chord of the true time up to v^2 / a, and d / v + v / a, the time beyond.
+/// On the move, no less than d / v.
 void Relaxed::drive(Field& value) const {
+  if (on_the_move_) return lattice_.error_ratio(value, 1);
   Field driven = value;
   lattice_.error_ratio(driven, 1);
   for (std::size_t c = 0; c < value.size(); ++c) driven[c] = std::min(value[c], sum(driven[c], overhead_));
@@ -161,6 +172,17 @@ bool Relaxed::choose(std::size_t index, BudgetMeter& meter, const std::stop_toke
   return true;
 }
 
+/// From below, the time to hit a set from the start. On the move, the robot shoots anywhere in a cell rather
+/// than at its centre, and it speeds up once.
+double Relaxed::value_s(std::size_t set) const {
+  const double time = value_[set][home_] * unit_s_ - to_home_s_ - std::popcount(set) * aside_s_;
+  if (!on_the_move_) return time;
+  const double way = std::max(0.0, time) * straight_.speed;
+  const double speed_up_m = 0.5 * straight_.speed * straight_.speed / straight_.acceleration;
+  return way < speed_up_m ? std::sqrt(2.0 * way / straight_.acceleration)
+                          : (way + speed_up_m) / straight_.speed;
+}
+
 /// The best of the sets: its value, and the least flights of all other targets.
 double Relaxed::bound_s() const {
   std::uint64_t all = 0;
@@ -171,7 +193,7 @@ double Relaxed::bound_s() const {
     for (std::size_t bit = 0; bit < chosen_.size(); ++bit) {
       if ((set >> bit & 1U) != 0) others -= least_[chosen_[bit]];
     }
-    best = std::max(best, static_cast<double>(others + value_[set][home_]) * unit_s_ - to_home_s_);
+    best = std::max(best, static_cast<double>(others) * unit_s_ + value_s(set));
   }
   return best;
 }
@@ -228,7 +250,7 @@ double mission_bound(const GuardProblem& problem, const FiringMap& firing_map,
   const double field = sizeof(std::uint16_t) * static_cast<double>(firing_map.frame.size());
   const std::size_t most = options.prove ? most_chosen : usual_chosen;
   BudgetMeter meter(budget);
-  Relaxed relaxed(problem, firing_map, targets);
+  Relaxed relaxed(problem, firing_map, targets, options.shoot_on_the_move);
   while (relaxed.chosen() < most && std::ldexp(field, static_cast<int>(relaxed.chosen()) + 1) <= room) {
     const auto next = relaxed.hardest();
     if (!next || !relaxed.choose(*next, meter, budget.stop)) break;

@@ -121,21 +121,19 @@ const GuardPlan& sooner(const GuardPlan& standing, const GuardPlan& passing) {
 GuardPlan shoot_in_passing(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
                            const std::stop_token& stop) {
   GuardPlan best = plan;
-  std::vector<std::size_t> targets;
-  bool fills = false;
+  bool fills = false, shoots = false;
   for (const PlannedStop& planned : plan.stops) {
     fills = fills || planned.call;
-    for (const PlannedHit& hit : planned.hits) targets.push_back(hit.target);
+    shoots = shoots || !planned.hits.empty();
   }
   best.expected_s.reset();
-  best.lower_bound_s = moving_bound(problem, firing_map, targets);
-  best.anywhere_lower_bound_s = best.lower_bound_s;
+  best.lower_bound_s = best.anywhere_lower_bound_s = 0.0;
   best.tour_proven = false;
   best.stops_offered = 0;
   best.on_the_move = !fills && !firing_map.rules.terrain;
   best.cost_s = mission_time(problem, firing_map, best);
   const GuardPlan standing = best;
-  if (targets.empty() || fills || firing_map.rules.terrain || !standing.routes) return best;
+  if (!shoots || fills || firing_map.rules.terrain || !standing.routes) return best;
 
   Assembly assembly(problem, firing_map, standing, *standing.routes);
   Choice choice = choice_of(plan);
@@ -155,22 +153,6 @@ GuardPlan shoot_in_passing(const GuardProblem& problem, const FiringMap& firing_
     if (shorter) choice = std::move(chosen);
   }
   return sooner(standing, best);
-}
-
-double moving_bound(const GuardProblem& problem, const FiringMap& firing_map,
-                    const std::vector<std::size_t>& targets) {
-  if (!firing_map.rules.air.none()) return 0.0;
-  ShotRules fastest = firing_map.rules;
-  fastest.gun.muzzle_speed_mps += problem.robot.speed_mps;
-  double bound = 0.0;
-  for (const std::size_t t : targets) {
-    const Target& target = problem.targets[t];
-    const double way_m = distance(problem.start.position, xy(target.base)) - longest_range(fastest, target);
-    if (way_m <= 0.0) continue;
-    // Half of a drive of twice the length: the robot need not halt where it shoots.
-    bound = std::max(bound, 0.5 * duration(2.0 * way_m, problem.robot.straight()));
-  }
-  return bound;
 }
 
 }  // namespace outrider

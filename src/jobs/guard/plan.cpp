@@ -48,7 +48,8 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firi
   if (plan.unreachable.size() == problem.targets.size()) return plan;
 
   GuardOptions drafting = options;
-  if (firing_map.rules.terrain) drafting.shoot_on_the_move = false;  // it is for level ground
+  // Shots from a robot that drives are solved for level ground, and tours are proven for shots from rest.
+  if (firing_map.rules.terrain || options.prove) drafting.shoot_on_the_move = false;
   ShotBook book;
   const auto draft = draft_tour(problem, firing_map, drafting, budget, book, observe);
   if (!draft) return tl::unexpected(draft.error());
@@ -62,8 +63,13 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firi
   plan.tour_proven = draft->tour.proven_optimal;
   plan.stops_offered = draft->cells.size() - 1;
   if (auto ok = finish_plan(problem, firing_map, budget, plan); !ok) return pass_on(ok);
-  if (drafting.shoot_on_the_move) return shoot_in_passing(problem, firing_map, plan, budget.stop);
-  plan.anywhere_lower_bound_s = mission_bound(problem, firing_map, draft->targets, options, budget);
+  const double anywhere_s = mission_bound(problem, firing_map, draft->targets, drafting, budget);
+  if (drafting.shoot_on_the_move) {
+    plan = shoot_in_passing(problem, firing_map, plan, budget.stop);
+    plan.lower_bound_s = plan.anywhere_lower_bound_s = anywhere_s;
+    return plan;
+  }
+  plan.anywhere_lower_bound_s = anywhere_s;
   plan.expected_s = draft->tour.cost_s;
   plan.lower_bound_s =
       std::max(draft->tour.lower_bound_s, std::min(plan.anywhere_lower_bound_s, plan.cost_s));

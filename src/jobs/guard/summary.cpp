@@ -42,15 +42,9 @@ std::string supply_line(const Report& report) {
   return text + "\n";
 }
 
-std::string passing_lines(const Report& report) {
-  std::string text = fmt::format("  {:.0f} of the shots left while the robot drove, {:.0f} of these hit\n",
-                                 metric(report, "shots_in_passing"), metric(report, "hits_in_passing"));
-  const double bound_s = metric(report, "lower_bound_s");
-  if (bound_s > 0.0) {
-    text += fmt::format("  no mission, shooting from rest or on the move, takes less than {}\n",
-                        duration_text(bound_s));
-  }
-  return text;
+std::string passing_line(const Report& report) {
+  return fmt::format("  {:.0f} of the shots left while the robot drove, {:.0f} of these hit\n",
+                     metric(report, "shots_in_passing"), metric(report, "hits_in_passing"));
 }
 
 std::string target_row(const TableRow& row, std::size_t width) {
@@ -64,14 +58,22 @@ std::string target_row(const TableRow& row, std::size_t width) {
                      degrees(row.number("pitch_rad")), row.number("speed_mps"), row.number("clearance_m"));
 }
 
-/// How far the plan may be from the best, among the stops offered and from anywhere.
+/// How far the plan may be from the best: from anywhere, and among the stops offered.
 std::string bounds_lines(const Report& report) {
-  return fmt::format(
-      "  no tour of the {:.0f} stops offered takes less than {}: a gap of {:.1f} %{}\n"
-      "  no mission from any place of the grid takes less than {}: a gap of {:.1f} %\n",
-      metric(report, "stops_offered"), duration_text(metric(report, "lower_bound_s")),
-      100.0 * metric(report, "gap"), metric(report, "tour_proven") > 0.0 ? ", the tour is the best" : "",
-      duration_text(metric(report, "anywhere_lower_bound_s")), 100.0 * metric(report, "anywhere_gap"));
+  const double anywhere_s = metric(report, "anywhere_lower_bound_s");
+  std::string text;
+  if (anywhere_s > 0.0) {
+    text = fmt::format("  no mission{} from any place of the grid takes less than {}: a gap of {:.1f} %\n",
+                       has_metric(report, "shots_in_passing") ? ", standing or on the move," : "",
+                       duration_text(anywhere_s), 100.0 * metric(report, "anywhere_gap"));
+  }
+  if (metric(report, "stops_offered") > 0.0) {
+    text += fmt::format("  no tour of the {:.0f} stops offered takes less than {}: a gap of {:.1f} %{}\n",
+                        metric(report, "stops_offered"), duration_text(metric(report, "lower_bound_s")),
+                        100.0 * metric(report, "gap"),
+                        metric(report, "tour_proven") > 0.0 ? ", the tour is the best" : "");
+  }
+  return text;
 }
 
 std::string planning_line(const Report& report) {
@@ -123,10 +125,9 @@ std::string guard_summary(const Report& report) {
       "  planned {}\n",
       metric(report, "driven_m"), degrees(metric(report, "turned_rad")), metric(report, "shots"),
       metric(report, "stops"), duration_text(metric(report, "planned_s")));
-  if (has_metric(report, "stops_offered") && metric(report, "stops_offered") > 0.0)
-    text += bounds_lines(report);
+  if (has_metric(report, "shots_in_passing")) text += passing_line(report);
+  text += bounds_lines(report);
   if (has_metric(report, "fills")) text += supply_line(report);
-  if (has_metric(report, "shots_in_passing")) text += passing_lines(report);
   return text + planning_line(report);
 }
 

@@ -4,6 +4,11 @@
 // shot that the gun can fire, and that drive between these centres anywhere on free ground. Turning, aiming
 // and stopping at the bends of a path are not counted.
 //
+// On the move (GuardOptions::shoot_on_the_move) it holds for all missions that fire at each target while the
+// robot is anywhere in a cell of its firing region, standing or driving. Flights count nothing then, and a
+// drive of length d takes d / v; the robot speeds up once. For each target that takes part, the way to the
+// centre of a cell and back is taken off.
+//
 // The bound is a dynamic programme over sets of targets (Held and Karp, 1962). For a set, the value of a cell
 // is the least time in which a robot that stands there can hit all targets of the set. There are two choices:
 // hit one target from here and then the others, or drive to another cell first. So the values of a set follow

@@ -101,7 +101,7 @@ TEST(MissionBound, IsNeverAboveTheOptimumOverAllCellsAndOrders) {
     // Hard to hit from afar, so that there is something to drive.
     problem.gun.muzzle_speed_mps = rng.uniform(2.5, 5.0);
     problem.robot.acceleration_mps2 = i % 5 == 0 ? 20.0 : 0.8;
-    GuardOptions options;
+    GuardOptions options = testing::from_rest();
     options.resolution_m = rng.uniform(0.35, 0.6);
     const auto firing_map = build_firing_map(problem, options);
     ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
@@ -131,7 +131,7 @@ TEST(MissionBound, IsCloseOnOpenGround) {
   for (int i = 0; i < cases(12); ++i) {
     auto problem = random_guard_problem(rng, 0, 3, 4.0);
     problem.gun.muzzle_speed_mps = rng.uniform(2.0, 3.5);
-    GuardOptions options;
+    GuardOptions options = testing::from_rest();
     options.resolution_m = 0.5;
     const auto firing_map = build_firing_map(problem, options);
     ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
@@ -149,11 +149,77 @@ TEST(MissionBound, IsCloseOnOpenGround) {
   EXPECT_GT(tightness / yards, 0.85);
 }
 
+/// The time in which a robot that begins at rest and never halts drives that far.
+double unhalted(const RobotModel& robot, double way_m) {
+  const double a = robot.acceleration_mps2, v = robot.speed_mps;
+  const double speed_up_s = v / a, speed_up_m = 0.5 * v * speed_up_s;
+  return way_m < speed_up_m ? std::sqrt(2.0 * way_m / a) : speed_up_s + (way_m - speed_up_m) / v;
+}
+
+double length_of(const std::vector<Vec2>& way) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) length += distance(way[i - 1], way[i]);
+  return length;
+}
+
+/// Missions that fire at each target from a random place in some cell of its region, without a halt.
+TEST(MissionBound, OnTheMoveIsNeverAboveADriveThroughTheRegions) {
+  Rng rng(88);
+  int yards = 0;
+  double tightness = 0.0;
+  for (int i = 0; i < cases(20); ++i) {
+    auto problem = random_guard_problem(rng, i % 2 == 0 ? 0 : 8, 1 + static_cast<std::size_t>(i) % 3, 3.0);
+    problem.gun.muzzle_speed_mps = rng.uniform(2.5, 4.0);
+    problem.robot.acceleration_mps2 = rng.uniform(0.3, 5.0);
+    GuardOptions options;
+    options.resolution_m = rng.uniform(0.15, 0.4);
+    const auto firing_map = build_firing_map(problem, options);
+    ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+    std::vector<std::size_t> targets;
+    for (std::size_t t = 0; t < firing_map->regions.size(); ++t) {
+      if (firing_map->regions[t].hits > 0) targets.push_back(t);
+    }
+    if (targets.empty()) continue;
+    const double bound = mission_bound(problem, *firing_map, targets, options, {});
+    const double half = 0.5 * options.resolution_m;
+    double best = inf;
+    for (int k = 0; k < 300; ++k) {
+      std::vector<Vec2> places{problem.start.position};
+      for (const std::size_t t : targets) {
+        std::size_t cell = 0;
+        do cell = static_cast<std::size_t>(rng.uniform() * static_cast<double>(firing_map->frame.size()));
+        while (firing_map->regions[t].pitch[cell] == FiringRegion::no_shot);
+        const Vec2 centre = firing_map->frame.centre(firing_map->frame.cell(cell));
+        const Vec2 aside = centre + Vec2{rng.uniform(-half, half), rng.uniform(-half, half)};
+        const bool free = firing_map->ground.segment_free({centre, aside}, problem.robot.radius_m);
+        places.push_back(free ? aside : centre);
+      }
+      const auto routes = yard_routes(problem, *firing_map, places, {});
+      ASSERT_TRUE(routes.has_value()) << routes.error().sentence;
+      std::vector<std::size_t> order;
+      for (std::size_t j = 1; j < places.size(); ++j) order.push_back(j);
+      do {
+        double way_m = 0.0;
+        std::size_t at = 0;
+        for (const std::size_t next : order)
+          way_m += length_of(routes->waypoints(std::exchange(at, next), next));
+        best = std::min(best, unhalted(problem.robot, way_m));
+      } while (std::next_permutation(order.begin(), order.end()));
+    }
+    EXPECT_LE(bound, best + 1e-9) << "yard " << i;
+    if (best == 0.0) continue;
+    tightness += bound / best;
+    ++yards;
+  }
+  EXPECT_GT(yards, 10);
+  EXPECT_GT(tightness / yards, 0.3);  // the best of random places is far from the best of all
+}
+
 TEST(MissionBound, GrowsWithWhatIsSpentOnIt) {
   Rng rng(87);
   auto problem = random_guard_problem(rng, 12, 11, 4.0);
   problem.gun.muzzle_speed_mps = 3.5;
-  GuardOptions options;
+  GuardOptions options = testing::from_rest();
   options.resolution_m = 0.25;
   const auto firing_map = build_firing_map(problem, options);
   ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;

@@ -78,6 +78,18 @@ TEST(Capabilities, ARefusalNamesBothKeysAndTheReason) {
   }
 }
 
+TEST(Capabilities, WhatHindersShotsOnTheMoveSaysWhy) {
+  EXPECT_TRUE(why_from_rest({}).empty());
+  for (const Capability capability : {Capability::air, Capability::unknown, Capability::blocking}) {
+    EXPECT_TRUE(why_from_rest({capability}).empty());
+    EXPECT_FALSE(why_from_rest({capability, Capability::terrain}).empty());
+  }
+  for (const Capability capability : {Capability::arrivals, Capability::survivors, Capability::walkers,
+                                      Capability::supplies, Capability::terrain, Capability::rigid}) {
+    EXPECT_FALSE(why_from_rest({capability}).empty());
+  }
+}
+
 /// A room of 4 x 3 m with a low wall and two targets, coarse enough for a mission in milliseconds.
 void fill_in(GuardScenario& scenario) {
   using testing::box_at;

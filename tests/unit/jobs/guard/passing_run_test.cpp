@@ -167,5 +167,58 @@ TEST(PassingRun, EndsWhenNobodyTellsOfTheShots) {
   for (const TargetRecord& record : mission.tasks.records) EXPECT_EQ(record.status, TargetStatus::failed);
 }
 
+/// A robot that does at once what it is told; its balls take a second to land, and the first at each target
+/// misses.
+struct SlowBalls final : Robot {
+  explicit SlowBalls(const GuardProblem& problem)
+      : seen{.odometry = problem.start, .gun = GunState{}}, shots(problem.targets.size(), 0) {}
+
+  Observation sense() override {
+    Observation now = seen;
+    for (const ShotResult& ball : balls) {
+      if (ball.landed_s <= now.time_s) now.shots.push_back(ball);
+    }
+    std::erase_if(balls, [&](const ShotResult& ball) { return ball.landed_s <= now.time_s; });
+    return now;
+  }
+  void shoot(std::size_t target) { balls.push_back({target, ++shots[target] > 1, seen.time_s + 1.0}); }
+  void act(const Command& command) override {
+    if (const auto* follow = std::get_if<FollowWaypoints>(&command)) {
+      seen.time_s += 0.1;
+      seen.odometry.position = follow->waypoints.back();
+      for (const FireInPassing& shot : follow->shots) shoot(shot.target);
+    } else if (const auto* fire = std::get_if<Fire>(&command)) {
+      shoot(fire->target);
+      if (fire->until_landed) seen.time_s += 1.0;
+      left_flying += fire->until_landed ? 0 : 1;
+    } else if (const auto* wait = std::get_if<Wait>(&command)) {
+      EXPECT_FALSE(balls.empty()) << "waits for nothing";
+      seen.time_s = wait->until_s;
+    }
+  }
+
+  Observation seen;
+  std::vector<int> shots;
+  std::vector<ShotResult> balls;
+  int left_flying = 0;
+};
+
+TEST(PassingRun, AMissThatIsToldLateIsShotAtAgain) {
+  const Planned p = planned(street());
+  SlowBalls robot(p.problem);
+  GuardMission mission(p.problem, p.firing_map, p.plan);
+  int commands = 0;
+  while (const auto command = mission.step(robot.sense())) {
+    ASSERT_LT(++commands, 500);
+    robot.act(*command);
+  }
+  EXPECT_TRUE(robot.balls.empty()) << "it ends when the last ball has landed";
+  EXPECT_GT(robot.left_flying, 0);
+  for (const TargetRecord& record : mission.tasks.records) {
+    EXPECT_EQ(record.status, TargetStatus::reached) << record.reason;
+    EXPECT_EQ(record.shots, 2);
+  }
+}
+
 }  // namespace
 }  // namespace outrider

@@ -240,7 +240,6 @@ TEST(PassingShot, HitsInWind) {
   GuardProblem problem = street(rng, 4);
   problem.air = {0.03, 3.0, 1.0};
   const Case c = planned_case(problem);
-  EXPECT_EQ(c.passing.lower_bound_s, 0.0);
   EXPECT_GE(in_passing(c.passing), 1U);
   const Vec3 wind{3.0 * std::cos(1.0), 3.0 * std::sin(1.0), 0.0};
   const auto law = [&](Vec3 v) { return Vec3{0, 0, -9.8} - 0.03 * norm(v - wind) * (v - wind); };
@@ -270,21 +269,26 @@ TEST(PassingShot, HitsInWind) {
   }
 }
 
-TEST(MovingBound, IsTheDriveToTheReach) {
-  GuardProblem problem;
-  problem.world.bounds = {{-1, -2}, {40, 2}};
-  problem.world.solids = {floor_at(0)};
-  problem.start = {{0, 0}, 0.0};
-  problem.targets = {{"near", {3, 0, 0}, {0.4, 0.4, 0.4}, 0.0}, {"far", {38, 0, 0}, {0.4, 0.4, 0.4}, 0.0}};
-  GuardOptions options = quick_on_the_move();
-  options.resolution_m = 0.5;
-  const auto firing_map = build_firing_map(problem, options);
-  ASSERT_TRUE(firing_map.has_value());
-  EXPECT_EQ(moving_bound(problem, *firing_map, {0}), 0.0);
-  // A ball of 10.8 m/s from about knee height gets at most 13 m far.
-  const double bound = moving_bound(problem, *firing_map, {0, 1});
-  EXPECT_GT(bound, (38.0 - 13.0) / 0.8);
-  EXPECT_LT(bound, (38.0 - 10.0) / 0.8);
+TEST(PlanGuard, OnTheMoveIsBoundedAndCostsWhatItsPartsAddUpTo) {
+  Rng rng(506);
+  for (int i = 0; i < cases(4); ++i) {
+    const GuardProblem problem = street(rng, 6);
+    GuardOptions options = quick_on_the_move();
+    const auto firing_map = build_firing_map(problem, options);
+    ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+    const auto plan = plan_guard(problem, *firing_map, options, {});
+    ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
+    EXPECT_TRUE(plan->on_the_move);
+    EXPECT_NEAR(plan->cost_s, own_cost_in_passing(problem, *plan), 1e-6);
+    EXPECT_GT(plan->anywhere_lower_bound_s, 0.0);
+    EXPECT_LE(plan->anywhere_lower_bound_s, plan->cost_s);
+    options.prove = true;
+    const auto proven = plan_guard(problem, *firing_map, options, {});
+    ASSERT_TRUE(proven.has_value()) << proven.error().sentence;
+    EXPECT_FALSE(proven->on_the_move) << "tours are proven for shots from rest";
+    EXPECT_TRUE(proven->tour_proven);
+    EXPECT_LT(plan->cost_s, proven->cost_s);
+  }
 }
 
 }  // namespace

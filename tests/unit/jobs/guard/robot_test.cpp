@@ -178,6 +178,49 @@ TEST(SimulatedGuard, BringsTheBarrelWhereItIsTold) {
   EXPECT_EQ(robot.sense().time_s, seen.time_s);
 }
 
+TEST(SimulatedGuard, GoesOnWhileABallIsInTheAirAndTellsWhenItHasLanded) {
+  const GuardProblem problem = open_yard();
+  const FiringMap firing_map = site_of(problem);
+  Log log;
+  auto robot = simulated_guard(problem, firing_map, log, 7);
+  robot.act(AimGun{0.0, 0.2});
+  const double begin = robot.sense().time_s;
+  robot.act(Fire{0, {0.0, 0.2, 6.5}, false});
+  const Observation fired = robot.sense();
+  EXPECT_EQ(fired.time_s, begin);
+  EXPECT_TRUE(fired.shots.empty());
+  const auto shot = *log.latest<outrider_msgs::Shot>(topic::shots);
+  ASSERT_GT(shot.flight, 0.1);
+  robot.act(Wait{begin + shot.flight - 0.01});
+  EXPECT_TRUE(robot.sense().shots.empty()) << "it is still in the air";
+  robot.act(Wait{begin + shot.flight});
+  const Observation landed = robot.sense();
+  ASSERT_EQ(landed.shots.size(), 1U);
+  EXPECT_EQ(landed.shots[0].hit, shot.hit);
+  EXPECT_EQ(landed.shots[0].landed_s, begin + shot.flight);
+  EXPECT_TRUE(robot.sense().shots.empty()) << "told once";
+}
+
+TEST(SimulatedGuard, TurnsItsGunDuringADrive) {
+  GuardProblem problem = open_yard();
+  problem.errors.position_m = problem.errors.heading_rad = 0.0;
+  problem.gun.pitch_rate_radps = 0.15;
+  const FiringMap firing_map = site_of(problem);
+  for (const double pitch : {0.2, 0.7}) {
+    Log log;
+    auto robot = simulated_guard(problem, firing_map, log, 7);
+    const Observation before = robot.sense();
+    FollowWaypoints drive{{before.odometry.position, before.odometry.position + Vec2{1.0, 0.5}}};
+    drive.aim = AimGun{1.3, pitch};
+    robot.act(drive);
+    const Observation after = robot.sense();
+    const double turned = 0.15 * (after.time_s - before.time_s);
+    ASSERT_TRUE(turned > 0.2 && turned < 0.7) << "one aim is reached, the other is not";
+    EXPECT_NEAR(after.gun->pitch_rad, std::min(pitch, turned), 1e-9);
+    EXPECT_NEAR(testing::own_angle(after.odometry.heading_rad + after.gun->yaw_rad - 1.3), 0.0, 1e-9);
+  }
+}
+
 TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
   const GuardProblem problem = open_yard();
   const FiringMap firing_map = site_of(problem);
