@@ -92,26 +92,6 @@ std::optional<PlannedShot> flown(const ShotRules& rules, const FlightSpace& spac
                      1.0};
 }
 
-/// The shot offered at that moment of a leg, if there is one.
-const PassingHit* offer_at(const std::vector<PassingHit>& offers, std::size_t leg, double after_s) {
-  const auto found = std::ranges::find_if(
-      offers, [&](const PassingHit& offer) { return offer.leg == leg && offer.after_s == after_s; });
-  return found == offers.end() ? nullptr : &*found;
-}
-
-/// Of the targets with an offer at that moment that is in time, the one whose last offer comes first.
-template <class InTime>
-std::vector<PassingHit>* most_urgent(std::vector<std::vector<PassingHit>>& offered, std::size_t leg,
-                                     double after_s, const InTime& in_time) {
-  std::vector<PassingHit>* best = nullptr;
-  for (auto& offers : offered) {
-    const PassingHit* const offer = offer_at(offers, leg, after_s);
-    if (offer == nullptr || !in_time(*offer)) continue;
-    if (best == nullptr || offers.back().leaves_s < best->back().leaves_s) best = &offers;
-  }
-  return best;
-}
-
 }  // namespace
 
 std::vector<Straight> straights(const RobotModel& robot, double heading_rad,
@@ -173,52 +153,74 @@ std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const Firin
   return std::nullopt;
 }
 
-const std::optional<PlannedShot>& PassingShots::at(const Straight& straight, bool last, double after_s,
-                                                   std::size_t target) {
-  const Moment moment{straight.from.x, straight.from.y, straight.to.x, straight.to.y, after_s, last, target};
-  const auto [entry, added] = solved_.try_emplace(moment);
-  if (added) entry->second = passing_shot(problem_, firing_map_, target, straight, last, after_s);
+const std::vector<PassingShots::LegShot>& PassingShots::from_leg(const Straight& straight, bool last,
+                                                                 std::size_t target) {
+  const Leg leg{straight.from.x, straight.from.y, straight.to.x, straight.to.y, last, target};
+  const auto [entry, added] = solved_.try_emplace(leg);
+  for (int k = 1; added && k * moment_s < straight.length_s; ++k) {
+    const auto shot = passing_shot(problem_, firing_map_, target, straight, last, k * moment_s);
+    if (shot) entry->second.push_back({k, *shot});
+  }
   return entry->second;
 }
 
-std::vector<std::vector<PassingHit>> PassingShots::offers(const std::vector<Straight>& way,
-                                                          const std::vector<std::size_t>& targets) {
-  std::vector<std::vector<PassingHit>> offered(targets.size());
-  for (const Straight& straight : way) {
-    const bool last = &straight == &way.back();
-    for (int k = 1; k * moment_s < straight.length_s; ++k) {
-      const double after = k * moment_s;
-      for (std::size_t i = 0; i < targets.size(); ++i) {
-        const auto& shot = at(straight, last, after, targets[i]);
-        if (shot) offered[i].push_back({targets[i], straight.leg, after, straight.begin_s + after, *shot});
-      }
-    }
+PassingShots::Way& PassingShots::way_along(double heading_rad, const std::vector<Vec2>& waypoints) {
+  std::vector<double> key{heading_rad};
+  for (const Vec2 point : waypoints) key.insert(key.end(), {point.x, point.y});
+  const auto [entry, added] = ways_.try_emplace(std::move(key));
+  if (added) {
+    entry->second = {straights(problem_.robot, heading_rad, waypoints), {}};
+    entry->second.offers.resize(problem_.targets.size());
   }
-  return offered;
+  return entry->second;
+}
+
+const std::vector<PassingShots::Offer>& PassingShots::offers_on(Way& way, std::size_t target) {
+  auto& offers = way.offers[target];
+  if (offers) return *offers;
+  offers.emplace();
+  const auto& straights = way.straights;
+  for (std::size_t j = 0; j < straights.size(); ++j) {
+    for (const LegShot& shot : from_leg(straights[j], j + 1 == straights.size(), target))
+      offers->push_back({j, straights[j].begin_s + shot.moment * moment_s, &shot});
+  }
+  return *offers;
 }
 
 std::vector<PassingHit> PassingShots::along(double heading_rad, const std::vector<Vec2>& waypoints,
                                             GunState gun, const std::vector<std::size_t>& targets) {
-  const auto way = straights(problem_.robot, heading_rad, waypoints);
-  auto offered = offers(way, targets);
+  Way& way = way_along(heading_rad, waypoints);
+  std::vector<Offered> offered;
+  for (const std::size_t target : targets) {
+    const auto& offers = offers_on(way, target);
+    if (!offers.empty()) offered.push_back({target, offers, offers.back().leaves_s});
+  }
   std::vector<PassingHit> chosen;
   double free_s = 0.0;  // since when the gun may turn to the next shot
-  for (const Straight& straight : way) {
+  for (std::size_t j = 0; j < way.straights.size() && !offered.empty(); ++j) {
+    const Straight& straight = way.straights[j];
     const double heading = heading_of(straight.to - straight.from);
+    const auto in_time = [&](const Offer& offer) {
+      const GunAngles& to = offer.of->shot.gun;
+      return free_s + settle_s +
+                 aim_time(problem_.gun, to.yaw_rad - heading - gun.yaw_rad, to.pitch_rad - gun.pitch_rad) <=
+             offer.leaves_s;
+    };
     for (int k = 1; k * moment_s < straight.length_s; ++k) {
-      const double after = k * moment_s;
-      const auto in_time = [&](const PassingHit& offer) {
-        const GunAngles& to = offer.shot.gun;
-        return free_s + settle_s +
-                   aim_time(problem_.gun, to.yaw_rad - heading - gun.yaw_rad, to.pitch_rad - gun.pitch_rad) <=
-               straight.begin_s + after;
-      };
-      auto* const urgent = most_urgent(offered, straight.leg, after, in_time);
+      Offered* urgent = nullptr;  // of the targets with an offer now, that whose last offer comes first
+      const Offer* now = nullptr;
+      for (Offered& one : offered) {
+        if (one.left.empty() || one.left.front().straight != j || one.left.front().of->moment != k) continue;
+        const Offer& offer = one.left.front();
+        one.left = one.left.subspan(1);
+        if (urgent != nullptr && urgent->last_s <= one.last_s) continue;
+        if (in_time(offer)) urgent = &one, now = &offer;
+      }
       if (urgent == nullptr) continue;
-      chosen.push_back(*offer_at(*urgent, straight.leg, after));
-      urgent->clear();
+      chosen.push_back({urgent->target, straight.leg, k * moment_s, now->leaves_s, now->of->shot});
       gun = gun_after(waypoints, chosen, gun);
-      free_s = straight.begin_s + after;
+      free_s = now->leaves_s;
+      urgent->left = {};
     }
   }
   return chosen;

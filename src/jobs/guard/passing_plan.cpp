@@ -29,21 +29,19 @@ Choice choice_of(const GuardPlan& plan) {
   return choice;
 }
 
-/// Every choice that takes one hit, or all hits of a stop, off it.
-std::vector<Choice> lighter(const Choice& choice) {
+/// Every choice that takes all hits, or one, off a stop.
+std::vector<Choice> lighter(const Choice& choice, std::size_t stop) {
   std::vector<Choice> result;
-  for (std::size_t s = 0; s < choice.standing.size(); ++s) {
-    const auto& targets = choice.standing[s];
-    if (targets.size() > 1) {
-      Choice& next = result.emplace_back(choice);
-      next.passing.insert(next.passing.end(), targets.begin(), targets.end());
-      next.standing[s].clear();
-    }
-    for (std::size_t k = 0; k < targets.size(); ++k) {
-      Choice& next = result.emplace_back(choice);
-      next.passing.push_back(targets[k]);
-      next.standing[s].erase(next.standing[s].begin() + static_cast<std::ptrdiff_t>(k));
-    }
+  const auto& targets = choice.standing[stop];
+  if (targets.size() > 1) {
+    Choice& next = result.emplace_back(choice);
+    next.passing.insert(next.passing.end(), targets.begin(), targets.end());
+    next.standing[stop].clear();
+  }
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    Choice& next = result.emplace_back(choice);
+    next.passing.push_back(targets[k]);
+    next.standing[stop].erase(next.standing[stop].begin() + static_cast<std::ptrdiff_t>(k));
   }
   return result;
 }
@@ -69,7 +67,7 @@ class Assembly {
     std::vector<std::size_t> left = choice.passing;
     for (std::size_t s = 0; s < choice.standing.size(); ++s) {
       if (choice.standing[s].empty()) continue;
-      PlannedStop stop{plan_.stops[s].position, way(pose, place, s), {}};
+      PlannedStop stop{plan_.stops[s].position, way(place, pose.heading_rad, s), {}};
       if (stop.waypoints.empty()) return std::nullopt;
       stop.passing = passing_.along(pose.heading_rad, stop.waypoints, rest, left);
       for (const PassingHit& hit : stop.passing) std::erase(left, hit.target);
@@ -90,9 +88,15 @@ class Assembly {
   }
 
  private:
-  [[nodiscard]] std::vector<Vec2> way(const Pose2& pose, std::size_t place, std::size_t stop) const {
-    auto route = routes_.route(pose, plan_.stops[stop].position);
-    return route ? std::move(route->waypoints) : routes_.waypoints(place, stop + 1);
+  /// The fastest drive from a place of the routes, with the turn before it.
+  const std::vector<Vec2>& way(std::size_t place, double heading_rad, std::size_t stop) {
+    const auto [entry, added] = ways_.try_emplace({place, stop, heading_rad});
+    if (added) {
+      const Vec2 from = place == 0 ? problem_.start.position : plan_.stops[place - 1].position;
+      auto route = routes_.route({from, heading_rad}, plan_.stops[stop].position);
+      entry->second = route ? std::move(route->waypoints) : routes_.waypoints(place, stop + 1);
+    }
+    return entry->second;
   }
 
   const std::optional<PlannedShot>& standing_shot(std::size_t stop, std::size_t target, double pitch_rad) {
@@ -109,6 +113,7 @@ class Assembly {
   const GuardPlan& plan_;
   const Routes& routes_;
   PassingShots passing_;
+  std::map<std::tuple<std::size_t, std::size_t, double>, std::vector<Vec2>> ways_;
   std::map<std::tuple<std::size_t, std::size_t, double>, std::optional<PlannedShot>> standing_;
 };
 
@@ -140,17 +145,22 @@ GuardPlan shoot_in_passing(const GuardProblem& problem, const FiringMap& firing_
   // Every candidate has its shots solved again, so the one that all are compared with has, too. That alone
   // may cost time, which is why the given plan is kept in mind.
   if (auto again = assembly.plan_of(choice)) best = std::move(*again);
-  for (bool shorter = true; std::exchange(shorter, false);) {
-    Choice chosen;
-    for (Choice& next : lighter(choice)) {
-      if (stop.stop_requested()) return sooner(standing, best);
-      auto candidate = assembly.plan_of(next);
-      if (!candidate || candidate->cost_s > best.cost_s - worth_s) continue;
-      best = std::move(*candidate);
-      chosen = std::move(next);
-      shorter = true;
+  // Round after round over the stops, each made as light as helps, until a round changes nothing.
+  for (std::size_t s = 0, unchanged = 0; unchanged < choice.standing.size();
+       s = (s + 1) % choice.standing.size()) {
+    ++unchanged;
+    for (bool shorter = true; std::exchange(shorter, false);) {
+      Choice chosen;
+      for (Choice& next : lighter(choice, s)) {
+        if (stop.stop_requested()) return sooner(standing, best);
+        auto candidate = assembly.plan_of(next);
+        if (!candidate || candidate->cost_s > best.cost_s - worth_s) continue;
+        best = std::move(*candidate);
+        chosen = std::move(next);
+        shorter = true;
+      }
+      if (shorter) choice = std::move(chosen), unchanged = 0;
     }
-    if (shorter) choice = std::move(chosen);
   }
   return sooner(standing, best);
 }

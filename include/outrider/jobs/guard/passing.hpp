@@ -10,6 +10,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -61,22 +62,43 @@ class PassingShots {
   /// Chooses shots along a path. It tries firing times 0.2 s apart. At each of them it considers the targets
   /// that can be hit and that the gun can be aimed at in time, and shoots at the one whose last chance on the
   /// path comes first. Each target is shot at no more than once. Returns the shots in the order of firing.
-  /// Solves O(firing times * targets) shots.
+  /// Solves O(firing times * targets) shots; then O(firing times * targets that can be hit from the path).
   std::vector<PassingHit> along(double heading_rad, const std::vector<Vec2>& waypoints, GunState gun,
                                 const std::vector<std::size_t>& targets);
 
  private:
-  using Moment = std::tuple<double, double, double, double, double, bool, std::size_t>;
+  /// A possible shot at one of the firing times of a leg.
+  struct LegShot {
+    int moment = 0;  ///< number of the firing time
+    PlannedShot shot;
+  };
+  /// The same on a path.
+  struct Offer {
+    std::size_t straight = 0;  ///< index of the leg among those of the path
+    double leaves_s = 0.0;     ///< firing time, counted from the beginning of the path
+    const LegShot* of = nullptr;
+  };
+  /// A target with its possible shots along a path that are still to come.
+  struct Offered {
+    std::size_t target = 0;
+    std::span<const Offer> left = {};
+    double last_s = 0.0;  ///< firing time of the last of all
+  };
+  /// A path with the possible shots along it, solved for one target after another as they are asked for.
+  struct Way {
+    std::vector<Straight> straights;
+    std::vector<std::optional<std::vector<Offer>>> offers;  ///< by target, in the order of time
+  };
+  using Leg = std::tuple<double, double, double, double, bool, std::size_t>;
 
-  /// Returns for each target its possible shots along the path, in the order of time.
-  std::vector<std::vector<PassingHit>> offers(const std::vector<Straight>& way,
-                                              const std::vector<std::size_t>& targets);
-  const std::optional<PlannedShot>& at(const Straight& straight, bool last, double after_s,
-                                       std::size_t target);
+  Way& way_along(double heading_rad, const std::vector<Vec2>& waypoints);
+  const std::vector<Offer>& offers_on(Way& way, std::size_t target);
+  const std::vector<LegShot>& from_leg(const Straight& straight, bool last, std::size_t target);
 
   const GuardProblem& problem_;
   const FiringMap& firing_map_;
-  std::map<Moment, std::optional<PlannedShot>> solved_;
+  std::map<Leg, std::vector<LegShot>> solved_;
+  std::map<std::vector<double>, Way> ways_;  // by the heading and the waypoints
 };
 
 /// Returns the shot at the target's centre that lands soonest, or nothing if there is none. Candidates are
