@@ -9,11 +9,12 @@ namespace outrider {
 
 /// Improves a plan: lets the gun turn during drives, waits for no ball that hits for sure, and moves shots
 /// from stops to drives (passing.hpp), one shot or all shots of a stop at a time, as long as that makes the
-/// mission shorter. A stop without shots is removed, and the path past it is planned again. The result is
-/// never longer than `plan`. Both lower bounds become 0, because those of a tour hold only for shots from
-/// rest; mission_bound() has one for missions on the move. A plan over terrain or with stops at stations
-/// stays as it is. A stop request ends the search for shorter
-/// plans. O(hits^2) candidate plans, each with O(stops) routes and its new shots.
+/// mission shorter. Then it moves stops, to anywhere on free ground, where that shortens the drives, and
+/// begins again. A stop without shots is removed, and the path past it is planned again. The result is never
+/// longer than `plan`. Both lower bounds become 0, because those of a tour hold only for shots from rest;
+/// mission_bound() has one for missions on the move. A plan over terrain or with stops at stations stays as
+/// it is. A stop request ends the search for shorter plans. A round tries O(hits + stops) changes, each with
+/// O(stops) drives and the shots along those that are new.
 GuardPlan shoot_in_passing(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
                            const std::stop_token& stop = {});
 

@@ -183,6 +183,10 @@ TEST(ShootInPassing, KeepsItsPromises) {
       EXPECT_EQ(stop.waypoints.front(), at);
       EXPECT_EQ(stop.waypoints.back(), stop.position);
       at = stop.position;
+      const double radius_m = c.problem.robot.radius_m;
+      EXPECT_GE(c.firing_map.ground.clearance(at, 1.0), radius_m - 1e-9);
+      for (std::size_t k = 1; k < stop.waypoints.size(); ++k)
+        EXPECT_TRUE(c.firing_map.ground.segment_free({stop.waypoints[k - 1], stop.waypoints[k]}, radius_m));
       for (const PlannedHit& hit : stop.hits) {
         ++times[hit.target];
         EXPECT_TRUE(hits_from(c, {stop.position, {}}, hit.target, hit.shot.shot));
@@ -198,6 +202,32 @@ TEST(ShootInPassing, KeepsItsPromises) {
     passed += in_passing(c.passing);
   }
   EXPECT_GT(passed, 6U);
+}
+
+/// The only target is hit from some place on the way to the place of the plan.
+TEST(ShootInPassing, MovesAStopToWhereTheDrivesAreShorter) {
+  GuardProblem problem;
+  problem.world.bounds = {{-1, -4}, {14, 4}};
+  problem.world.solids = {floor_at(0)};
+  problem.start = {{0, 0}, 0.0};
+  problem.gun.muzzle_speed_mps = 4.0;
+  problem.targets = {{"cat", {6, 0, 0}, {0.5, 0.3, 0.45}, 0.0}};
+  const auto firing_map = build_firing_map(problem, testing::quick());
+  ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+  auto plan = plan_guard(problem, *firing_map, testing::quick(), {});
+  ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
+  ASSERT_EQ(plan->stops.size(), 1U);
+  // As if the plan had driven aside before it shoots.
+  PlannedStop& stop = plan->stops[0];
+  const Vec2 aside = stop.position + Vec2{0.0, 0.6};
+  const auto shot = best_shot(firing_map->rules, firing_map->space(0), problem.targets[0], aside,
+                              stop.hits[0].shot.gun.pitch_rad);
+  ASSERT_TRUE(shot.has_value());
+  stop = {aside, {problem.start.position, aside}, {{0, *shot}}};
+  const double before = own_cost_in_passing(problem, *plan);
+  const GuardPlan moved = shoot_in_passing(problem, *firing_map, *plan);
+  EXPECT_LT(moved.cost_s, before - 0.5);
+  EXPECT_NEAR(moved.cost_s, own_cost_in_passing(problem, moved), 1e-6);
 }
 
 TEST(ShootInPassing, ShortensAStreet) {

@@ -1,0 +1,105 @@
+#include "assembly.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "assemble.hpp"
+
+namespace outrider {
+
+Choice choice_of(const GuardPlan& plan) {
+  Choice choice;
+  for (const PlannedStop& stop : plan.stops) {
+    choice.stops.push_back({stop.position});
+    for (const PlannedHit& hit : stop.hits) choice.stops.back().targets.push_back(hit.target);
+  }
+  return choice;
+}
+
+Assembly::Assembly(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan)
+    : problem_(problem),
+      firing_map_(firing_map),
+      plan_(plan),
+      sure_(sure_hits(problem, firing_map)),
+      passing_(problem, firing_map) {
+  routes_index_[{problem.start.position.x, problem.start.position.y}] = 0;
+  for (std::size_t i = 0; i < plan.stops.size(); ++i) {
+    const Vec2 place = plan.stops[i].position;
+    routes_index_[{place.x, place.y}] = i + 1;
+  }
+}
+
+std::optional<GuardPlan> Assembly::plan_of(const Choice& choice) {
+  GuardPlan result = plan_;
+  result.stops.clear();
+  Pose2 pose = problem_.start;
+  GunState gun;
+  std::vector<std::size_t> left = choice.passing;
+  for (const auto& [place, targets] : choice.stops) {
+    if (targets.empty()) continue;
+    PlannedStop stop{place, way(pose, place), {}};
+    if (stop.waypoints.empty()) return std::nullopt;
+    stop.passing = passing_.along(pose.heading_rad, stop.waypoints, gun, left);
+    for (const PassingHit& hit : stop.passing) std::erase(left, hit.target);
+    gun = gun_after(stop.waypoints, stop.passing, gun);
+    pose = {place, drive_cost(problem_.robot, pose.heading_rad, stop.waypoints).heading_rad};
+    for (const std::size_t target : targets) {
+      const auto& shot = shot_from(place, target, gun.pitch_rad);
+      if (!shot) return std::nullopt;
+      stop.hits.push_back({target, *shot});
+      gun = {wrap_angle(shot->gun.yaw_rad - pose.heading_rad), shot->gun.pitch_rad};
+    }
+    result.stops.push_back(std::move(stop));
+  }
+  if (!left.empty()) return std::nullopt;
+  result.cost_s = mission_time(problem_, firing_map_, result);
+  return result;
+}
+
+double Assembly::drives_s(const Choice& choice) {
+  Pose2 pose = problem_.start;
+  double time = 0.0;
+  for (const auto& [place, targets] : choice.stops) {
+    if (targets.empty()) continue;
+    const auto& waypoints = way(pose, place);
+    if (waypoints.empty()) return std::numeric_limits<double>::infinity();
+    const DriveCost drive = drive_cost(problem_.robot, pose.heading_rad, waypoints);
+    time += drive.time_s;
+    pose = {place, drive.heading_rad};
+  }
+  return time;
+}
+
+bool Assembly::may_stop(Vec2 place, const std::vector<std::size_t>& targets) const {
+  const Cell cell = firing_map_.frame.cell_at(place);
+  if (!firing_map_.frame.contains(cell)) return false;
+  const std::size_t index = firing_map_.frame.index(cell);
+  if (firing_map_.reachable[index] == 0) return false;
+  const double room_m = problem_.robot.radius_m + problem_.errors.position_m;
+  if (firing_map_.ground.clearance(place, room_m) < room_m) return false;
+  return std::ranges::all_of(targets, [&](std::size_t target) { return sure_.has(index, target); });
+}
+
+/// The fastest drive, with the turn before it.
+const std::vector<Vec2>& Assembly::way(const Pose2& from, Vec2 to) {
+  const Place begin{from.position.x, from.position.y}, end{to.x, to.y};
+  const auto [entry, added] = ways_.try_emplace({begin, from.heading_rad, end});
+  if (!added) return entry->second;
+  if (auto route = plan_.routes->route(from, to)) {
+    entry->second = std::move(route->waypoints);
+  } else if (routes_index_.contains(begin) && routes_index_.contains(end)) {
+    entry->second = plan_.routes->waypoints(routes_index_[begin], routes_index_[end]);
+  }
+  return entry->second;
+}
+
+const std::optional<PlannedShot>& Assembly::shot_from(Vec2 place, std::size_t target, double pitch_rad) {
+  const auto [entry, added] = shots_.try_emplace({{place.x, place.y}, target, pitch_rad});
+  if (added) {
+    entry->second =
+        best_shot(firing_map_.rules, firing_map_.space(target), problem_.targets[target], place, pitch_rad);
+  }
+  return entry->second;
+}
+
+}  // namespace outrider

@@ -1,0 +1,61 @@
+// Assembly: plans on the move, put together from who is hit from which stop and who in passing.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "outrider/jobs/guard/plan.hpp"
+#include "outrider/jobs/guard/stops.hpp"
+
+namespace outrider {
+
+/// A stop, anywhere on free ground, and the targets that are hit from there, in order.
+struct ChosenStop {
+  Vec2 place;
+  std::vector<std::size_t> targets = {};
+};
+
+/// Who is hit from where.
+struct Choice {
+  std::vector<ChosenStop> stops;     ///< in order; those without targets are left out
+  std::vector<std::size_t> passing;  ///< targets that are hit during some drive
+};
+
+/// Returns the choice that a plan from rest has made.
+Choice choice_of(const GuardPlan& plan);
+
+/// Makes plans of choices and keeps what it has solved. Thread rule: use each object from one thread.
+class Assembly {
+ public:
+  /// The arguments must outlive this object. `plan` must have routes.
+  Assembly(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan);
+
+  /// Returns the plan, with all its shots solved from where the gun is then; nothing if some target cannot be
+  /// hit as chosen, or a stop not be driven to. A call for stops and legs that are known takes O(stops *
+  /// passing targets); new ones take a search for a route and shots each.
+  std::optional<GuardPlan> plan_of(const Choice& choice);
+  /// Returns the time of the drives, turns included; infinite if there is no way.
+  double drives_s(const Choice& choice);
+  /// Returns true if the robot fits at the place despite the errors of a drive, and the place is in cells
+  /// from which all those targets are sure hits (stops.hpp).
+  [[nodiscard]] bool may_stop(Vec2 place, const std::vector<std::size_t>& targets) const;
+
+ private:
+  using Place = std::pair<double, double>;
+
+  const std::vector<Vec2>& way(const Pose2& from, Vec2 to);
+  const std::optional<PlannedShot>& shot_from(Vec2 place, std::size_t target, double pitch_rad);
+
+  const GuardProblem& problem_;
+  const FiringMap& firing_map_;
+  const GuardPlan& plan_;
+  SureHits sure_;
+  PassingShots passing_;
+  std::map<Place, std::size_t> routes_index_;  // of the places that the routes of the plan join
+  std::map<std::tuple<Place, double, Place>, std::vector<Vec2>> ways_;
+  std::map<std::tuple<Place, std::size_t, double>, std::optional<PlannedShot>> shots_;
+};
+
+}  // namespace outrider
