@@ -1,11 +1,22 @@
 #include "assembly.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "assemble.hpp"
 
 namespace outrider {
+namespace {
+
+constexpr double lost_shot_s = 10.0;  // for a target that has no shot from where the robot got to
+
+/// Displacements of a stop by the largest error of a drive.
+std::array<Vec2, 4> displacements(double off_m) {
+  return {Vec2{off_m, 0.0}, Vec2{0.0, off_m}, Vec2{-off_m, 0.0}, Vec2{0.0, -off_m}};
+}
+
+}  // namespace
 
 Choice choice_of(const GuardPlan& plan) {
   Choice choice;
@@ -78,6 +89,31 @@ bool Assembly::may_stop(Vec2 place, const std::vector<std::size_t>& targets) con
   const double room_m = problem_.robot.radius_m + problem_.errors.position_m;
   if (firing_map_.ground.clearance(place, room_m) < room_m) return false;
   return std::ranges::all_of(targets, [&](std::size_t target) { return sure_.has(index, target); });
+}
+
+double Assembly::expected_s(const GuardPlan& plan) {
+  double time = plan.cost_s;
+  for (const PlannedStop& stop : plan.stops) {
+    for (const PlannedHit& hit : stop.hits) time += expected_wait_s(stop.position, hit);
+  }
+  return time;
+}
+
+/// The time that a shot adds on average because the errors of the drive lead to a place where it has to be
+/// waited for, or where there is none.
+double Assembly::expected_wait_s(Vec2 place, const PlannedHit& hit) {
+  const double off = problem_.errors.position_m;
+  if (off == 0.0) return 0.0;
+  double wait_s = 0.0;
+  for (const Vec2 aside : displacements(off)) {
+    const auto& shot = shot_from(place + aside, hit.target, hit.shot.gun.pitch_rad);
+    if (!shot) {
+      wait_s += lost_shot_s / 4.0;
+    } else if (hit.shot.survives && !shot->survives) {
+      wait_s += shot->flight_s / 4.0;
+    }
+  }
+  return wait_s;
 }
 
 /// The fastest drive, with the turn before it.

@@ -37,7 +37,11 @@ std::vector<Choice> lighter(const Choice& choice, std::size_t stop) {
 class Descent {
  public:
   Descent(Assembly& assembly, Choice choice, GuardPlan plan, const std::stop_token& stop)
-      : assembly_(assembly), choice_(std::move(choice)), best_(std::move(plan)), stop_(stop) {}
+      : assembly_(assembly),
+        choice_(std::move(choice)),
+        best_(std::move(plan)),
+        expected_s_(assembly.expected_s(best_)),
+        stop_(stop) {}
 
   GuardPlan run() {
     while (lighten() || move_stops()) {
@@ -46,11 +50,14 @@ class Descent {
   }
 
  private:
-  /// Takes the choice if its plan is shorter.
+  /// Takes the choice if its plan is shorter, with the waits that are to be expected.
   bool take(Choice& next) {
     auto plan = assembly_.plan_of(next);
-    if (!plan || plan->cost_s > best_.cost_s - worth_s) return false;
+    if (!plan || plan->cost_s > expected_s_ - worth_s) return false;
+    const double expected_s = assembly_.expected_s(*plan);
+    if (expected_s > expected_s_ - worth_s) return false;
     best_ = std::move(*plan);
+    expected_s_ = expected_s;
     choice_ = std::move(next);
     return true;
   }
@@ -101,6 +108,7 @@ class Descent {
   Assembly& assembly_;
   Choice choice_;
   GuardPlan best_;
+  double expected_s_ = 0.0;
   std::stop_token stop_;
 };
 

@@ -15,9 +15,8 @@ namespace {
 constexpr double lost_s = 5.0;  // after the planned landing, a ball without a result
 
 /// The nearest place, at least `apart_m` from here, from where the target can be hit; sure hits first.
-std::optional<Vec2> another_place(const GuardProblem& problem, const FiringMap& firing_map,
-                                  std::size_t target, Vec2 here, double apart_m) {
-  const SureHits sure = sure_hits(problem, firing_map);
+std::optional<Vec2> nearest_place(const FiringMap& firing_map, const SureHits& sure, std::size_t target,
+                                  Vec2 here, double apart_m) {
   std::optional<Vec2> best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < firing_map.frame.size(); ++i) {
@@ -29,6 +28,11 @@ std::optional<Vec2> another_place(const GuardProblem& problem, const FiringMap& 
     best = place;
   }
   return best;
+}
+
+std::optional<Vec2> another_place(const GuardProblem& problem, const FiringMap& firing_map,
+                                  std::size_t target, Vec2 here, double apart_m) {
+  return nearest_place(firing_map, sure_hits(problem, firing_map), target, here, apart_m);
 }
 
 /// Takes the first target off the present task.
@@ -98,12 +102,22 @@ void look_elsewhere(StopTasks& tasks, const Observation& seen, const GuardProble
   tasks.queue.insert(tasks.queue.begin() + 1, StopTask{place.value_or(tasks.last_place), {target}});
 }
 
-/// Goes to the nearest place to shoot at a target from, after the present task.
+/// Shoots at a target from the first of the stops to come from which it is a sure hit; without any, from the
+/// nearest place, after the present task.
 void stop_for(StopTasks& tasks, std::size_t target, const GuardProblem& problem,
               const FiringMap& firing_map) {
+  const SureHits sure = sure_hits(problem, firing_map);
+  const auto serves = [&](const StopTask& task) {
+    const Cell cell = firing_map.frame.cell_at(task.place);
+    return !task.call && firing_map.frame.contains(cell) && sure.has(firing_map.frame.index(cell), target);
+  };
+  if (const auto task = std::ranges::find_if(tasks.queue, serves); task != tasks.queue.end()) {
+    task->targets.push_back(target);
+    return;
+  }
   const bool idle = tasks.queue.empty();
   const Vec2 end = idle ? tasks.last_place : tasks.queue.front().place;
-  const auto place = another_place(problem, firing_map, target, end, 0.0);
+  const auto place = nearest_place(firing_map, sure, target, end, 0.0);
   tasks.queue.insert(tasks.queue.begin() + (idle ? 0 : 1), StopTask{place.value_or(end), {target}});
   if (idle) tasks.arrived = false;
 }

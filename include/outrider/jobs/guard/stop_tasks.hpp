@@ -10,12 +10,11 @@
 // flight divided by the hit rate of the shot, plus, in the second pass, the straight drive divided by the
 // probability of at least one hit in `tries` shots.
 //
-// Shots in passing (passing.hpp) are solved again for the actual path when the drive begins. A target that
-// cannot be hit from the path is shot at next from the place nearest to its end.
-//
-// If the plan is made on the move, the gun turns to the first shot of a stop during the drive there, and the
-// robot goes on while a ball that hits for sure is in the air. A target that such a ball missed is shot at
-// after the present stop, from the place nearest to it. The mission ends when the last ball has landed.
+// Shots in passing (passing.hpp) are solved again for the actual path when the drive begins. If the plan is
+// made on the move, the gun turns to the first shot of a stop during the drive there, and the robot goes on
+// while a ball that hits for sure is in the air. A target that cannot be hit from the path, or that such a
+// ball missed, is shot at from the first stop to come that hits it for sure, or else after the present one
+// from the place nearest to it. The mission ends when the last ball has landed.
 #pragma once
 
 #include <deque>
