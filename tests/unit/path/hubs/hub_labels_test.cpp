@@ -119,6 +119,35 @@ TEST(HubLabels, SearchAmongLandmarksWhereLabelsDoNotFit) {
   EXPECT_GT(searched, 100);
 }
 
+TEST(HubLabels, SearchAmongLandmarksOnChangedGrounds) {
+  Rng rng = Rng(26).child("changes");
+  auto ground = ground_of(strewn(rng, 120, 120, 0.1));
+  HubLabelsOptions small;
+  small.index_mib = 2;
+  Workspace workspace;
+  int bent = 0, searched = 0;
+  for (int step = 0; step < outrider::testing::cases(12); ++step) {
+    for (int k = 0; k < 25; ++k) {
+      const Problem problem{ground, ground->point(random_vertex(rng, ground->frame)),
+                            ground->point(random_vertex(rng, ground->frame))};
+      Workspace anew;
+      const auto plan = hub_labels(problem, small, {}, workspace);
+      const auto truth = polyanya(problem, {}, {}, anew);
+      ASSERT_EQ(plan.has_value(), truth.has_value()) << "step " << step << ", query " << k;
+      if (!plan) continue;
+      ASSERT_NEAR(plan->cost, truth->cost, 1e-9 * std::max(1.0, truth->cost))
+          << "step " << step << ", query " << k;
+      ASSERT_TRUE(check(*plan, problem));
+      bent += plan->vertices.size() > 2 ? 1 : 0;
+      searched += plan->counters.generated == 0 && plan->counters.expansions > 1 ? 1 : 0;
+    }
+    const Cell low{static_cast<int>(rng.below(118)), static_cast<int>(rng.below(118))};
+    ground = std::make_shared<const GridMap>(ground->with({{low, 2, 2, rng.below(3) != 0}}).value());
+  }
+  EXPECT_GT(bent, 100);
+  EXPECT_GT(searched, 50);
+}
+
 TEST(HubLabels, LeaveItToPolyanyaWhereTheHubsDoNotFit) {
   Rng rng = Rng(24).child("no memory");
   const auto ground = ground_of(strewn(rng, 150, 150, 0.25));

@@ -149,6 +149,27 @@ TEST(OctileLabels, SearchAmongLandmarksWhereLabelsDoNotFit) {
   EXPECT_GT(searched, 100);
 }
 
+TEST(OctileLabels, SearchAmongLandmarksOnChangedGrounds) {
+  Rng rng = Rng(38).child("changes");
+  auto ground = ground_of(strewn(rng, 120, 120, 0.1));
+  OctileLabelsOptions small;
+  small.index_mib = 2;
+  Workspace workspace;
+  int searched = 0;
+  for (int step = 0; step < outrider::testing::cases(12); ++step) {
+    for (int k = 0; k < 25; ++k) {
+      const Problem problem =
+          between(ground, random_cell(rng, ground->frame), random_cell(rng, ground->frame));
+      const auto plan = expect_as_dijkstra(problem, small, workspace);
+      ASSERT_FALSE(HasFailure()) << "step " << step << ", query " << k;
+      searched += plan && by_index(*plan) && plan->counters.expansions > 1 ? 1 : 0;
+    }
+    const Cell low{static_cast<int>(rng.below(118)), static_cast<int>(rng.below(118))};
+    ground = std::make_shared<const GridMap>(ground->with({{low, 2, 2, rng.below(3) != 0}}).value());
+  }
+  EXPECT_GT(searched, 50);
+}
+
 TEST(OctileLabels, LeaveItToJumpPointSearchWhereTheHubsDoNotFit) {
   Rng rng = Rng(35).child("no memory");
   const auto strewn_ground = ground_of(strewn(rng, 150, 150, 0.25));
