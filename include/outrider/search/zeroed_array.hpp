@@ -21,7 +21,8 @@ class ZeroedArray {
   /// Makes room for so many items and keeps those there are. Throws std::bad_alloc.
   void grow(std::size_t size) {
     if (size <= size_) return;
-    std::unique_ptr<T[], Free> larger(static_cast<T*>(std::calloc(size, sizeof(T))));
+    void* const memory = std::calloc(size, sizeof(T));  // NOLINT: new touches the pages that it zeroes
+    std::unique_ptr<T[], Free> larger(static_cast<T*>(memory));
     if (larger == nullptr) throw std::bad_alloc();
     if (size_ > 0) std::memcpy(static_cast<void*>(larger.get()), items_.get(), size_ * sizeof(T));
     items_ = std::move(larger);
@@ -33,7 +34,7 @@ class ZeroedArray {
 
  private:
   struct Free {
-    void operator()(T* items) const { std::free(items); }
+    void operator()(T* items) const { std::free(items); }  // NOLINT: from calloc
   };
   std::unique_ptr<T[], Free> items_;
   std::size_t size_ = 0;

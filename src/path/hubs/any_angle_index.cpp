@@ -43,10 +43,7 @@ class LandmarkLengths {
         const Cell to = guided.at[turn];
         legs.push_back({turn, {to.x - at.x, to.y - at.y}, length_between(at, to)});
       }
-      const auto lengths = lengths_from<AnyAngleMetric>(graph, guided, legs);
-      arrive_[k].resize(lengths.size());
-      std::transform(lengths.begin(), lengths.end(), arrive_[k].begin(),
-                     [](const std::optional<double>& length) { return length.value_or(far); });
+      arrive_[k] = lengths_from<AnyAngleMetric>(graph, guided, legs);
       seen_[k].resize(guided.turns());
       for (const std::uint32_t turn : sight.all_from(at)) seen_[k][turn] = true;
     });
@@ -117,7 +114,7 @@ EndLengths<AnyAngleMetric> lengths_to(const GridMap& ground, const AnyAngleGraph
   for (std::size_t k = 0; k < graph.landmarks.size(); ++k) {
     const Cell landmark = graph.at[graph.landmarks[k]];
     const double direct = length_between(landmark, end.at);
-    if ((!lengths[k] || direct < *lengths[k]) && visible(ground, landmark, end.at)) lengths[k] = direct;
+    if (direct < lengths[k] && visible(ground, landmark, end.at)) lengths[k] = direct;
   }
   return lengths;
 }

@@ -28,6 +28,7 @@ struct AnyAngleMetric {
   static double between(Cell a, Cell b) { return length_between(a, b); }
   static double add(double cost, double leg) { return cost + leg; }
   static double cells(double cost) { return cost; }
+  static double far() { return std::numeric_limits<double>::infinity(); }
   static Stored none() { return std::numeric_limits<float>::infinity(); }
   static Stored stored(double cost) { return static_cast<float>(cost); }
   static bool known(Stored stored) { return stored < none(); }

@@ -67,7 +67,10 @@ void AnyAngleIndex::write(IndexWriter& writer) const {
   writer.number(static_cast<std::uint64_t>(labels ? IndexKind::labels : IndexKind::guided));
   writer.number(work);
   writer.number(work_of_search);
-  if (!labels) return hub_labelling::write(writer, turns->graph);
+  if (!labels) {
+    hub_labelling::write(writer, turns->graph);
+    return;
+  }
   writer.array(labels->turns);
   writer.array(labels->nodes);
   for (const TileRow& row : labels->rows) {

@@ -4,14 +4,25 @@
 // A landmark is a turn from which the length of the shortest path to every turn is known. By the triangle
 // inequality, no path from a turn to the goal is shorter than the difference of their lengths from a
 // landmark. Landmarks near the border of the map, in all directions, lie behind most goals, where the
-// difference is nearly the length itself. Lengths are in single precision; the search subtracts what rounding
-// may add. Thread rule: read-only after construction. Source: Goldberg and Harrelson, Computing the shortest
-// path: A* search meets graph theory (2005).
+// difference is nearly the length itself. Thread rule: read-only after construction.
+//
+// A `Metric` says how lengths are kept:
+//   Cost                    length of a path, as best_first.hpp asks for it
+//   static far()            infinite Cost, where no path leads
+//   static between(a, b)    Cost of a leg
+//   static add(cost, leg)   their sum
+//   static cells(cost)      the length as a number of cells
+//   Stored                  length from a landmark; none() where no path leads
+//   static stored(cost)     a length as Stored
+//   static known(stored)    false for none()
+//   static length(stored)   as Cost, perhaps rounded
+//   static lead(a, b)       lower bound of the length between places at the lengths a and b from a landmark
+//
+// Source: Goldberg and Harrelson, Computing the shortest path: A* search meets graph theory (2005).
 #pragma once
 
 #include <array>
 #include <functional>
-#include <optional>
 #include <queue>
 #include <span>
 #include <utility>
@@ -46,13 +57,14 @@ struct GuidedGraph {
   /// Calls visit(turn) for each turn to which a path that came along `came` may go on.
   template <class Visit>
   void onward(std::uint32_t turn, Cell came, Visit visit) const {
+    const std::size_t begin = 2 * std::size_t{turn};
     if (windings.empty()) {
-      for (std::uint32_t e = first[2 * turn]; e < first[2 * turn + 2]; ++e) visit(to[e]);
+      for (std::uint32_t e = first[begin]; e < first[begin + 2]; ++e) visit(to[e]);
       return;
     }
     const Winding winding = windings[turn];
     const Winding::Side side = winding.side(came);
-    const std::size_t fan = 2 * std::size_t{turn} + (side == Winding::Side::level ? 0 : 1);
+    const std::size_t fan = begin + (side == Winding::Side::level ? 0 : 1);
     for (std::uint32_t e = first[fan]; e < first[fan + 1]; ++e) {
       const Cell way{at[to[e]].x - at[turn].x, at[to[e]].y - at[turn].y};
       if (winding.farther(side, came, way) > 0) return;
@@ -102,18 +114,17 @@ struct FirstLeg {
 };
 
 /// Returns the lengths of the shortest paths that begin with one of the legs, by turn at which they arrive
-/// such that they may go on; nothing where none arrives. O(edges log edges).
+/// such that they may go on; far() where none arrives. O(edges log edges).
 template <class Metric>
-std::vector<std::optional<typename Metric::Cost>> lengths_from(const TurnGraph& graph,
-                                                               const GuidedGraph<Metric>& guided,
-                                                               std::span<const FirstLeg<Metric>> legs) {
+std::vector<typename Metric::Cost> lengths_from(const TurnGraph& graph, const GuidedGraph<Metric>& guided,
+                                                std::span<const FirstLeg<Metric>> legs) {
   using Cost = typename Metric::Cost;
   using Open = std::pair<double, std::uint32_t>;
-  std::vector<std::optional<Cost>> lengths(graph.turns());
+  std::vector<Cost> lengths(graph.turns(), Metric::far());
   std::vector<Cell> came(graph.turns());
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
   const auto reach = [&](std::uint32_t turn, const Cost& length, Cell way) {
-    if (lengths[turn] && !(length < *lengths[turn])) return;
+    if (!(length < lengths[turn])) return;
     lengths[turn] = length;
     came[turn] = way;
     open.emplace(Metric::cells(length), turn);
@@ -122,8 +133,8 @@ std::vector<std::optional<typename Metric::Cost>> lengths_from(const TurnGraph& 
   while (!open.empty()) {
     const auto [cells, turn] = open.top();
     open.pop();
-    if (Metric::cells(*lengths[turn]) < cells) continue;
-    const Cost so_far = *lengths[turn];
+    if (Metric::cells(lengths[turn]) < cells) continue;
+    const Cost so_far = lengths[turn];
     graph.onward(turn, came[turn], [&, from = turn](const TurnGraph::Edge& edge) {
       reach(edge.to, Metric::add(so_far, Metric::between(guided.at[from], guided.at[edge.to])), edge.way);
     });

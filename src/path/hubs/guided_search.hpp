@@ -24,21 +24,22 @@ struct GuidedEnd {
 /// Number of landmarks that a search uses.
 inline constexpr std::size_t used_landmarks = 8;
 
-/// Lengths of the shortest paths from the landmarks to an end; nothing where there is none.
+/// Lengths of the shortest paths from the landmarks to an end; far() where there is none.
 template <class Metric>
-using EndLengths = std::array<std::optional<typename Metric::Cost>, most_landmarks>;
+using EndLengths = std::array<typename Metric::Cost, most_landmarks>;
 
 /// Returns the lengths of the shortest paths from the landmarks to an end, over the turns that it reaches.
 template <class Metric>
 EndLengths<Metric> lengths_over(const GuidedGraph<Metric>& graph, const GuidedEnd& end) {
   EndLengths<Metric> lengths;
+  lengths.fill(Metric::far());
   for (const std::uint32_t turn : end.turns) {
     const auto leg = Metric::between(graph.at[turn], end.at);
     for (std::size_t k = 0; k < graph.landmarks.size(); ++k) {
       const auto stored = graph.lengths[turn][k];
       if (!Metric::known(stored)) continue;
       const auto length = Metric::add(Metric::length(stored), leg);
-      if (!lengths[k] || length < *lengths[k]) lengths[k] = length;
+      if (length < lengths[k]) lengths[k] = length;
     }
   }
   return lengths;
@@ -138,8 +139,8 @@ class GuidedSearch {
     std::array<Landmark, most_landmarks> known{};
     std::size_t count = 0;
     for (std::size_t k = 0; k < known.size(); ++k) {
-      if (to_start[k] && to_goal[k])
-        known[count++] = {k, *to_goal[k], Metric::cells(Metric::lead(*to_start[k], *to_goal[k]))};
+      if (to_start[k] < Metric::far() && to_goal[k] < Metric::far())
+        known[count++] = {k, to_goal[k], Metric::cells(Metric::lead(to_start[k], to_goal[k]))};
     }
     count_ = std::min(count, used_.size());
     std::partial_sort_copy(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(count), used_.begin(),

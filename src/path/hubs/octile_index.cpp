@@ -41,7 +41,7 @@ std::vector<OctileGraph::Lengths> landmark_lengths(const TurnGraph& graph, const
     const FirstLeg<OctileMetric> here{guided.landmarks[k], {}, {}};
     const auto exact = lengths_from<OctileMetric>(graph, guided, {&here, 1});
     for (std::size_t turn = 0; turn < exact.size(); ++turn) {
-      if (exact[turn]) lengths[turn][k] = OctileMetric::stored(*exact[turn]);
+      if (exact[turn] < OctileMetric::far()) lengths[turn][k] = OctileMetric::stored(exact[turn]);
     }
   });
   return lengths;

@@ -4,6 +4,7 @@
 // Thread rule: read-only after construction.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -34,6 +35,7 @@ struct OctileMetric {
   static Cost between(Cell a, Cell b) { return of(octile_distance(a, b)); }
   static Cost add(const Cost& cost, const Cost& leg) { return of(cost.moves + leg.moves); }
   static double cells(const Cost& cost) { return cost.cells; }
+  static Cost far() { return {{}, std::numeric_limits<double>::infinity()}; }
   static Stored none() { return {}; }
   /// Lengths of too many moves are not kept.
   static Stored stored(const Cost& cost) {

@@ -51,7 +51,10 @@ void OctileIndex::write(IndexWriter& writer) const {
   writer.number(static_cast<std::uint64_t>(labels ? IndexKind::labels : IndexKind::guided));
   writer.number(work);
   writer.number(work_of_search);
-  if (!labels) return hub_labelling::write(writer, subgoals->graph);
+  if (!labels) {
+    hub_labelling::write(writer, subgoals->graph);
+    return;
+  }
   writer.array(labels->nodes);
   for (const OctileTileRow& row : labels->rows) {
     writer.array(row.tiles);
