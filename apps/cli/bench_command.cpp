@@ -83,6 +83,10 @@ void add_path_suite(Command& bench) {
       .type("N");
   path.flag("--all-rows", &request.all_rows,
             "the rows of the scenario also where there is a table of shortest lengths");
+  path.option("--index", &request.index,
+              "folder in which hub_labels and octile_labels keep their indices: read where they exist, else "
+              "written")
+      .type("DIR");
   finish(path, "bench path", bench::measure_path, asked);
   path.footer("\nExample: outrider bench path --data DIR --maps lak303d --planners a_star,jps");
 }

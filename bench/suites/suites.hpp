@@ -40,6 +40,7 @@ struct PathRequest {
   std::size_t queries = 1000;         ///< most queries per map
   int repeat = 1;                     ///< repetitions; the shortest time counts
   bool all_rows = false;              ///< use scenario rows even with a table of shortest lengths
+  std::string index;                  ///< folder in which planners keep their indices; empty: none
 };
 Outcome<BenchResult> measure_path(const PathRequest& request, const BenchObserver& observer);
 

@@ -224,6 +224,28 @@ class Plan(ToolTest):
         self.refused("plan", *question, "--compare", says=["trace", "one search"])
         self.refused("plan", "small.map", "--from", "0,0", "--to", "5,3 1,1", "--trace", says=["trace", "one search"])
 
+    def test_index(self):
+        for planner, model in (("octile_labels", "cells"), ("hub_labels", "corners")):
+            name = f"{planner}.index"
+            question = ("small.map", "--model", model, "--from", "0,0", "--to", "5,3", "--planner", planner)
+            plain = self.check_answer(self.plan(*question))
+            for _ in range(2):  # written, then read
+                row = self.check_answer(self.plan(*question, "--index", name))
+                self.assertEqual(row["waypoints"], plain["waypoints"])
+            content = (self.folder / name).read_bytes()
+            self.assertFalse(list(self.folder.glob(".outrider-*")))
+            self.refused("plan", *question, "--block", "0,3", "--index", name, says=[name, "another map", "delete it"])
+            self.refused("plan", *question, f"--{planner.replace('_', '-')}-index-mib", "65", "--index", name,
+                         says=[name, "other options", "delete it"])
+            self.write(name, content[:-8])
+            self.refused("plan", *question, "--index", name, says=[name, "cut or damaged", "delete it"])
+            self.write(name, b"a text")
+            self.refused("plan", *question, "--index", name, says=[name, "no index file", "delete it"])
+            self.refused("plan", *question, "--index", "nowhere/a.index", says=["nowhere/a.index", "folder"])
+        self.refused("plan", *question, "--compare", "--index", "a.index", says=["index", "one planner"])
+        self.refused("plan", "small.map", "--from", "0,0", "--to", "5,3", "--planner", "jps", "--index", "a.index",
+                     says=["index", "jps has no index"])
+
     @unittest.skipUnless((DATA / "guard" / "maps").is_dir(), "the published data is not here")
     def test_published_map_turned_by_a_quarter(self):
         self.check_answer(self.plan(DATA / "guard/maps/by_small.yaml", "--from", "0,-9", "--to", "2,2"))

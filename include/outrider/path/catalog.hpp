@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "outrider/core/budget.hpp"
 #include "outrider/core/options.hpp"
 #include "outrider/path/plan.hpp"
+#include "outrider/path/stored_index.hpp"
 #include "outrider/search/workspace.hpp"
 
 namespace outrider {
@@ -61,6 +63,14 @@ struct ConfiguredPlanner {
   std::function<std::vector<Outcome<Plan>>(const Problem&, const std::vector<Vec2>& goals, const Budget&,
                                            Workspace&)>
       plan_many = nullptr;
+  /// Returns the index of a ground as bytes; builds it if the workspace has none. Empty if the planner has no
+  /// index that can be kept.
+  std::function<Outcome<std::string>(const std::shared_ptr<const GridMap>&, const Budget&, Workspace&)>
+      save_index = nullptr;
+  /// Puts such bytes into the workspace. Faults: bad_input with the remedy, for bytes that were made for
+  /// another ground, other options or another planner, or are not whole.
+  std::function<Status(const std::shared_ptr<const GridMap>&, const StoredIndex&, Workspace&)> load_index =
+      nullptr;
 };
 
 /// Plans from the start of the problem to each of the goals, in one search if the planner has one, otherwise

@@ -1,13 +1,15 @@
 // Labels: the cost and the parent of every state that a search has reached.
 //
 // Each label has a stamp with the number of the search that wrote it, so begin() clears all labels without
-// touching them. The stamp also marks closed states. All operations are O(1).
+// touching them. The stamp also marks closed states. All operations are O(1). Labels take memory only in the
+// pages that searches have reached.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
+
+#include "outrider/search/zeroed_array.hpp"
 
 namespace outrider {
 
@@ -24,20 +26,19 @@ struct SearchLabel {
 template <class Cost>
 class Labels {
  public:
-  /// Clears all labels. O(1), but O(states) if `states` is larger than ever before, and once in 2^31
-  /// searches.
+  /// Clears all labels. O(1), but O(states reached so far) if `states` is larger than ever before.
   void begin(std::size_t states) {
     if (open_ >= std::numeric_limits<std::uint32_t>::max() - 3) {
-      labels_.assign(labels_.size(), {});
+      const std::size_t size = labels_.size();
+      labels_ = {};
+      labels_.grow(size);
       open_ = 0;
     }
-    if (labels_.size() < states) labels_.resize(states);
+    labels_.grow(states);
     open_ += 2;
   }
   /// Makes room for more states during a search.
-  void grow(std::size_t states) {
-    if (labels_.size() < states) labels_.resize(states);
-  }
+  void grow(std::size_t states) { labels_.grow(states); }
   [[nodiscard]] bool known(State s) const { return labels_[s].stamp >= open_; }
   [[nodiscard]] bool closed(State s) const { return labels_[s].stamp == open_ + 1; }
   [[nodiscard]] const Cost& g(State s) const { return labels_[s].g; }
@@ -47,7 +48,7 @@ class Labels {
   void close(State s) { labels_[s].stamp = open_ + 1; }
 
  private:
-  std::vector<SearchLabel<Cost>> labels_;
+  ZeroedArray<SearchLabel<Cost>> labels_;
   std::uint32_t open_ = 0;  // stamp of open states in this search; one more when closed
 };
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "outrider/core/units.hpp"
+#include "outrider/io/index_file.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/path/check.hpp"
 #include "outrider/path/pieces.hpp"
@@ -181,16 +182,25 @@ struct Asked {
   }
 };
 
-std::vector<PlanRow> rows_of(const ChosenPlanner& planner, const PlanQuestion& question,
-                             const PlanTools& tools, const Budget& budget) {
+Outcome<std::vector<PlanRow>> rows_of(const ChosenPlanner& planner, const PlanQuestion& question,
+                                      const PlanTools& tools, const Budget& budget) {
   Workspace fresh;
   Workspace& workspace = tools.workspace != nullptr ? *tools.workspace : fresh;
+  const bool keeps = !tools.index_file.empty();
+  Outcome<bool> loaded = false;
+  if (keeps) {
+    loaded = load_index_file(tools.index_file, planner.second, question.ground->grid, workspace);
+    if (!loaded) return pass_on(loaded);
+  }
   const Asked asked{planner, question, budget, workspace};
   const double build_s = tools.workspace != nullptr ? 0.0 : asked.building_s();
   workspace.trace = tools.trace;
   std::vector<PlanRow> rows = asked.ask_all();
   workspace.trace = nullptr;
   for (PlanRow& row : rows) row.build_s = build_s;
+  if (!keeps || *loaded) return rows;
+  auto saved = save_index_file(tools.index_file, planner.second, question.ground->grid, budget, workspace);
+  if (!saved) return pass_on(saved);
   return rows;
 }
 
@@ -202,7 +212,9 @@ Outcome<PlanAnswer> answer(const PlanQuestion& question, const PlanTools& tools,
     if (tools.before) {
       if (auto ok = tools.before(planner.first.name); !ok) return pass_on(ok);
     }
-    for (PlanRow& row : rows_of(planner, question, tools, budget)) {
+    auto found = rows_of(planner, question, tools, budget);
+    if (!found) return pass_on(found);
+    for (PlanRow& row : *found) {
       if (row.fault && row.fault->code == FaultCode::cancelled) return tl::unexpected<Fault>(*row.fault);
       rows.push_back(std::move(row));
     }

@@ -59,6 +59,7 @@ Status PlanJob::run(Run& run, const RunWatch& watch) {
   const auto found =
       answer(*question,
              {.trace = traces ? &trace : nullptr,
+              .index_file = task->settled.index,
               .before = [&](std::string_view planner) { return steps.next(std::string(planner)); }},
              watch.budget());
   if (!found) return tl::unexpected<Fault>(found.error());

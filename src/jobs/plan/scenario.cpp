@@ -51,6 +51,10 @@ std::vector<Option> describe_grid(PlanScenario& scenario) {
                      "read; several with blanks between",
                      &scenario.block});
   options.push_back({"free", "", 0, 0, "cells that are freed after that", &scenario.free});
+  options.push_back({"index", "", 0, 0,
+                     "file in which hub_labels or octile_labels keeps its index: read where it exists, else "
+                     "written",
+                     &scenario.index});
   return options;
 }
 

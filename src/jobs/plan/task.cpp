@@ -1,5 +1,7 @@
 #include "outrider/jobs/plan/task.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "queries.hpp"
@@ -42,6 +44,17 @@ Status check_trace(const PlanTask& task) {
   return {};
 }
 
+/// What an index file needs.
+Status check_index(const PlanTask& task) {
+  if (task.settled.index.empty()) return {};
+  if (task.planners.size() != 1)
+    return bad_input("it keeps the index of one planner; leave out compare", "index");
+  if (task.planners.front().second.save_index) return {};
+  return bad_input(fmt::format("{} has no index that can be kept; take hub_labels or octile_labels",
+                               task.planners.front().first.name),
+                   "index");
+}
+
 Status set_ground_options(PlanTask& task) {
   const PlanScenario& scenario = task.settled;
   auto model = find_grid_model(scenario.model);
@@ -73,6 +86,7 @@ Outcome<PlanTask> load_plan(const PlanScenario& scenario, const std::set<std::st
   if (!queries) return pass_on(queries);
   task.queries = std::move(*queries);
   if (auto ok = check_trace(task); !ok) return pass_on(ok);
+  if (auto ok = check_index(task); !ok) return pass_on(ok);
   return task;
 }
 

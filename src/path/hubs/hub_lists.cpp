@@ -31,41 +31,52 @@ class TautReach {
   TautSight sight_;
 };
 
-/// Adds the list of a tile to a row. `used` is memory for the turns of the list.
-void add_tile(const std::vector<TileLabel>& labels, const NavigationMesh& mesh, const HubTrees& trees,
-              std::vector<std::uint32_t>& used, TileRow& row) {
-  row.tiles.push_back(
-      {static_cast<std::uint32_t>(row.entries.size()), static_cast<std::uint32_t>(row.turns.size())});
-  used.clear();
-  for (const TileLabel& label : labels) used.push_back(trees.nodes[label.node].turn);
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  for (const std::uint32_t turn : used) row.turns.push_back(mesh.turns[turn].at);
-  for (const auto& [hub, node, corners] : labels) {
-    const auto [distance, next, turn] = trees.nodes[node];
-    const auto place = std::lower_bound(used.begin(), used.end(), turn) - used.begin();
-    row.entries.push_back(
-        {hub, node, static_cast<float>(distance), static_cast<std::uint16_t>(place), corners});
+/// Builds a row of tiles.
+class RowMaker {
+ public:
+  RowMaker(const NavigationMesh& mesh, const HubTrees& trees) : mesh_(mesh), trees_(trees) {}
+
+  void add(const std::vector<TileLabel>& labels) {
+    tiles_.push_back(
+        {static_cast<std::uint32_t>(entries_.size()), static_cast<std::uint32_t>(turns_.size())});
+    used_.clear();
+    for (const TileLabel& label : labels) used_.push_back(trees_.nodes[label.node].turn);
+    std::sort(used_.begin(), used_.end());
+    used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
+    for (const std::uint32_t turn : used_) turns_.push_back(mesh_.turns[turn].at);
+    for (const auto& [hub, node, corners] : labels) {
+      const auto [distance, next, turn] = trees_.nodes[node];
+      const auto place = std::lower_bound(used_.begin(), used_.end(), turn) - used_.begin();
+      entries_.push_back(
+          {hub, node, static_cast<float>(distance), static_cast<std::uint16_t>(place), corners});
+    }
   }
-}
+  TileRow row(std::uint64_t work) && {
+    add({});  // the end of the last tile
+    return {StoredArray(std::move(tiles_)), StoredArray(std::move(entries_)), StoredArray(std::move(turns_)),
+            work};
+  }
+
+ private:
+  const NavigationMesh& mesh_;
+  const HubTrees& trees_;
+  std::vector<TileRow::Tile> tiles_;
+  std::vector<HubEntry> entries_;
+  std::vector<Cell> turns_;
+  std::vector<std::uint32_t> used_;  ///< turns of the list
+};
 
 }  // namespace
 
-std::vector<TileRow> hub_lists(const GridMap& ground, const NavigationMesh& mesh, const HubTrees& trees,
-                               const TautDepartures& departures, std::size_t most_bytes,
-                               const std::stop_token& stop) {
-  return tile_rows<TileRow>(ground, most_bytes, stop, [&](int low_y) {
-    TileRow row;
-    std::vector<std::uint32_t> used;
+std::optional<std::vector<TileRow>> hub_lists(const GridMap& ground, const NavigationMesh& mesh,
+                                              const HubTrees& trees, const TautDepartures& departures,
+                                              const ListLimits& limits, const std::stop_token& stop) {
+  return tile_rows<TileRow>(ground, limits, stop, [&](std::span<const Cell> tiles) {
+    RowMaker maker(mesh, trees);
     TileLabels<TautReach> labels(trees, TautReach(ground, mesh, departures));
-    const auto add = [&](const std::vector<TileLabel>& list) { add_tile(list, mesh, trees, used, row); };
-    each_tile(low_y, ground, labels, add);
-    add({});  // the end of the last tile
-    row.work = labels.work();
-    row.entries.shrink_to_fit();
-    row.turns.shrink_to_fit();
-    row.tiles.shrink_to_fit();
-    return row;
+    each_tile(tiles, ground, labels,
+              [&](Cell /*low*/, const std::vector<TileLabel>& list) { maker.add(list); });
+    return std::move(maker).row(labels.work());
   });
 }
 

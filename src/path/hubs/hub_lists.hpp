@@ -6,6 +6,7 @@
 
 #include <span>
 
+#include "stored_array.hpp"
 #include "taut_departures.hpp"
 #include "tile_labels.hpp"
 
@@ -30,9 +31,9 @@ struct TileRow {
   struct Tile {
     std::uint32_t entries = 0, turns = 0;  ///< first of each
   };
-  std::vector<Tile> tiles;  ///< from the left, one more at the end; empty if the row was not built
-  std::vector<HubEntry> entries;
-  std::vector<Cell> turns;
+  StoredArray<Tile> tiles;  ///< from the left, one more at the end
+  StoredArray<HubEntry> entries;
+  StoredArray<Cell> turns;
   std::uint64_t work = 0;  ///< work of building it: labels and turns visited
 
   [[nodiscard]] TileList at(int x) const {
@@ -41,15 +42,13 @@ struct TileRow {
     return {{entries.data() + tile.entries, entries.data() + next.entries},
             {turns.data() + tile.turns, turns.data() + next.turns}};
   }
-  [[nodiscard]] std::size_t memory() const {
-    return tiles.capacity() * sizeof(Tile) + entries.capacity() * sizeof(HubEntry) +
-           turns.capacity() * sizeof(Cell);
-  }
+  [[nodiscard]] std::size_t memory() const { return tiles.memory() + entries.memory() + turns.memory(); }
 };
 
-/// Builds the rows of tiles, as many as fit into `most_bytes` (tile_labels.hpp).
-std::vector<TileRow> hub_lists(const GridMap& ground, const NavigationMesh& mesh, const HubTrees& trees,
-                               const TautDepartures& departures, std::size_t most_bytes,
-                               const std::stop_token& stop);
+/// Builds the lists. Returns nothing if they do not keep the limits, or if `stop` is requested
+/// (tile_labels.hpp).
+std::optional<std::vector<TileRow>> hub_lists(const GridMap& ground, const NavigationMesh& mesh,
+                                              const HubTrees& trees, const TautDepartures& departures,
+                                              const ListLimits& limits, const std::stop_token& stop);
 
 }  // namespace outrider::hub_labelling

@@ -31,6 +31,8 @@ class Growth {
     for (const std::uint32_t turn : touched_) reached_[turn] = {};
     touched_.clear();
   }
+  /// Returns the number of labels and edges visited so far.
+  [[nodiscard]] std::uint64_t work() const { return work_; }
 
  private:
   struct Reached {
@@ -47,9 +49,10 @@ class Growth {
   }
 
   /// Returns true if an earlier hub yields that distance.
-  [[nodiscard]] bool known(std::uint32_t turn, double distance) const {
+  [[nodiscard]] bool known(std::uint32_t turn, double distance) {
     const double enough = distance * (1.0 + equal_within);
     for (const HubTrees::HubLabel& label : trees_.labels[turn]) {
+      ++work_;
       if (to_hub_[label.hub] + label.distance <= enough) return true;
     }
     return false;
@@ -60,6 +63,7 @@ class Growth {
     trees_.nodes.push_back({distance, reached_[turn].from, turn});
     trees_.labels[turn].push_back({rank, node, distance});
     graph_.onward(turn, reached_[turn].came, [&](const TurnGraph::Edge& edge) {
+      ++work_;
       reach(edge.to, distance + edge.length, node, edge.way);
     });
   }
@@ -70,20 +74,23 @@ class Growth {
   std::vector<double> to_hub_;  ///< by rank, from the hub that grows
   std::vector<Reached> reached_;
   std::vector<std::uint32_t> touched_;
+  std::uint64_t work_ = 0;
   std::priority_queue<HubEntry, std::vector<HubEntry>, std::greater<>> open_;
 };
 
 }  // namespace
 
 std::optional<HubTrees> hub_trees(const TurnGraph& graph, std::vector<std::uint32_t> order,
-                                  std::size_t most_nodes, const std::stop_token& stop) {
+                                  std::size_t most_nodes, std::uint64_t most_work,
+                                  const std::stop_token& stop) {
   HubTrees trees;
   trees.hubs = std::move(order);
   trees.labels.resize(graph.turns());
   Growth growth(graph, trees);
   for (std::uint32_t rank = 0; rank < trees.hubs.size(); ++rank) {
     growth.grow(rank);
-    if (trees.nodes.size() > most_nodes || stop.stop_requested()) return std::nullopt;
+    if (trees.nodes.size() > most_nodes || growth.work() > most_work || stop.stop_requested())
+      return std::nullopt;
   }
   parallel_for(trees.labels.size(), [&](std::size_t turn) {
     std::sort(trees.labels[turn].begin(), trees.labels[turn].end(),

@@ -36,9 +36,11 @@ struct HubTrees {
   std::vector<std::uint32_t> hubs;            ///< turn, by rank
 };
 
-/// Builds the trees. Returns nothing if there would be more than `most_nodes`, or if `stop` is requested.
-/// O(nodes * (edges of a turn + label of a turn)).
+/// Builds the trees. Returns nothing if there would be more than `most_nodes`, if more than `most_work`
+/// labels and edges would be visited, or if `stop` is requested. O(nodes * (edges of a turn + label of a
+/// turn)).
 std::optional<HubTrees> hub_trees(const TurnGraph& graph, std::vector<std::uint32_t> order,
-                                  std::size_t most_nodes, const std::stop_token& stop);
+                                  std::size_t most_nodes, std::uint64_t most_work,
+                                  const std::stop_token& stop);
 
 }  // namespace outrider::hub_labelling

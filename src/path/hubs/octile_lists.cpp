@@ -51,14 +51,14 @@ std::optional<std::vector<Octile>> distances_of(const Subgoals& subgoals, const 
   return distances;
 }
 
-std::vector<OctileNode> nodes_of(const Subgoals& subgoals, const HubTrees& trees) {
+StoredArray<OctileNode> nodes_of(const Subgoals& subgoals, const HubTrees& trees) {
   std::vector<OctileNode> nodes;
   nodes.reserve(trees.nodes.size());
   for (const HubTrees::HubNode& node : trees.nodes) {
     const Cell at = subgoals.cells[node.turn];
     nodes.push_back({node.next, static_cast<std::int16_t>(at.x), static_cast<std::int16_t>(at.y)});
   }
-  return nodes;
+  return StoredArray(std::move(nodes));
 }
 
 /// Returns the position of a cell on a curve that visits one quarter of a square after the other, and within
@@ -97,27 +97,28 @@ class RowMaker {
         distances_(distances),
         numbers_(numbers_of(subgoals, trees)) {}
 
-  [[nodiscard]] OctileTileRow row(int low_y) const {
-    OctileTileRow row;
-    Cell low{0, low_y};
+  [[nodiscard]] OctileTileRow row(std::span<const Cell> tiles) const {
+    Arrays row;
     std::vector<NumberedLabel> shared;
     TileLabels<OctileReach> labels(trees_, OctileReach(ground_, runs_, subgoals_, trees_));
-    each_tile(low_y, ground_, labels, [&](const std::vector<TileLabel>& list) {
+    each_tile(tiles, ground_, labels, [&](Cell low, const std::vector<TileLabel>& list) {
       row.tiles.push_back(static_cast<std::uint32_t>(row.blocks.size()));
       share_paths(list, low, shared);
       for (const NumberedLabel& label : shared) add(label, row);
-      low.x += tile_side;
     });
     row.tiles.push_back(static_cast<std::uint32_t>(row.blocks.size()));
-    row.work = labels.work();
-    row.tiles.shrink_to_fit();
-    row.blocks.shrink_to_fit();
-    row.cells.shrink_to_fit();
-    row.paths.shrink_to_fit();
-    return row;
+    return {StoredArray(std::move(row.tiles)), StoredArray(std::move(row.blocks)),
+            StoredArray(std::move(row.cells)), StoredArray(std::move(row.paths)), labels.work()};
   }
 
  private:
+  /// The arrays of a row.
+  struct Arrays {
+    std::vector<std::uint32_t> tiles;
+    std::vector<HubBlock> blocks;
+    std::vector<std::uint16_t> cells;
+    std::vector<OctilePath> paths;
+  };
   struct NumberedLabel {
     std::uint32_t block = 0, copy = 0, bit = 0;  ///< of several paths to one hub, each is a copy
     TileLabel label;
@@ -168,7 +169,7 @@ class RowMaker {
               [](const NumberedLabel& a, const NumberedLabel& b) { return a.key() < b.key(); });
   }
 
-  void add(const NumberedLabel& added, OctileTileRow& row) const {
+  void add(const NumberedLabel& added, Arrays& row) const {
     const bool first_of_tile = row.blocks.size() == row.tiles.back();
     const std::uint64_t bit = std::uint64_t{1} << added.bit;
     if (first_of_tile || row.blocks.back().block != added.block || row.blocks.back().bits >= bit)
@@ -194,13 +195,14 @@ class RowMaker {
 
 std::optional<OctileLists> octile_lists(const GridMap& ground, const OctileRuns& runs,
                                         const Subgoals& subgoals, const HubTrees& trees,
-                                        std::size_t most_bytes, const std::stop_token& stop) {
+                                        const ListLimits& limits, const std::stop_token& stop) {
   const auto distances = distances_of(subgoals, trees);
   if (!distances) return std::nullopt;
   const RowMaker maker(ground, runs, subgoals, trees, *distances);
-  return OctileLists{
-      nodes_of(subgoals, trees),
-      tile_rows<OctileTileRow>(ground, most_bytes, stop, [&](int low_y) { return maker.row(low_y); })};
+  auto rows = tile_rows<OctileTileRow>(ground, limits, stop,
+                                       [&](std::span<const Cell> tiles) { return maker.row(tiles); });
+  if (!rows) return std::nullopt;
+  return OctileLists{nodes_of(subgoals, trees), std::move(*rows)};
 }
 
 }  // namespace outrider::hub_labelling

@@ -9,6 +9,7 @@
 
 #include <span>
 
+#include "stored_array.hpp"
 #include "subgoals.hpp"
 #include "tile_labels.hpp"
 
@@ -42,10 +43,10 @@ struct HubBlock {
 
 /// The lists of a row of tiles.
 struct OctileTileRow {
-  std::vector<std::uint32_t> tiles;  ///< first block of each; one more at the end; empty if not built
-  std::vector<HubBlock> blocks;      ///< of each tile by number
-  std::vector<std::uint16_t> cells;  ///< by path: a bit for each cell to which it belongs
-  std::vector<OctilePath> paths;
+  StoredArray<std::uint32_t> tiles;  ///< first block of each; one more at the end
+  StoredArray<HubBlock> blocks;      ///< of each tile by number
+  StoredArray<std::uint16_t> cells;  ///< by path: a bit for each cell to which it belongs
+  StoredArray<OctilePath> paths;
   std::uint64_t work = 0;  ///< work of building it: labels and turns visited
 
   /// Returns the list of the tile of a cell.
@@ -54,8 +55,7 @@ struct OctileTileRow {
     return {blocks.data() + tile[0], blocks.data() + tile[1]};
   }
   [[nodiscard]] std::size_t memory() const {
-    return tiles.capacity() * sizeof(std::uint32_t) + blocks.capacity() * sizeof(HubBlock) +
-           cells.capacity() * sizeof(std::uint16_t) + paths.capacity() * sizeof(OctilePath);
+    return tiles.memory() + blocks.memory() + cells.memory() + paths.memory();
   }
 };
 
@@ -69,14 +69,14 @@ struct OctileNode {
 
 /// The index of a ground.
 struct OctileLists {
-  std::vector<OctileNode> nodes;
+  StoredArray<OctileNode> nodes;
   std::vector<OctileTileRow> rows;
 };
 
-/// Builds the rows of tiles, as many as fit into `most_bytes` (tile_labels.hpp). Returns nothing if a path of
-/// the trees has more than 65535 straight or diagonal moves.
+/// Builds the lists. Returns nothing if they do not keep the limits (tile_labels.hpp), if a path of the trees
+/// has more than 65535 straight or diagonal moves, or if `stop` is requested.
 std::optional<OctileLists> octile_lists(const GridMap& ground, const OctileRuns& runs,
                                         const Subgoals& subgoals, const HubTrees& trees,
-                                        std::size_t most_bytes, const std::stop_token& stop);
+                                        const ListLimits& limits, const std::stop_token& stop);
 
 }  // namespace outrider::hub_labelling

@@ -4,8 +4,9 @@
 
 namespace outrider::hub_labelling {
 
-const std::vector<std::uint32_t>& TautSight::from(Cell corner) {
+const std::vector<std::uint32_t>& TautSight::seen_from(Cell corner, bool taut) {
   corner_ = corner;
+  taut_ = taut;
   seen_.clear();
   around_.clear();
   for (unsigned q = 0; q < 4; ++q) {
@@ -25,7 +26,8 @@ const std::vector<std::uint32_t>& TautSight::from(Cell corner) {
 
 void TautSight::see(const NavigationMesh::Side& side, Arrow way) {
   if (side.turn == NavigationMesh::no_turn || (way.x == 0 && way.y == 0)) return;
-  if (Winding(side.blocked).side({way.x, way.y}) != Winding::Side::neither) seen_.push_back(side.turn);
+  if (!taut_ || Winding(side.blocked).side({way.x, way.y}) != Winding::Side::neither)
+    seen_.push_back(side.turn);
 }
 
 void TautSight::look_everywhere(std::uint32_t polygon) {

@@ -20,7 +20,9 @@ class TautSight {
   TautSight(const GridMap& ground, const NavigationMesh& mesh) : ground_(ground), mesh_(mesh) {}
 
   /// Returns the visible turns as indices of mesh.turns, ascending, without the corner itself.
-  const std::vector<std::uint32_t>& from(Cell corner);
+  const std::vector<std::uint32_t>& from(Cell corner) { return seen_from(corner, true); }
+  /// Returns those turns too at which a path from the corner may not bend.
+  const std::vector<std::uint32_t>& all_from(Cell corner) { return seen_from(corner, false); }
 
  private:
   struct Arrow {
@@ -36,6 +38,7 @@ class TautSight {
   [[nodiscard]] std::uint32_t after(std::uint32_t side, std::uint32_t polygon) const {
     return side + 1 == mesh_.first[polygon + 1] ? mesh_.first[polygon] : side + 1;
   }
+  const std::vector<std::uint32_t>& seen_from(Cell corner, bool taut);
   void see(const NavigationMesh::Side& side, Arrow way);
   void look_everywhere(std::uint32_t polygon);
   void look_through(const Cone& cone);
@@ -43,6 +46,7 @@ class TautSight {
   const GridMap& ground_;
   const NavigationMesh& mesh_;
   Cell corner_;
+  bool taut_ = true;
   std::vector<std::uint32_t> around_, seen_;
   std::vector<Cone> cones_;
 };

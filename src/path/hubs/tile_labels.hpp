@@ -8,8 +8,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <limits>
+#include <optional>
+#include <span>
 #include <stop_token>
 #include <tuple>
 #include <vector>
@@ -133,42 +136,80 @@ class TileLabels {
   std::vector<TileLabel> found_, list_;
 };
 
-/// Calls end_tile(labels) for each tile of a row of tiles, from the left.
+/// Calls end_tile(low, labels) for each tile, by its lowest vertex.
 template <class Reach, class EndTile>
-void each_tile(int low_y, const GridMap& ground, TileLabels<Reach>& labels, EndTile end_tile) {
-  for (int low_x = 0; low_x <= ground.frame.width; low_x += tile_side) {
-    for (int y = low_y; y < low_y + tile_side; ++y) {
-      for (int x = low_x; x < low_x + tile_side; ++x) {
+void each_tile(std::span<const Cell> tiles, const GridMap& ground, TileLabels<Reach>& labels,
+               EndTile end_tile) {
+  for (const Cell low : tiles) {
+    for (int y = low.y; y < low.y + tile_side; ++y) {
+      for (int x = low.x; x < low.x + tile_side; ++x) {
         if (ground.place({x, y})) labels.add({x, y});
       }
     }
-    end_tile(labels.list());
+    end_tile(low, labels.list());
   }
 }
 
-/// Total of the work of rows after which no more of them are built.
-inline constexpr std::uint64_t most_work = std::uint64_t{1} << 34U;
-
-/// Builds the rows of tiles by `row_of(low_y)` from the lowest up, in parallel, as many as fit into
-/// `most_bytes` and `most_work`. Ends early if `stop` is requested. A row has memory(), bytes, and `work`,
-/// the labels visited; one that was not built is empty.
-template <class Row, class RowOf>
-std::vector<Row> tile_rows(const GridMap& ground, std::size_t most_bytes, const std::stop_token& stop,
-                           RowOf row_of) {
-  constexpr std::size_t block = 8;  // rows between two looks at the memory
-  std::vector<Row> rows(static_cast<std::size_t>(ground.frame.height / tile_side) + 1);
+/// Limits of the lists of a ground.
+struct ListLimits {
   std::size_t bytes = 0;
-  std::uint64_t work = 0;
-  for (std::size_t low = 0; low < rows.size() && work < most_work && !stop.stop_requested(); low += block) {
-    const std::size_t high = std::min(rows.size(), low + block);
-    parallel_for(high - low,
-                 [&](std::size_t k) { rows[low + k] = row_of(static_cast<int>(low + k) * tile_side); });
-    for (std::size_t y = low; y < high; ++y) {
-      bytes += rows[y].memory();
-      work += rows[y].work;
-      if (bytes > most_bytes) rows[y] = {};
+  std::uint64_t work = 0;  ///< labels and turns visited
+};
+
+/// Number of rows of tiles, and of tiles in each.
+inline std::size_t tile_rows_of(const GridMap& ground) {
+  return static_cast<std::size_t>(ground.frame.height / tile_side) + 1;
+}
+inline std::size_t tile_columns_of(const GridMap& ground) {
+  return static_cast<std::size_t>(ground.frame.width / tile_side) + 1;
+}
+
+/// Returns true if the lists of all tiles probably keep the limits, by a sample of 256 tiles strewn over the
+/// ground.
+template <class RowOf>
+bool probably_within(const ListLimits& limits, const GridMap& ground, RowOf row_of) {
+  constexpr std::size_t most_samples = 256, tasks = 8;
+  constexpr std::size_t stride = 0x9E3779B1;  // a prime: near the golden ratio of 2^32, so tiles are strewn
+  const std::size_t columns = tile_columns_of(ground), tiles = columns * tile_rows_of(ground);
+  const std::size_t samples = std::min(most_samples, tiles);
+  std::array<ListLimits, tasks> used{};
+  parallel_for(tasks, [&](std::size_t task) {
+    std::vector<Cell> lows;
+    for (std::size_t k = task; k < samples; k += tasks) {
+      const std::size_t tile = samples == tiles ? k : k * stride % tiles;
+      lows.push_back(
+          {static_cast<int>(tile % columns) * tile_side, static_cast<int>(tile / columns) * tile_side});
     }
-    if (bytes > most_bytes) break;
+    const auto row = row_of(lows);
+    used[task] = {row.memory(), row.work};
+  });
+  ListLimits sum;
+  for (const ListLimits& part : used) sum = {sum.bytes + part.bytes, sum.work + part.work};
+  const double times = static_cast<double>(tiles) / static_cast<double>(samples);
+  return static_cast<double>(sum.bytes) * times <= static_cast<double>(limits.bytes) &&
+         static_cast<double>(sum.work) * times <= static_cast<double>(limits.work);
+}
+
+/// Builds all rows of tiles by `row_of(tiles)`, in parallel. A row has memory(), bytes, and `work`, the
+/// labels visited. Returns nothing if the rows do not keep the limits, mostly after a small sample of the
+/// tiles, or if `stop` is requested.
+template <class Row, class RowOf>
+std::optional<std::vector<Row>> tile_rows(const GridMap& ground, const ListLimits& limits,
+                                          const std::stop_token& stop, RowOf row_of) {
+  constexpr std::size_t block = 8;  // rows between two looks at the limits
+  if (!probably_within(limits, ground, row_of)) return std::nullopt;
+  std::vector<Row> rows(tile_rows_of(ground));
+  ListLimits used;
+  for (std::size_t low = 0; low < rows.size(); low += block) {
+    const std::size_t high = std::min(rows.size(), low + block);
+    parallel_for(high - low, [&](std::size_t k) {
+      std::vector<Cell> tiles(tile_columns_of(ground));
+      for (std::size_t x = 0; x < tiles.size(); ++x)
+        tiles[x] = {static_cast<int>(x) * tile_side, static_cast<int>(low + k) * tile_side};
+      rows[low + k] = row_of(tiles);
+    });
+    for (std::size_t y = low; y < high; ++y) used = {used.bytes + rows[y].memory(), used.work + rows[y].work};
+    if (used.bytes > limits.bytes || used.work > limits.work || stop.stop_requested()) return std::nullopt;
   }
   return rows;
 }

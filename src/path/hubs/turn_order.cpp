@@ -9,7 +9,8 @@ namespace outrider::hub_labelling {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t samples = 96;
+constexpr std::size_t most_samples = 96, least_samples = 16;
+constexpr std::size_t turns_of_samples = std::size_t{1} << 21U;  // of all sampled trees together, about
 
 /// Shortest paths from one turn to all others.
 struct Tree {
@@ -77,7 +78,9 @@ void take_out(Tree& tree, std::uint32_t turn, std::vector<std::uint64_t>& paths,
 }  // namespace
 
 std::vector<std::uint32_t> by_importance(const TurnGraph& graph, const std::stop_token& stop) {
-  const std::size_t count = graph.turns(), trees_count = std::min(samples, count);
+  const std::size_t count = graph.turns();
+  const std::size_t affordable = turns_of_samples / std::max<std::size_t>(1, count);
+  const std::size_t trees_count = std::min(count, std::clamp(affordable, least_samples, most_samples));
   std::vector<Tree> trees(trees_count);
   parallel_for(trees_count, [&](std::size_t k) {
     if (!stop.stop_requested())

@@ -81,13 +81,16 @@ struct PlanTools {
   /// Memory kept from earlier calls. If null, each planner starts without an index, and the time to build it
   /// is measured.
   Workspace* workspace = nullptr;
+  /// If not empty, the file in which the planner keeps its index (io/index_file.hpp): it is read if it
+  /// exists, else written. Only for one planner, which has such an index.
+  std::string index_file = {};
   std::function<Status(std::string_view planner)> before =
       {};  ///< called before each planner; a fault ends answer()
 };
 
 /// Runs each planner on each query and returns one row for each. If a query is refused or has no path, its
-/// row says so. Faults: cancelled, and those of PlanTools::before. The budget applies to each search
-/// separately.
+/// row says so. Faults: cancelled, and those of PlanTools::before and of the index file. The budget applies
+/// to each search separately.
 Outcome<PlanAnswer> answer(const PlanQuestion& question, const PlanTools& tools = {},
                            const Budget& budget = {});
 

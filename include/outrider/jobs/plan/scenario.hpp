@@ -44,6 +44,7 @@ struct PlanScenario {
   GridOptions grid;             ///< options of a grid that is made from exact shapes
   bool trace = false;           ///< show what the search expands; grids only
   std::string block;            ///< cells to block: x,y or x,y,width,height, separated by blanks
+  std::string index;            ///< file in which the planner keeps its index; empty: none
   std::string free;             ///< cells to free, in the same form; applied after `block`
   std::vector<ChosenPlanner> planners;  ///< all planners of the catalogue, with their options
 };

@@ -28,7 +28,7 @@ enum class GridModel : std::uint8_t { cells, corners };
 std::string_view to_string(GridModel model);
 
 /// Largest accepted number of cells, and of cells per side.
-inline constexpr std::size_t most_grid_cells = std::size_t{1} << 25U;
+inline constexpr std::size_t most_grid_cells = std::size_t{1} << 28U;
 inline constexpr int most_grid_side = 1 << 20U;
 
 /// Checks a frame. Fault: bad_input if it has no cells, too many cells, or numbers that are not finite.

@@ -96,27 +96,56 @@ TEST(HubLabels, GoRoundBothSidesOfPinchesButNotThroughThem) {
   EXPECT_GT(bent, 200);
 }
 
-TEST(HubLabels, LeaveItToPolyanyaWhereAListDoesNotFit) {
+TEST(HubLabels, SearchAmongLandmarksWhereLabelsDoNotFit) {
   Rng rng = Rng(23).child("small memory");
-  const Blocked grid = strewn(rng, 110, 110, 0.003);
+  const Blocked grid = strewn(rng, 120, 120, 0.1);
   const auto ground = ground_of(grid);
   HubLabelsOptions small, large;
-  small.index_mib = 1;
+  small.index_mib = 2;
+  large.index_mib = 512;
   Workspace narrow, wide;
-  int by_hubs = 0, by_search = 0;
-  for (int k = 0; k < 1500; ++k) {
+  int searched = 0, bent = 0;
+  for (int k = 0; k < 1000; ++k) {
     const Problem problem{ground, ground->point(random_vertex(rng, grid.frame)),
                           ground->point(random_vertex(rng, grid.frame))};
+    expect_as_polyanya(problem, small, narrow, bent);
+    ASSERT_FALSE(HasFatalFailure()) << "query " << k;
     const auto a = hub_labels(problem, small, {}, narrow), b = hub_labels(problem, large, {}, wide);
-    ASSERT_EQ(a.has_value(), b.has_value());
-    if (!a) continue;
-    ASSERT_EQ(b->counters.generated, 0U) << "not by hubs";
-    ASSERT_NEAR(a->cost, b->cost, 1e-12 * b->cost) << "query " << k;
-    ASSERT_TRUE(check(*a, problem));
-    if (a->vertices.size() > 2) ++(a->counters.generated == 0 ? by_hubs : by_search);
+    if (!a || !b) continue;
+    ASSERT_EQ(a->counters.generated, 0U) << "not by landmarks";
+    ASSERT_EQ(b->counters.expansions, 1U) << "not by labels";
+    searched += a->counters.expansions > 1 ? 1 : 0;
   }
-  EXPECT_GT(by_hubs, 10);
-  EXPECT_GT(by_search, 10);
+  EXPECT_GT(searched, 100);
+}
+
+TEST(HubLabels, SearchAmongLandmarksOnChangedGrounds) {
+  Rng rng = Rng(26).child("changes");
+  auto ground = ground_of(strewn(rng, 120, 120, 0.1));
+  HubLabelsOptions small;
+  small.index_mib = 2;
+  Workspace workspace;
+  int bent = 0, searched = 0;
+  for (int step = 0; step < outrider::testing::cases(12); ++step) {
+    for (int k = 0; k < 25; ++k) {
+      const Problem problem{ground, ground->point(random_vertex(rng, ground->frame)),
+                            ground->point(random_vertex(rng, ground->frame))};
+      Workspace anew;
+      const auto plan = hub_labels(problem, small, {}, workspace);
+      const auto truth = polyanya(problem, {}, {}, anew);
+      ASSERT_EQ(plan.has_value(), truth.has_value()) << "step " << step << ", query " << k;
+      if (!plan) continue;
+      ASSERT_NEAR(plan->cost, truth->cost, 1e-9 * std::max(1.0, truth->cost))
+          << "step " << step << ", query " << k;
+      ASSERT_TRUE(check(*plan, problem));
+      bent += plan->vertices.size() > 2 ? 1 : 0;
+      searched += plan->counters.generated == 0 && plan->counters.expansions > 1 ? 1 : 0;
+    }
+    const Cell low{static_cast<int>(rng.below(118)), static_cast<int>(rng.below(118))};
+    ground = std::make_shared<const GridMap>(ground->with({{low, 2, 2, rng.below(3) != 0}}).value());
+  }
+  EXPECT_GT(bent, 100);
+  EXPECT_GT(searched, 50);
 }
 
 TEST(HubLabels, LeaveItToPolyanyaWhereTheHubsDoNotFit) {
