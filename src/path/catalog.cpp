@@ -7,6 +7,7 @@
 #include "outrider/path/clearance/safest.hpp"
 #include "outrider/path/clearance/widest.hpp"
 #include "outrider/path/grid/a_star.hpp"
+#include "outrider/path/grid/d_star_lite.hpp"
 #include "outrider/path/grid/dijkstra.hpp"
 #include "outrider/path/grid/jps.hpp"
 #include "outrider/path/grid/jps_plus.hpp"
@@ -96,6 +97,28 @@ std::vector<PathPlanner> planners_along_moves() {
        .models = {GridModel::cells},
        .index = true,
        .tells = TraceKind::lookup},
+  };
+}
+
+std::vector<PathPlanner> planners_of_changing_maps() {
+  const Guarantee guarantee = {.complete = true,
+                               .among = PathClass::along_moves,
+                               .most_ratio = 1.0,
+                               .sentence = "complete; shortest along the eight moves of the grid"};
+  return {
+      {.name = "d_star_lite",
+       .sentence = "A* from the goal that is kept, and repaired where the map has changed; for a robot that "
+                   "corrects its map on the way.",
+       .paper = "Koenig and Likhachev, D* Lite, 2002",
+       .guarantee = guarantee,
+       .configure = with_options(d_star_lite),
+       .incremental = true},
+      {.name = "lpa_star",
+       .sentence = "A* from the start that is kept, and repaired where the map has changed; for one start.",
+       .paper = "Koenig, Likhachev and Furcy, Lifelong Planning A*, 2004",
+       .guarantee = guarantee,
+       .configure = with_options(lpa_star),
+       .incremental = true},
   };
 }
 
@@ -321,8 +344,9 @@ std::vector<Outcome<Plan>> plan_each(const ConfiguredPlanner& planner, const Pro
 const std::vector<PathPlanner>& path_planners() {
   static const std::vector<PathPlanner> planners = [] {
     std::vector<PathPlanner> all;
-    for (const auto& part : {planners_along_moves(), planners_in_any_direction(), planners_round_corners(),
-                             planners_with_prices(), planners_that_steer(), planners_that_sample()}) {
+    for (const auto& part :
+         {planners_along_moves(), planners_of_changing_maps(), planners_in_any_direction(),
+          planners_round_corners(), planners_with_prices(), planners_that_steer(), planners_that_sample()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

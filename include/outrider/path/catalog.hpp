@@ -82,7 +82,8 @@ struct PathPlanner {
   TraceKind tells = TraceKind::search;  ///< events that it reports to a Trace
   bool axis = false;                    ///< searches the medial axis, which pictures show
   std::optional<Guarantee> on_polygons = std::nullopt;  ///< if it differs from that on grids
-  bool steers = false;  ///< plans poses for a robot that cannot turn in place; see Plan::steering
+  bool incremental = false;  ///< repairs the search of the previous query: later queries count less work
+  bool steers = false;       ///< plans poses for a robot that cannot turn in place; see Plan::steering
 
   /// Returns the guarantee on a kind of ground.
   [[nodiscard]] const Guarantee& guarantee_on(bool is_polygons) const {
