@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "replaced.hpp"
 #include "support/data.hpp"
 
 namespace outrider {

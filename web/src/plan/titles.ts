@@ -2,6 +2,7 @@
 
 const whole: Record<string, string> = {
   visibility_graph_implicit: "Visibility graph, implicit", visibility_graph_reduced: "Visibility graph, reduced", lazy_theta_star: "Lazy Theta*", hybrid_a_star: "Hybrid A*", d_star_lite: "D* Lite",
+  terrain_a_star: "Terrain A*", terrain_theta_star: "Terrain Theta*",
 };
 const capitals = new Set(["a", "jps", "lpa", "prm", "rrt", "bit"]);
 
