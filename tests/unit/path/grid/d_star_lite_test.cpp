@@ -15,7 +15,7 @@ namespace {
 
 using Ground = std::shared_ptr<const GridMap>;
 
-Ground ground_of(const Grid<std::uint8_t>& grid, GridModel model) {
+Ground shared_map(const Grid<std::uint8_t>& grid, GridModel model) {
   return std::make_shared<const GridMap>(GridMap::of(grid, model).value());
 }
 
@@ -79,7 +79,7 @@ TEST_P(IncrementalOn, AnswersAsASearchAnewOverSequencesOfChanges) {
   Rng rng = Rng(31).child("sequences");
   int joined = 0, closed = 0, ended = 0;
   for (int i = 0; i < testing::costly_cases(300); ++i) {
-    Ground ground = ground_of(i % 3 == 0 ? rooms(rng, 40) : random_grid(rng, 18), model());
+    Ground ground = shared_map(i % 3 == 0 ? rooms(rng, 40) : random_grid(rng, 18), model());
     Workspace kept;
     Problem problem{ground, some_place(rng, *ground), some_place(rng, *ground)};
     for (int step = 0; step < 30; ++step) {
@@ -111,7 +111,7 @@ TEST_P(IncrementalOn, AnswersAsASearchAnewOverSequencesOfChanges) {
 TEST_P(IncrementalOn, SearchesAnewAsAStarDoes) {
   Rng rng = Rng(32).child("anew");
   for (int i = 0; i < 300; ++i) {
-    const Ground ground = ground_of(random_grid(rng, 24), model());
+    const Ground ground = shared_map(random_grid(rng, 24), model());
     Problem problem{ground, some_place(rng, *ground), some_place(rng, *ground)};
     Workspace one, other;
     const auto plan = row().plan(problem, {}, one);
@@ -126,7 +126,7 @@ TEST_P(IncrementalOn, SearchesAnewAsAStarDoes) {
 
 TEST_P(IncrementalOn, ARepeatedQueryExpandsNothing) {
   Rng rng = Rng(33).child("repeat");
-  const Ground ground = ground_of(rooms(rng, 60), model());
+  const Ground ground = shared_map(rooms(rng, 60), model());
   Workspace kept;
   for (int i = 0; i < 20; ++i) {
     const Problem problem{ground, some_place(rng, *ground), some_place(rng, *ground)};
@@ -142,7 +142,7 @@ TEST_P(IncrementalOn, ContinuesASearchThatItsBudgetEnded) {
   Rng rng = Rng(34).child("parts");
   Grid<std::uint8_t> grid = strewn(rng, 60, 60, 0.1);
   grid[{1, 1}] = grid[{57, 48}] = 0;
-  const Ground ground = ground_of(grid, model());
+  const Ground ground = shared_map(grid, model());
   const Problem problem{ground, ground->point({1, 1}), ground->point({57, 48})};
   Workspace whole, parts;
   const auto all = row().plan(problem, {}, whole);
@@ -161,7 +161,7 @@ TEST_P(IncrementalOn, ATraceHasTheWholeSearch) {
   Rng rng = Rng(35).child("trace");
   Grid<std::uint8_t> grid = strewn(rng, 40, 40, 0.2);
   grid[{2, 2}] = grid[{37, 37}] = 0;
-  const Ground ground = ground_of(grid, model());
+  const Ground ground = shared_map(grid, model());
   const Problem problem{ground, ground->point({2, 2}), ground->point({37, 37})};
   Workspace kept;
   const auto first = row().plan(problem, {}, kept);
@@ -177,7 +177,7 @@ TEST_P(IncrementalOn, ATraceHasTheWholeSearch) {
 /// Drives to the goal over a map that it takes for empty, and corrects where it sees a cell. Returns the sum
 /// of the expansions, with the search kept or anew at each step.
 std::uint64_t drive(const GridMap& truth, bool keep, int& repairs) {
-  Ground known = ground_of(Grid<std::uint8_t>(truth.frame), truth.model);
+  Ground known = shared_map(Grid<std::uint8_t>(truth.frame), truth.model);
   Workspace kept;
   Cell at{1, 1};
   const Cell goal{truth.frame.width - 2, truth.frame.height - 2};
@@ -225,7 +225,7 @@ TEST(LpaStar, RepairsOnlyWhatAChangeTouches) {
   std::uint64_t kept = 0, anew = 0;
   Grid<std::uint8_t> grid = strewn(rng, 100, 100, 0.2);
   grid[{2, 2}] = grid[{97, 97}] = 0;
-  Ground ground = ground_of(grid, GridModel::cells);
+  Ground ground = shared_map(grid, GridModel::cells);
   const Problem asked{ground, ground->point({2, 2}), ground->point({97, 97})};
   Workspace workspace;
   ASSERT_TRUE(lpa_star(asked, {}, {}, workspace).has_value());
