@@ -121,7 +121,7 @@ class Tree {
       alone_.push_back(std::move(*track));
     }
     nodes_.push_back({0, {}, {}, cost});
-    open_.push({cost, 0, 0});
+    open_.emplace(cost, 0, 0);
     return {};
   }
 
@@ -145,7 +145,7 @@ class Tree {
     nodes_.push_back({parent, one, std::move(*track), 0});
     nodes_.back().cost = nodes_[parent].cost + nodes_.back().track.size() - before;
     const std::size_t node = nodes_.size() - 1;
-    open_.push({nodes_[node].cost, collisions_of(tracks_of(node)).second, node});
+    open_.emplace(nodes_[node].cost, collisions_of(tracks_of(node)).second, node);
     return {};
   }
 
@@ -164,6 +164,7 @@ class Tree {
 
   [[nodiscard]] FleetPlan plan(const std::vector<const Track*>& tracks) const {
     std::vector<Track> copies;
+    copies.reserve(tracks.size());
     for (const Track* track : tracks) copies.push_back(*track);
     FleetPlan plan = plan_of(query_, copies, meter_.spent());
     plan.lower_bound = plan.cost;

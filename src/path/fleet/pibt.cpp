@@ -43,13 +43,13 @@ bool Pibt::move(std::size_t robot) {
   std::array<State, 5> choices{};
   std::size_t count = 0;
   query_.for_each_step(from, [&](State to) { choices[count++] = to; });
-  const auto end = choices.begin() + static_cast<std::ptrdiff_t>(count);
-  std::stable_sort(choices.begin(), end, [&](State a, State b) {
+  State* const end = choices.data() + count;
+  std::stable_sort(choices.data(), end, [&](State a, State b) {
     const std::uint32_t to_a = query_.steps[robot][a], to_b = query_.steps[robot][b];
     if (to_a != to_b) return to_a < to_b;
     return (here_[a] == unreachable) && (here_[b] != unreachable);
   });
-  for (auto to = choices.begin(); to != end; ++to) {
+  for (const State* to = choices.data(); to != end; ++to) {
     if (taken(robot, *to)) continue;
     take(robot, *to);
     const std::uint32_t other = here_[*to];

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "outrider/path/fleet/planners.hpp"
@@ -58,19 +60,21 @@ class Reserved {
   std::vector<std::vector<std::pair<State, std::size_t>>> at_;  // by step: states and robots, sorted
 };
 
-/// Plans in that order. Returns the robot without a path if there is one.
-Outcome<std::optional<std::size_t>> plan_in_order(const Query& query, const std::vector<std::size_t>& order,
-                                                  std::vector<Track>& tracks, BudgetMeter& meter,
-                                                  SearchMemory<int>& memory) {
+constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
+
+/// Plans in that order. Returns the first robot without a path, or `nobody`.
+Outcome<std::size_t> plan_in_order(const Query& query, const std::vector<std::size_t>& order,
+                                   std::vector<Track>& tracks, BudgetMeter& meter,
+                                   SearchMemory<int>& memory) {
   Reserved reserved;
   for (const std::size_t robot : order) {
     auto track = track_of(query, robot, reserved, memory, meter);
-    if (!track && track.error().code == FaultCode::no_path) return std::optional(robot);
+    if (!track && track.error().code == FaultCode::no_path) return robot;
     if (!track) return pass_on(track);
     tracks[robot] = *track;
     reserved.add(std::move(*track));
   }
-  return std::optional<std::size_t>();
+  return nobody;
 }
 
 }  // namespace
@@ -98,8 +102,8 @@ Outcome<FleetPlan> prioritized(const FleetProblem& problem, const PrioritizedOpt
   for (std::int64_t attempt = 0; attempt < options.attempts; ++attempt) {
     auto without = fleet::plan_in_order(*query, order, tracks, meter, memory);
     if (!without) return pass_on(without);
-    if (!without->has_value()) return fleet::plan_of(*query, tracks, meter.spent());
-    failed = **without;
+    if (*without == fleet::nobody) return fleet::plan_of(*query, tracks, meter.spent());
+    failed = *without;
     const auto place = std::find(order.begin(), order.end(), failed);
     std::rotate(order.begin(), place, place + 1);
   }

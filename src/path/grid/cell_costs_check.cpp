@@ -9,7 +9,8 @@ namespace {
 /// Adds the shares of a leg at which one coordinate is a whole number.
 void add_cuts(double from, double to, std::vector<double>& cuts) {
   if (from == to) return;
-  for (double line = std::ceil(std::min(from, to)); line <= std::max(from, to); line += 1.0) {
+  const auto last = static_cast<int>(std::floor(std::max(from, to)));
+  for (auto line = static_cast<int>(std::ceil(std::min(from, to))); line <= last; ++line) {
     cuts.push_back((line - from) / (to - from));
   }
 }
