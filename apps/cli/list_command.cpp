@@ -9,6 +9,7 @@
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/policy.hpp"
 #include "outrider/path/catalog.hpp"
+#include "outrider/path/fleet/planners.hpp"
 #include "outrider/pursuit/catalog.hpp"
 #include "terminal.hpp"
 
@@ -82,6 +83,15 @@ void list_json(const std::vector<Job>& jobs) {
   for (const GuardPlanner& planner : guard_planners()) {
     guards.push_back({{"name", planner.name}, {"sentence", planner.sentence}, {"source", planner.source}});
   }
+  auto fleets = nlohmann::ordered_json::array();
+  for (const FleetPlanner& planner : fleet_planners()) {
+    fleets.push_back({{"name", planner.name},
+                      {"sentence", planner.sentence},
+                      {"paper", planner.paper},
+                      {"guarantee", planner.guarantee},
+                      {"complete", planner.complete},
+                      {"optimal", planner.optimal}});
+  }
   auto pursuers = nlohmann::ordered_json::array();
   for (const PursuitPlanner& planner : pursuit_planners()) {
     pursuers.push_back({{"name", planner.name},
@@ -94,6 +104,7 @@ void list_json(const std::vector<Job>& jobs) {
   print({{"jobs", job_list},
          {"guard_planners", guards},
          {"path_planners", planners},
+         {"fleet_planners", fleets},
          {"pursuit_planners", pursuers},
          {"cover_methods", cover_methods_json()},
          {"guard_policies", policies_json()}});
@@ -112,6 +123,11 @@ void list_text(const std::vector<Job>& jobs) {
     show("      Guarantee: {}.\n      Ground: {}.\n", planner.guarantee.sentence,
          fmt::join(grounds_of(planner), ", "));
     show("      Source: {}.\n", planner.paper);
+  }
+  show("\nFleet planners (outrider fleet FILE --planner NAME)\n");
+  for (const FleetPlanner& planner : fleet_planners()) {
+    show("  {}\n      {}\n      Guarantee: {}.\n      Source: {}.\n", planner.name, planner.sentence,
+         planner.guarantee, planner.paper);
   }
   show("\nPursuit planners (outrider pursue FILE --planner NAME)\n");
   for (const PursuitPlanner& planner : pursuit_planners()) {

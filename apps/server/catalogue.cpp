@@ -24,6 +24,7 @@ std::string_view name_of(Measure measure) {
     case Measure::length: return "length";
     case Measure::time: return "time";
     case Measure::safety: return "safety";
+    case Measure::terrain: return "terrain";
     case Measure::manoeuvre: return "manoeuvre";
   }
   return "";

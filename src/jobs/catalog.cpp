@@ -3,6 +3,7 @@
 #include "outrider/jobs/cover/job.hpp"
 #include "outrider/jobs/drive/job.hpp"
 #include "outrider/jobs/explore/job.hpp"
+#include "outrider/jobs/fleet/job.hpp"
 #include "outrider/jobs/guard/job.hpp"
 #include "outrider/jobs/plan/job.hpp"
 #include "outrider/jobs/pursue/job.hpp"
@@ -11,8 +12,8 @@
 namespace outrider {
 
 const std::vector<Job>& jobs() {
-  static const std::vector<Job> all = {cover_job(), drive_job(),  explore_job(), guard_job(),
-                                       plan_job(),  pursue_job(), slam_job()};
+  static const std::vector<Job> all = {cover_job(), drive_job(), explore_job(), fleet_job(),
+                                       guard_job(), plan_job(),  pursue_job(),  slam_job()};
   return all;
 }
 

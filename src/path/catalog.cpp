@@ -7,9 +7,11 @@
 #include "outrider/path/clearance/safest.hpp"
 #include "outrider/path/clearance/widest.hpp"
 #include "outrider/path/grid/a_star.hpp"
+#include "outrider/path/grid/d_star_lite.hpp"
 #include "outrider/path/grid/dijkstra.hpp"
 #include "outrider/path/grid/jps.hpp"
 #include "outrider/path/grid/jps_plus.hpp"
+#include "outrider/path/grid/terrain_a_star.hpp"
 #include "outrider/path/grid/theta_star.hpp"
 #include "outrider/path/hubs/hub_labels.hpp"
 #include "outrider/path/hubs/octile_labels.hpp"
@@ -96,6 +98,57 @@ std::vector<PathPlanner> planners_along_moves() {
        .models = {GridModel::cells},
        .index = true,
        .tells = TraceKind::lookup},
+  };
+}
+
+std::vector<PathPlanner> planners_of_changing_maps() {
+  const Guarantee guarantee = {.complete = true,
+                               .among = PathClass::along_moves,
+                               .most_ratio = 1.0,
+                               .sentence = "complete; shortest along the eight moves of the grid"};
+  return {
+      {.name = "d_star_lite",
+       .sentence = "A* from the goal that is kept, and repaired where the map has changed; for a robot that "
+                   "corrects its map on the way.",
+       .paper = "Koenig and Likhachev, D* Lite, 2002",
+       .guarantee = guarantee,
+       .configure = with_options(d_star_lite),
+       .incremental = true},
+      {.name = "lpa_star",
+       .sentence = "A* from the start that is kept, and repaired where the map has changed; for one start.",
+       .paper = "Koenig, Likhachev and Furcy, Lifelong Planning A*, 2004",
+       .guarantee = guarantee,
+       .configure = with_options(lpa_star),
+       .incremental = true},
+  };
+}
+
+std::vector<PathPlanner> planners_on_terrain() {
+  return {
+      {.name = "terrain_a_star",
+       .sentence = "A* on ground that costs more in some cells, along the eight moves.",
+       .paper =
+           "Hart, Nilsson and Raphael, A formal basis for the heuristic determination of minimum cost paths, "
+           "1968",
+       .guarantee = {.complete = true,
+                     .among = PathClass::along_moves,
+                     .most_ratio = 1.0,
+                     .sentence = "complete; cheapest along the eight moves of the grid",
+                     .measure = Measure::terrain},
+       .configure = with_options(terrain_a_star),
+       .models = {GridModel::cells},
+       .weighs = true},
+      {.name = "terrain_theta_star",
+       .sentence = "Theta* on ground that costs more in some cells: straight legs where they cost no more.",
+       .paper = "Choi and Yu, Any-angle path planning on non-uniform costmaps, 2011",
+       .guarantee = {.complete = true,
+                     .among = PathClass::any_direction,
+                     .most_ratio = unbounded,
+                     .sentence = "complete; near the cheapest path, without a proven ratio",
+                     .measure = Measure::terrain},
+       .configure = with_options(terrain_theta_star),
+       .models = {GridModel::cells},
+       .weighs = true},
   };
 }
 
@@ -300,6 +353,7 @@ std::string_view unit_of(Measure measure) {
     case Measure::length: return "m";
     case Measure::time: return "s";
     case Measure::safety:
+    case Measure::terrain:
     case Measure::manoeuvre: return "m eq";
   }
   return "";
@@ -321,8 +375,9 @@ std::vector<Outcome<Plan>> plan_each(const ConfiguredPlanner& planner, const Pro
 const std::vector<PathPlanner>& path_planners() {
   static const std::vector<PathPlanner> planners = [] {
     std::vector<PathPlanner> all;
-    for (const auto& part : {planners_along_moves(), planners_in_any_direction(), planners_round_corners(),
-                             planners_with_prices(), planners_that_steer(), planners_that_sample()}) {
+    for (const auto& part : {planners_along_moves(), planners_of_changing_maps(), planners_in_any_direction(),
+                             planners_on_terrain(), planners_round_corners(), planners_with_prices(),
+                             planners_that_steer(), planners_that_sample()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

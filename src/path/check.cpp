@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "grid/cell_costs_check.hpp"
 #include "outrider/path/pieces.hpp"
 #include "outrider/path/safety.hpp"
 #include "steering/steering_check.hpp"
@@ -167,7 +168,9 @@ double reversing_of(const Plan& plan) {
 Status check_numbers(const Plan& plan, const Problem& problem) {
   const double length = length_of(plan);
   const Turning turning = plan.weights.per_rad == 0.0 ? Turning{} : turning_of(plan);
-  const double sum = plan.weights.per_m * length + plan.weights.per_rad * turning.sum_rad +
+  const bool by_cell = plan.weights.by_cell && problem.grid && problem.costs;
+  const double metres = by_cell ? weighted_length(plan, *problem.grid, *problem.costs) : length;
+  const double sum = plan.weights.per_m * metres + plan.weights.per_rad * turning.sum_rad +
                      plan.weights.per_exposure_m * plan.exposure + reversing_of(plan);
   const double slack = relative * std::max(1.0, sum);
   if (!(std::abs(plan.cost - sum) <= slack + plan.weights.per_rad * turning.rounding_rad)) {

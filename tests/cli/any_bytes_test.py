@@ -44,7 +44,7 @@ class AnyBytes(ToolTest):
                     json.loads(result.stdout)
 
     def test_words(self):
-        for verb in [b"run", b"guard", b"plan", b"cover", b"explore", b"slam", b"drive", b"pursue", b"detect", b"calibrate",
+        for verb in [b"run", b"guard", b"plan", b"cover", b"explore", b"fleet", b"slam", b"drive", b"pursue", b"detect", b"calibrate",
                      b"replay", b"list", b"schema", b"bench", b"serve"]:
             self.harmless(verb, b"no/" + EVIL)
             self.harmless(verb, b"--" + EVIL)

@@ -84,7 +84,7 @@ class Manual(ToolTest):
 
     def test_list(self):
         catalogue = json.loads(self.text("list", "--json"))
-        self.assertEqual([job["name"] for job in catalogue["jobs"]], ["cover", "drive", "explore", "guard", "plan", "pursue", "slam"])
+        self.assertEqual([job["name"] for job in catalogue["jobs"]], ["cover", "drive", "explore", "fleet", "guard", "plan", "pursue", "slam"])
         text = self.text("list")
         for planner in catalogue["path_planners"]:
             self.assertLessEqual({"name", "sentence", "paper", "guarantee", "complete", "models"}, set(planner))
@@ -109,7 +109,7 @@ class Manual(ToolTest):
         self.assertNotEqual(refusals(schema, {"robot": {"radius": -1}}), [])
         self.assertNotEqual(refusals(schema, {"seed": "1"}), [])
         self.assertNotEqual(refusals(schema, {"plan": {"planner": "nothing"}}), [])
-        for job in ("cover", "drive", "explore", "plan", "pursue", "slam"):
+        for job in ("cover", "drive", "explore", "fleet", "plan", "pursue", "slam"):
             defaults = simple_yaml(self.text("schema", "--job", job, "--as", "scenario"))
             self.assertEqual(refusals(json.loads(self.text("schema", "--job", job)), defaults), [], job)
 
@@ -136,6 +136,7 @@ class Manual(ToolTest):
                                 ("cover", "markdown", "options-cover.md"),
                                 ("drive", "markdown", "options-drive.md"),
                                 ("explore", "markdown", "options-explore.md"),
+                                ("fleet", "markdown", "options-fleet.md"),
                                 ("plan", "markdown", "options-plan.md"),
                                 ("slam", "markdown", "options-slam.md")]:
             expected = (SOURCE / "docs" / page).read_text()

@@ -33,7 +33,7 @@ class Plan(ToolTest):
             exposed = (row["cost"] - row["length_m"]) / 10
             self.assertAlmostEqual(exposed / row["exposure"], 1.0, delta=0.02)
         else:
-            self.assertEqual(row["cost_unit"], "m")
+            self.assertEqual(row["cost_unit"], "m eq" if row["planner"].startswith("terrain") else "m")
             self.assertAlmostEqual(row["cost"], row["length_m"], places=9)
         self.assertLessEqual(row["lower_bound"], row["cost"] + 1e-9)
 

@@ -23,11 +23,14 @@ const std::vector<SmallScenario>& small_scenarios() {
        "waypoints: \"0,0,0 1,0,0 1,1,180\"\ntags: \"1=2,1,180 2=1,2.5,-90\"\nfaults:\n  wheel_1: 0.985\n",
        {"model_path"}},
       {"explore", "world: SOURCE/explore/leaking_yard.sdf\nstart: \"6.8,1.5,90\"\n", {"slices"}},
+      {"fleet", "map: SOURCE/fleet/warehouse.map\nagents: SOURCE/fleet/warehouse.scen\n"},
       {"guard",
        "world: SOURCE/orchard/orchard.sdf\ntargets: SOURCE/orchard/targets.txt\nstart: \"0,-5,90\"\n"
        "plan:\n  resolution: 0.25\n  iterations: 20\n  refinements: 0\n",
        {"arrivals.list", "wander.history"}},
-      {"plan", "map: SOURCE/maps/gallery.map\nfrom: \"1,1\"\nto: \"20,10\"\ncompare: true\n", {"model_path"}},
+      {"plan",
+       "map: SOURCE/maps/gallery.map\nfrom: \"1,1\"\nto: \"20,10\"\ncompare: true\n",
+       {"model_path", "terrain"}},
       {"pursue", "map: SOURCE/pursuit/park.txt\nclock: virtual\n"},
       {"slam", "log: SOURCE/slam/posts.dat\ntruth: SOURCE/slam/posts_world.dat\n", {"resume"}},
   };

@@ -33,6 +33,7 @@ enum class Measure {
   length,     ///< length, m
   time,       ///< driving time, s
   safety,     ///< length plus weighted exposure (the integral of 1 / clearance), m eq
+  terrain,    ///< length times the cost per metre of each cell, m eq
   manoeuvre,  ///< length plus the prices of cusps and of driving backwards, m eq
 };
 /// Returns the unit of a measure: "m", "s" or "m eq".
@@ -92,7 +93,9 @@ struct PathPlanner {
   TraceKind tells = TraceKind::search;  ///< events that it reports to a Trace
   bool axis = false;                    ///< searches the medial axis, which pictures show
   std::optional<Guarantee> on_polygons = std::nullopt;  ///< if it differs from that on grids
-  bool steers = false;  ///< plans poses for a robot that cannot turn in place; see Plan::steering
+  bool incremental = false;  ///< repairs the search of the previous query: later queries count less work
+  bool weighs = false;       ///< weighs the costs of the ground (Problem::costs)
+  bool steers = false;       ///< plans poses for a robot that cannot turn in place; see Plan::steering
 
   /// Returns the guarantee on a kind of ground.
   [[nodiscard]] const Guarantee& guarantee_on(bool is_polygons) const {

@@ -2,7 +2,8 @@
 //
 // On every ground it verifies that
 //  - the path begins at the start and ends at the goal (on a grid: at their vertices),
-//  - the cost is the sum of the legs, to a relative error of 1e-9,
+//  - the cost is the sum of the legs, to a relative error of 1e-9, where the ground has costs their integral
+//    (cut at every line of the grid),
 //  - an exposure in the cost is within 1 % of the value that safety_of() proves,
 //  - the lower bound is not above the cost, and
 //  - the path ends as near to the goal as the plan states.

@@ -43,6 +43,7 @@ struct CostWeights {
   double per_exposure_m = 0.0;        ///< cost per unit of exposure, the integral of 1 / clearance
   double per_cusp = 0.0;              ///< cost of each change between driving forwards and backwards
   double per_backward_m = 0.0;        ///< cost per metre driven backwards, in addition to `per_m`
+  bool by_cell = false;               ///< a metre costs `per_m` times the cost of its cell (Problem::costs)
   friend bool operator==(const CostWeights&, const CostWeights&) = default;
 };
 

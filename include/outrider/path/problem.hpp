@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "outrider/path/grid/cell_costs.hpp"
 #include "outrider/path/grid/grid_map.hpp"
 #include "outrider/path/visibility/polygon_ground.hpp"
 
@@ -22,6 +23,9 @@ struct Problem {
   /// them.
   std::optional<double> start_heading_rad = std::nullopt;
   std::optional<double> goal_heading_rad = std::nullopt;
+  /// Costs per metre of the cells of the grid, for planners that weigh the ground; null: 1 everywhere. Others
+  /// ignore them.
+  std::shared_ptr<const CellCosts> costs = nullptr;
 };
 
 /// A problem on a grid, with start and goal as vertices of the grid.

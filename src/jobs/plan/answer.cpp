@@ -39,6 +39,7 @@ Problem problem_of(const PathPlanner& planner, const PlanGround& ground, const P
   const bool on_polygons = planner.polygons && ground.polygons;
   if (on_polygons) problem.polygons = ground.polygons;
   if (!on_polygons) problem.grid = ground.grid;
+  if (planner.weighs) problem.costs = ground.costs;
   return problem;
 }
 

@@ -1,5 +1,6 @@
 #include "outrider/jobs/plan/ground.hpp"
 
+#include "ground_costs.hpp"
 #include "outrider/path/from_polygons.hpp"
 #include "outrider/path/grid/from_occupancy.hpp"
 #include "outrider/path/visibility/polygons_from_world.hpp"
@@ -97,6 +98,10 @@ Outcome<PlanGround> plan_ground(const MapShape& map, const PlanGroundOptions& op
   PlanGround ground;
   ground.radius_m = options.radius_m;
   if (auto ok = set_shape(ground, map, options); !ok) return pass_on(ok);
+  if (!ground.grid) return ground;
+  auto costs = ground_costs(options.costs, ground.grid->frame, ground.yaw_rad);
+  if (!costs) return pass_on(costs);
+  ground.costs = std::move(*costs);
   return ground;
 }
 

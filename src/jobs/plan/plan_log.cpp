@@ -10,6 +10,7 @@
 #include "outrider/job/scene.hpp"
 #include "outrider/job/scene_markers.hpp"
 #include "outrider/log/conversions.hpp"
+#include "outrider/log/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/clearance/medial_axis.hpp"
@@ -41,6 +42,18 @@ nav_msgs::OccupancyGrid costmap_of(const PlanGround& ground) {
     const bool occupied = known && ground.occupied.cells[i] != 0;
     grid.data[i] = static_cast<std::int8_t>(occupied ? 100 : ground.blocked.cells[i] != 0 ? 99 : 0);
   }
+  return grid;
+}
+
+/// Returns what a metre costs in each cell.
+outrider_msgs::CostGrid cost_grid_of(const PlanGround& ground) {
+  const GridFrame& frame = ground.costs->per_m.frame;
+  outrider_msgs::CostGrid grid;
+  grid.origin = point_of(frame.origin);
+  grid.resolution = frame.resolution_m;
+  grid.width = static_cast<std::uint32_t>(frame.width);
+  grid.height = static_cast<std::uint32_t>(frame.height);
+  grid.costs.assign(ground.costs->per_m.cells.begin(), ground.costs->per_m.cells.end());
   return grid;
 }
 
@@ -101,6 +114,7 @@ void log_ground(Log& log, const PlanTask& task, const PlanGround& ground) {
     log.append(topic::run, 0.0, std::move(info));
   }
   if (world == nullptr && ground.polygons) log.append(topic::walls, 0.0, walls_of(*ground.polygons));
+  if (ground.costs && ground.yaw_rad == 0.0) log.append(topic::cost_grid, 0.0, cost_grid_of(ground));
   if (ground.grid) log.append(topic::costmap, 0.0, costmap_of(ground));
   log_markers(log);
 }

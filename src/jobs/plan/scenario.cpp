@@ -55,6 +55,19 @@ std::vector<Option> describe_grid(PlanScenario& scenario) {
                      "file in which hub_labels or octile_labels keeps its index: read where it exists, else "
                      "written",
                      &scenario.index});
+  options.push_back(file_option("costs",
+                                "cost per metre of the ground: an image with a pixel for each cell of the "
+                                "map (white 1), or an ESRI ASCII grid .asc",
+                                &scenario.costs));
+  options.push_back(
+      {"cost_of_black", "", 1, 1e6, "cost per metre of a black pixel", &scenario.cost_of_black});
+  options.push_back(file_option("terrain",
+                                "heights for slope_cost, an ESRI ASCII grid .asc; those of the world unless "
+                                "given",
+                                &scenario.terrain));
+  options.push_back({"slope_cost", "", 0, 1e6,
+                     "cost per metre that a slope of 45 degrees adds, others in proportion to their tangent",
+                     &scenario.slope_cost});
   return options;
 }
 
@@ -76,8 +89,13 @@ std::vector<OptionGroup> describe(PlanScenario& scenario) {
   return groups;
 }
 
+bool has_costs(const PlanScenario& scenario) { return !scenario.costs.empty() || scenario.slope_cost > 0.0; }
+
 Status check(const PlanScenario& scenario) {
   if (scenario.map.empty()) return bad_input("it is missing; name the file of a map", "map");
+  if (!scenario.terrain.empty() && scenario.slope_cost == 0.0) {
+    return bad_input("its slopes cost nothing; give slope_cost too, such as 5, or leave it out", "terrain");
+  }
   if (!scenario.query.empty()) {
     if (scenario.from.empty() && scenario.to.empty()) return {};
     return bad_input("it stands beside from or to; give one or the other", "query");
@@ -108,10 +126,12 @@ Status check_takes(const PathPlanner& planner, GridModel model, bool has_polygon
 
 PlanScenario settle(PlanScenario scenario, MapKind kind, const std::set<std::string>& given) {
   if (kind == MapKind::movingai && !given.contains("radius")) scenario.radius_m = 0.0;
+  const bool costs = has_costs(scenario);
+  if (costs && !given.contains("planner")) scenario.planner = "terrain_theta_star";
   if (kind != MapKind::polygons) return scenario;
   if (!given.contains("radius")) scenario.radius_m = 0.18;
-  if (!given.contains("planner")) scenario.planner = "visibility_graph_reduced";
-  if (!given.contains("model")) scenario.model = "corners";
+  if (!costs && !given.contains("planner")) scenario.planner = "visibility_graph_reduced";
+  if (!costs && !given.contains("model")) scenario.model = "corners";
   if (!given.contains("resolution")) scenario.grid.resolution_m = 0.05;
   return scenario;
 }

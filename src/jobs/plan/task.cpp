@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "outrider/io/files.hpp"
+#include "outrider/io/terrain.hpp"
 #include "queries.hpp"
 
 namespace outrider {
@@ -12,16 +14,24 @@ namespace {
 /// The planner that is named, or all that take such a ground.
 Outcome<std::vector<ChosenPlanner>> chosen(const PlanScenario& scenario, const PlanGroundOptions& ground) {
   std::vector<ChosenPlanner> planners = scenario.planners;
+  const bool costs = has_costs(scenario);
   if (scenario.compare) {
     const auto named = find_path_planner(scenario.planner);
     const bool steers = named && named->steers;
     std::erase_if(planners, [&](const ChosenPlanner& planner) {
-      return planner.first.steers != steers || !check_takes(planner.first, ground.model, ground.as_polygons);
+      return planner.first.steers != steers || (costs && !planner.first.weighs) ||
+             !check_takes(planner.first, ground.model, ground.as_polygons);
     });
     return planners;
   }
   auto named = find_path_planner(scenario.planner);
   if (!named) return bad_input(named.error().sentence, "planner");
+  if (costs && !named->weighs) {
+    return bad_input(fmt::format("{} does not weigh the costs of the ground; take terrain_theta_star or "
+                                 "terrain_a_star, or leave out costs and slope_cost",
+                                 named->name),
+                     "planner");
+  }
   if (auto ok = check_takes(*named, ground.model, ground.as_polygons); !ok) return pass_on(ok);
   std::erase_if(planners, [&](const ChosenPlanner& planner) { return planner.first.name != named->name; });
   return planners;
@@ -55,6 +65,32 @@ Status check_index(const PlanTask& task) {
                    "index");
 }
 
+Status set_costs(PlanTask& task) {
+  const PlanScenario& scenario = task.settled;
+  PlanCostOptions& costs = task.ground.costs;
+  if (!scenario.costs.empty()) {
+    auto map = load_cost_map(scenario.costs, scenario.cost_of_black);
+    if (!map) return tl::unexpected<Fault>(map.error());
+    costs.map = std::make_shared<const CostMap>(std::move(*map));
+  }
+  costs.per_slope = scenario.slope_cost;
+  if (costs.per_slope == 0.0) return {};
+  if (!scenario.terrain.empty()) {
+    const auto text = read_file(scenario.terrain);
+    if (!text) return tl::unexpected<Fault>(text.error());
+    auto terrain = terrain_from_grid(*text, scenario.terrain);
+    if (!terrain) return tl::unexpected<Fault>(terrain.error());
+    costs.terrain = std::make_shared<const HeightField>(std::move(*terrain));
+    return {};
+  }
+  if (const auto* world = std::get_if<World>(&task.map.shape)) costs.terrain = world->terrain;
+  if (costs.terrain == nullptr) {
+    return bad_input("it needs slopes, and the map has none; give the heights as terrain, a file .asc",
+                     "slope_cost");
+  }
+  return {};
+}
+
 Status set_ground_options(PlanTask& task) {
   const PlanScenario& scenario = task.settled;
   auto model = find_grid_model(scenario.model);
@@ -65,7 +101,7 @@ Status set_ground_options(PlanTask& task) {
   ground = {scenario.radius_m, scenario.height_m, *model, scenario.grid};
   ground.as_polygons = takes_polygons(scenario, task.map.kind);
   ground.changes = std::move(*changes);
-  return {};
+  return set_costs(task);
 }
 
 }  // namespace

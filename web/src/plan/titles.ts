@@ -1,9 +1,10 @@
 // What people call a planner: "A*" for a_star, "JPS+" for jps_plus, "Visibility graph, implicit".
 
 const whole: Record<string, string> = {
-  visibility_graph_implicit: "Visibility graph, implicit", visibility_graph_reduced: "Visibility graph, reduced", lazy_theta_star: "Lazy Theta*", hybrid_a_star: "Hybrid A*",
+  visibility_graph_implicit: "Visibility graph, implicit", visibility_graph_reduced: "Visibility graph, reduced", lazy_theta_star: "Lazy Theta*", hybrid_a_star: "Hybrid A*", d_star_lite: "D* Lite",
+  terrain_a_star: "Terrain A*", terrain_theta_star: "Terrain Theta*",
 };
-const capitals = new Set(["a", "jps", "prm", "rrt", "bit"]);
+const capitals = new Set(["a", "jps", "lpa", "prm", "rrt", "bit"]);
 
 export function titleOf(planner: string): string {
   if (whole[planner]) return whole[planner];

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "outrider/io/cost_map.hpp"
 #include "outrider/io/map.hpp"
 #include "outrider/path/from_world.hpp"
 #include "outrider/path/problem.hpp"
@@ -22,6 +23,7 @@ struct PlanGround {
   double radius_m = 0.0;               ///< radius of the robot
   std::shared_ptr<const GridMap> grid = nullptr;            ///< null if there is no grid
   std::shared_ptr<const PolygonGround> polygons = nullptr;  ///< null if there are no polygons
+  std::shared_ptr<const CellCosts> costs = nullptr;         ///< costs of the cells; null: all equal
   std::shared_ptr<const GridMap> standing =
       nullptr;  ///< the occupied cells; null if the map has exact shapes
 
@@ -37,6 +39,15 @@ struct PlanCellChange {
   std::string where;  ///< the place that a fault names, such as a key
 };
 
+/// Where the costs of the ground come from.
+struct PlanCostOptions {
+  std::shared_ptr<const CostMap> map = nullptr;          ///< cost per metre; null: 1
+  std::shared_ptr<const HeightField> terrain = nullptr;  ///< its slopes cost more; null: flat
+  double per_slope = 0.0;  ///< cost per metre added for a slope of 45 degrees, in proportion to its tangent
+
+  [[nodiscard]] bool any() const { return map != nullptr || (terrain != nullptr && per_slope > 0.0); }
+};
+
 /// Options of plan_ground().
 struct PlanGroundOptions {
   double radius_m = 0.26;                    ///< radius of the robot
@@ -46,10 +57,12 @@ struct PlanGroundOptions {
   bool as_polygons = false;                  ///< convert a world to polygons instead of a grid
   bool needs_grid = true;                    ///< make a grid for polygons too
   std::vector<PlanCellChange> changes = {};  ///< changes of blocked cells, applied in this order
+  PlanCostOptions costs = {};                ///< costs of the ground
 };
 
-/// Prepares a map. Faults: bad_input for numbers that make no ground, for changes outside the grid, and for
-/// changes of a map without cells. O(cells), plus the complexity of making grids and polygons.
+/// Prepares a map. Faults: bad_input for numbers that make no ground, for changes outside the grid, for
+/// changes of a map without cells, and for costs that do not fit the grid. O(cells), plus the complexity of
+/// making grids and polygons.
 Outcome<PlanGround> plan_ground(const MapShape& map, const PlanGroundOptions& options);
 
 }  // namespace outrider

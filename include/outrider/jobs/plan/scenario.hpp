@@ -46,6 +46,10 @@ struct PlanScenario {
   std::string block;            ///< cells to block: x,y or x,y,width,height, separated by blanks
   std::string index;            ///< file in which the planner keeps its index; empty: none
   std::string free;             ///< cells to free, in the same form; applied after `block`
+  std::string costs;            ///< file of a cost map (io/cost_map.hpp); empty: a metre costs 1
+  double cost_of_black = 10.0;  ///< cost per metre of a black pixel of that image
+  std::string terrain;          ///< file of an ESRI ASCII grid of heights; empty: that of the world, if any
+  double slope_cost = 0.0;      ///< cost per metre added for the tangent of the slope
   std::vector<ChosenPlanner> planners;  ///< all planners of the catalogue, with their options
 };
 
@@ -59,13 +63,17 @@ Status check(const PlanScenario& scenario);
 /// Returns the grid model of that name. The fault names the key "model".
 Outcome<GridModel> find_grid_model(const std::string& name);
 
+/// Returns true if the scenario gives costs to the ground.
+bool has_costs(const PlanScenario& scenario);
+
 /// Checks that the planner accepts grids of that model, or the polygons of a map that has some. The fault
 /// names the key "planner".
 Status check_takes(const PathPlanner& planner, GridModel model, bool has_polygons);
 
 /// Returns the scenario with the defaults for that kind of map, for all keys that are not `given`. On
 /// MovingAI maps the radius is 0. On polygons the radius is 0.18 m, the planner is visibility_graph_reduced,
-/// and planners that need a grid get one of model corners with a resolution of 0.05 m.
+/// and planners that need a grid get one of model corners with a resolution of 0.05 m. Where the ground has
+/// costs, the planner is terrain_theta_star, and the model is cells.
 PlanScenario settle(PlanScenario scenario, MapKind kind, const std::set<std::string>& given);
 
 }  // namespace outrider

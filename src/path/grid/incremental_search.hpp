@@ -1,0 +1,90 @@
+// IncrementalSearch: A* along the eight moves from a root to a target that is kept, and repaired where the
+// grid has changed or the target has moved.
+//
+// Each reached vertex has g, and rhs: the least g of a neighbour plus the move from it (0 at the root). The
+// queue holds the vertices at which the two differ: `raised` ones, whose g is too small, and lowered ones.
+// Their key is f = min(g, rhs) + h + shift, where h is the octile distance to the target and `shift` the sum
+// of the distances that the target has moved: kept keys are then never too large.
+//
+// The order is least f; raised before lowered; largest min(g, rhs); least state. The search ends when the
+// target is consistent (g = rhs) and no vertex with f <= g(target) is raised or with f < g(target) lowered.
+// Then g(target) is the least cost:
+//  - A path of that cost exists. Follow the parents from the target. None is raised, because its f is at most
+//    g(target); so each has g >= rhs, and the next one a smaller g. They lead to the root.
+//  - No path costs less. On a cheaper path take the first vertex v with g(v) larger than its cost so far. All
+//    before v have g at most that, so v has rhs at most that, is lowered, and has f < g(target).
+// By the same argument a lowered vertex has its final g when it is expanded, so a repair expands each vertex
+// at most twice.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "octile.hpp"
+#include "outrider/core/budget.hpp"
+#include "outrider/core/trace.hpp"
+#include "outrider/path/grid/grid_map.hpp"
+#include "outrider/search/labels.hpp"
+
+namespace outrider {
+
+class IncrementalSearch {
+ public:
+  /// Prepares a search. Keeps what is known if `anew` is false, the root is the same, and at most one cell in
+  /// 32 differs from the grid of the previous call.
+  void prepare(const std::shared_ptr<const GridMap>& ground, Cell root, Cell target, bool anew);
+
+  /// Searches until the cost of the target is known. Faults: no_path; budget_exhausted and cancelled, after
+  /// which the search can be continued.
+  Status run(BudgetMeter& meter, Trace* trace);
+
+  [[nodiscard]] Octile cost() const { return vertices_[target_].g; }
+  /// Returns the vertices from the target to the root.
+  [[nodiscard]] std::vector<Cell> path() const;
+  /// Returns the number of neighbours considered since prepare().
+  [[nodiscard]] std::uint64_t generated() const { return generated_; }
+
+ private:
+  struct Vertex {
+    Octile g, rhs;
+    State parent = 0;         // neighbour over which rhs leads
+    std::uint32_t stamp = 0;  // search that reached it
+  };
+  struct Entry {
+    double f = 0.0;
+    double least = 0.0;  // min(g, rhs)
+    State state = 0;
+    bool raised = false;
+  };
+  struct After;
+
+  void begin();
+  void move_target(Cell target);
+  void look_around(Cell changed);
+  void look_again(State s);
+  void expand(State s);
+  void lower(State s);
+  void raise(State s);
+  void enqueue(State s);
+  void push(const Entry& entry);
+  void pop();
+  void drop_stale_entries();
+  [[nodiscard]] bool settled() const;
+  [[nodiscard]] Entry entry_of(State s) const;
+  [[nodiscard]] Vertex& reach(State s);
+  [[nodiscard]] bool reached(State s) const { return vertices_[s].stamp == stamp_; }
+  [[nodiscard]] bool passable(State s) const;
+  [[nodiscard]] State neighbour(State s, unsigned move) const;
+
+  std::shared_ptr<const GridMap> ground_;
+  State root_ = 0, target_ = 0;
+  Cell target_cell_;
+  Octile shift_;
+  std::vector<Vertex> vertices_;  // by GridMap::index()
+  std::uint32_t stamp_ = 0;
+  std::vector<Entry> queue_;  // a heap; may hold entries of vertices that have changed since
+  std::uint64_t generated_ = 0;
+  Trace* trace_ = nullptr;
+};
+
+}  // namespace outrider
