@@ -95,4 +95,4 @@ def test_ctrl_c_ends_a_run():
 
 
 def test_the_jobs_are_listed():
-    assert set(outrider.jobs()) == {"cover", "drive", "explore", "guard", "plan", "pursue", "slam"}
+    assert set(outrider.jobs()) == {"cover", "drive", "explore", "fleet", "guard", "plan", "pursue", "slam"}

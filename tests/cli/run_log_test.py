@@ -9,7 +9,7 @@ from tool import SOURCE, ToolTest, main
 # Topics with messages at time 0 only. /run of the job slam comes again in the end, with the bounds.
 STILL = {"/solids", "/terrain", "/walls", "/scene", "/supplies", "/tags", "/tf_static", "/camera/camera_info",
          "/cost_grid", "/costmap", "/expanded", "/initialpose"}
-IN_BETWEEN = {"/target_positions"}  # known only after the step in which they lie
+IN_BETWEEN = {"/target_positions", "/targets"}  # known only after the step in which they lie
 
 
 def scenarios():

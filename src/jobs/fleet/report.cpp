@@ -35,7 +35,9 @@ nav_msgs::Path timed_path(const std::vector<Cell>& cells, const GridMap& map) {
     times_s.push_back(static_cast<double>(t));
     poses.push_back({at, heading_between(at, next)});
   }
-  return path_of(times_s, poses);
+  nav_msgs::Path path = path_of(times_s, poses);
+  path.header = header_of(0.0, "map");
+  return path;
 }
 
 }  // namespace

@@ -49,6 +49,7 @@ class TargetLog {
   std::vector<outrider_msgs::Target> told_;  ///< by target: its newest message
   std::vector<double> heights_m_;            ///< by target: of its centre
   std::vector<std::size_t> seen_;            ///< by walker: number of observations that are logged
+  double noted_s_ = 0.0;                     ///< time of the last note
 };
 
 /// Returns the first store that ran empty, in a sentence; empty if none did.

@@ -78,9 +78,12 @@ void TargetLog::note(const GuardMission& mission, double time_s) {
     told.shots = shots;
     told.status = status;
     told.reason = record.reason;
-    queue_.note(time_s, topic::targets, told);
+    // The result of a ball that nobody waited for is of a time in between.
+    const double since_s = ended ? std::clamp(record.done_s, noted_s_, time_s) : time_s;
+    queue_.note(since_s, topic::targets, told);
     if (ended) place_last(time_s, i);
   }
+  noted_s_ = time_s;
   queue_.flush(log_, time_s);
 }
 

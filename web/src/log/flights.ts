@@ -15,6 +15,8 @@ export interface Flight {
   contact: string;
   clearance: number;
   pitch: number;   // of the gun
+  /** The robot drove when it shot. */
+  driving: boolean;
   start: number;
   end: number;
   from: Vec3;
@@ -33,8 +35,9 @@ function flightOf(start: number, shot: Shot, index: number): Flight {
   const [vx, vy, up] = vec3(shot.velocity);
   const [from, to] = [vec3(shot.muzzle), vec3(shot.contact_point)];
   const across = Math.hypot(vx, vy);
+  const { x, y } = shot.platform_velocity ?? { x: 0, y: 0 };
   return { index, target: shot.target, attempt: shot.attempt, hit: shot.hit, contact: shot.contact, clearance: shot.clearance, pitch: shot.gun_pitch,
-    start, end: start + finite(shot.flight), from, to, across, up, speed: Math.hypot(across, up), along: Math.hypot(to[0] - from[0], to[1] - from[1]),
+    driving: x !== 0 || y !== 0, start, end: start + finite(shot.flight), from, to, across, up, speed: Math.hypot(across, up), along: Math.hypot(to[0] - from[0], to[1] - from[1]),
     path: shot.path.map(vec3), profile: shot.profile.map(({ name, polygon }) => ({ name, polygon: polygon.map(vec2) })) };
 }
 

@@ -61,6 +61,7 @@ export interface Shot {
   gun_pitch: number;
   muzzle: Point3;
   velocity: Point3;
+  platform_velocity?: Point2;
   contact: string;
   contact_point: Point3;
   hit: boolean;

@@ -18,17 +18,18 @@ export interface Choices { head: string[]; rows: { cells: string[]; chosen: bool
 export interface Reason { t?: number; head: string; text: string; table?: Choices }
 export interface Reasons { title: string; about: string; rows: Reason[] }
 
-/** Shots from one place, one after another, are one stop. */
+/** Shots from one place, one after another, are one stop; those from one drive are together too. */
 const together_m = 0.05;
 
-interface Stop { t: number; end: number; x: number; y: number; hit: string[]; missed: string[] }
+interface Stop { t: number; end: number; x: number; y: number; driving: boolean; hit: string[]; missed: string[] }
 
 export function stopsOf(run: Run): Stop[] {
   const stops: Stop[] = [];
   for (const shot of flightsOf(run)) {
     const at = run.track.at(shot.start);
     let stop = stops.at(-1);
-    if (!stop || Math.hypot(stop.x - at.x, stop.y - at.y) > together_m) stops.push(stop = { t: shot.start, end: shot.end, x: at.x, y: at.y, hit: [], missed: [] });
+    const together = stop && stop.driving === shot.driving && (shot.driving || Math.hypot(stop.x - at.x, stop.y - at.y) <= together_m);
+    if (!stop || !together) stops.push(stop = { t: shot.start, end: shot.end, x: at.x, y: at.y, driving: shot.driving, hit: [], missed: [] });
     stop.end = shot.end;
     (shot.hit ? stop.hit : stop.missed).push(shot.target);
   }
@@ -39,10 +40,10 @@ export function stopsOf(run: Run): Stop[] {
 function tourWords(numbers: Record<string, number | null>): string {
   const known = (name: string): number => finite(numbers[name], NaN);
   const [planned, bound, anywhere, offered] = [known("planned_s"), known("lower_bound_s"), known("anywhere_lower_bound_s"), known("stops_offered")];
-  const among = Number.isFinite(offered) ? ` among tours of ${offered.toLocaleString("en")} places to stop at` : "";
+  const among = offered > 0 ? ` among tours of ${offered.toLocaleString("en")} places to stop at` : "shots_in_passing" in numbers ? " of all missions, standing or on the move" : "";
   const proof = numbers.tour_proven ? `It is the fastest${among}.`
     : bound > 0 ? `None takes less than ${fixed(bound, 1)} s, so it is at most ${figures(100 * (planned / bound - 1))} % slower than the fastest${among}.` : "";
-  return [Number.isFinite(planned) ? `The plan takes ${fixed(planned, 1)} s. ${proof}` : "", Number.isFinite(anywhere) ? `Wherever it stopped, it would take at least ${fixed(anywhere, 1)} s.` : ""].filter(Boolean).join(" ");
+  return [Number.isFinite(planned) ? `The plan takes ${fixed(planned, 1)} s. ${proof}` : "", offered > 0 && Number.isFinite(anywhere) ? `Wherever it stopped, it would take at least ${fixed(anywhere, 1)} s.` : ""].filter(Boolean).join(" ");
 }
 
 /** The tour that is planned, until the first shot. */
@@ -58,8 +59,11 @@ function planReasons(run: Run): Reasons[] {
 function tourReasons(run: Run): Reasons[] {
   if (targetsOf(run).length === 0) return [];
   const about = run.log.summary ? tourWords(run.log.summary.metrics) : "";
-  const stops = stopsOf(run).map(({ t, end, x, y, hit, missed }, i): Reason => ({ t, head: `Stop ${i + 1} at (${fixed(x, 2)}, ${fixed(y, 2)}), ${clockText(t)} to ${clockText(end)}`,
-    text: [hit.length > 0 ? `serves ${hit.join(", ")}` : "", missed.length > 0 ? `misses ${missed.join(", ")}` : ""].filter(Boolean).join("; ") }));
+  const all = stopsOf(run);
+  const numbers = new Map(all.filter(({ driving }) => !driving).map((stop, i) => [stop, i + 1]));
+  const placeOf = (stop: Stop): string => stop.driving ? "On the way" : `Stop ${numbers.get(stop)} at (${fixed(stop.x, 2)}, ${fixed(stop.y, 2)})`;
+  const stops = all.map((stop): Reason => ({ t: stop.t, head: `${placeOf(stop)}, ${clockText(stop.t)} to ${clockText(stop.end)}`,
+    text: [stop.hit.length > 0 ? `serves ${stop.hit.join(", ")}` : "", stop.missed.length > 0 ? `misses ${stop.missed.join(", ")}` : ""].filter(Boolean).join("; ") }));
   const left = targetsOf(run).filter(({ status }) => status === "unreachable" || status === "failed").map(({ name, last }): Reason => ({ head: `${name}: ${last.status}`, text: typeset(last.reason) }));
   return stops.length + left.length > 0 ? [{ title: "The tour", about, rows: [...stops, ...left] }] : [];
 }

@@ -87,7 +87,7 @@ const cases = {
   async "a run: scrub to a shot, step, switch to space, reload at its address"() {
     const page = await open("#watch/runs/yard/run.mcap?t=0");
     await page.waitForSelector(".targets tbody");
-    const shot = page.locator(".tick.hit").nth(3);
+    const shot = page.locator(".tick.hit").nth(9);
     const title = await shot.getAttribute("title");
     await shot.click();
     await until("the shot", async () => title.startsWith((await text(page, ".side h2")).split(" try")[0].trim()));
@@ -97,7 +97,7 @@ const cases = {
     await compareShot(page, "watch", output);
     await page.keyboard.press("v");
     await page.waitForSelector(".space-view canvas");
-    await until("the address", () => page.evaluate(() => location.hash.includes("view=3d") && location.hash.includes("shot=4")));
+    await until("the address", () => page.evaluate(() => location.hash.includes("view=3d") && location.hash.includes("shot=10")));
     await frames(page);
     await page.reload();
     await page.waitForSelector(".space-view canvas");
