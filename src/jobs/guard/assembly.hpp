@@ -41,8 +41,8 @@ class Assembly {
   /// Returns true if the robot fits at the place despite the errors of a drive, and the place is in cells
   /// from which all those targets are sure hits (stops.hpp).
   [[nodiscard]] bool may_stop(Vec2 place, const std::vector<std::size_t>& targets) const;
-  /// Returns the time of the plan and what the errors of the drives add to it on average: flights that have to
-  /// be waited for, and targets that are lost, from places around the stops.
+  /// Returns the time of the plan and what the errors of the drives add to it on average: flights that have
+  /// to be waited for, and targets that are lost, from places around the stops.
   double expected_s(const GuardPlan& plan);
 
  private:
