@@ -16,6 +16,7 @@
 
 #include "outrider/jobs/plan/ground.hpp"
 #include "outrider/jobs/plan/scenario.hpp"
+#include "outrider/motion/fastest_drive.hpp"
 #include "outrider/report/report.hpp"
 
 namespace outrider {
@@ -35,6 +36,7 @@ struct PlanQuestion {
   std::shared_ptr<const PlanGround> ground;  ///< may be shared by many questions
   std::vector<ChosenPlanner> planners;
   std::vector<PlanQuery> queries;
+  DriveLimits drive = {};  ///< limits of the robot, for PlanRow::drive_s
 };
 
 /// The result of one planner for one query. Unknown numbers are NaN; without a path, all numbers that
@@ -49,6 +51,7 @@ struct PlanRow {
   double cost = unknown;        ///< cost of the path, in cost_unit
   std::string cost_unit = {};   ///< "m", "s" or "m eq"
   double length_m = unknown;
+  double drive_s = unknown;           ///< least time to drive the path (path/timing.hpp)
   double lower_bound = unknown;       ///< proven: no path of the planner's class costs less
   bool optimal = false;               ///< the path is proven optimal
   std::string guarantee = {};         ///< none, bounded, grid_optimal, any_angle_optimal, disk_optimal,
@@ -89,8 +92,8 @@ struct PlanTools {
 };
 
 /// Runs each planner on each query and returns one row for each. If a query is refused or has no path, its
-/// row says so. Faults: cancelled, and those of PlanTools::before and of the index file. The budget applies
-/// to each search separately.
+/// row says so. Faults: bad_input for limits of the drive that are out of range, cancelled, and those of
+/// PlanTools::before and of the index file. The budget applies to each search separately.
 Outcome<PlanAnswer> answer(const PlanQuestion& question, const PlanTools& tools = {},
                            const Budget& budget = {});
 
