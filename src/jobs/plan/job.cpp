@@ -65,7 +65,6 @@ Status PlanJob::run(Run& run, const RunWatch& watch) {
   if (!found) return tl::unexpected<Fault>(found.error());
   if (auto ok = check_single(*found); !ok) return ok;
   run.report = plan_report(*question, *found);
-  run.report.tables.push_back(speed_profile_of(*question, *found));
   log_answer(run.log, *task, *question, *found, traces ? &trace : nullptr);
   run.report.world_name = printable(std::filesystem::path(task->settled.map).filename().string());
   run.report.settings = settled_settings(task->settled);

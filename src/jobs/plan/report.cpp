@@ -56,6 +56,22 @@ void add_times(Report& report, const PlanQuestion& question, const PlanAnswer& a
   report.machine_times = {{"planning_s", search_s}, {"building_s", build_s}};
 }
 
+/// The speeds of the fastest drive along the path that the metrics are of: a row where each phase begins, and
+/// one for the end. Empty where no path was found.
+Table speed_profile_of(const PlanQuestion& question, const PlanAnswer& answer) {
+  Table table{"speed_profile", {"time_s", "along_m", "speed_mps", "acceleration_mps2", "turn_rad"}, {}};
+  const PlanRow* best = shortest(rows_of(answer));
+  if (best == nullptr) return table;
+  const auto drive = fastest_drive(*best->plan, question.drive);
+  if (!drive) return table;
+  for (const DrivePhase& phase : drive->phases) {
+    table.rows.push_back(
+        {phase.start_s, phase.start_m, phase.speed_mps, phase.acceleration_mps2, phase.turn_rad});
+  }
+  table.rows.push_back({drive->time_s, drive->driven_m, 0.0, 0.0, 0.0});
+  return table;
+}
+
 }  // namespace
 
 const PlanRow* shortest(const std::vector<const PlanRow*>& rows) {
@@ -73,20 +89,6 @@ const PlanRow* shortest(const std::vector<const PlanRow*>& rows) {
   return best;
 }
 
-Table speed_profile_of(const PlanQuestion& question, const PlanAnswer& answer) {
-  Table table{"speed_profile", {"time_s", "along_m", "speed_mps", "acceleration_mps2", "turn_rad"}, {}};
-  const PlanRow* best = shortest(rows_of(answer));
-  if (best == nullptr) return table;
-  const auto drive = fastest_drive(*best->plan, question.drive);
-  if (!drive) return table;
-  for (const DrivePhase& phase : drive->phases) {
-    table.rows.push_back(
-        {phase.start_s, phase.start_m, phase.speed_mps, phase.acceleration_mps2, phase.turn_rad});
-  }
-  table.rows.push_back({drive->time_s, drive->driven_m, 0.0, 0.0, 0.0});
-  return table;
-}
-
 Report plan_report(const PlanQuestion& question, const PlanAnswer& answer) {
   Report report;
   report.job = "plan";
@@ -96,7 +98,7 @@ Report plan_report(const PlanQuestion& question, const PlanAnswer& answer) {
   report.status = all ? "done" : "not_done";
   add_metrics(report, answer);
   add_times(report, question, answer);
-  report.tables = {table_of(answer)};
+  report.tables = {table_of(answer), speed_profile_of(question, answer)};
   return report;
 }
 

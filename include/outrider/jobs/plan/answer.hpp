@@ -101,7 +101,10 @@ Outcome<PlanAnswer> answer(const PlanQuestion& question, const PlanTools& tools 
 /// goal_blocked; their messages name the point, such as "from 1,2".
 Status check_query(const PlanGround& ground, const PlanQuery& query);
 
-/// Returns a report with status and reason. Its metrics are those of the shortest path found.
+/// Returns a report with status and reason. Its metrics are those of the shortest path found. Its tables are
+/// that of table_of(), and "speed_profile" of the fastest drive along that path: a row for each phase, with
+/// the time and the place where it begins, the speed there, the acceleration until the next row and the angle
+/// of a turn in place, and one for the end; empty without a path.
 Report plan_report(const PlanQuestion& question, const PlanAnswer& answer);
 
 /// Returns the table "rows". It has one column for each member of PlanRow from `planner` to `pieces`.
