@@ -83,6 +83,39 @@ void draw_plans(Sheet& sheet, const std::string& planner, const std::vector<Stam
     sheet.line("coloured", points_of(path), {fmt::format("{}: {}{:.2f} m", planner, number, length_m)});
 }
 
+/// Returns true if the paths say when their places are reached: they are those of robots that drive at once.
+bool are_timed(const std::vector<Stamped<nav_msgs::Path>>& paths) {
+  return std::ranges::any_of(paths, [](const auto& stamped) {
+    const auto& poses = stamped.message.poses;
+    return poses.size() > 1 &&
+           nanoseconds_of(poses.back().header.stamp) > nanoseconds_of(poses.front().header.stamp);
+  });
+}
+
+/// Draws the paths of robots, each in the next colour; the legend has the robots of each colour.
+void draw_fleet(Sheet& sheet, const std::string& planner, const std::vector<Stamped<nav_msgs::Path>>& paths) {
+  const std::size_t colours = std::min(paths.size(), palette.size());
+  for (std::size_t colour = 0; colour < colours; ++colour) {
+    std::string robots;
+    for (std::size_t i = colour; i < paths.size() && i < 3 * palette.size(); i += palette.size())
+      robots += fmt::format("{}{}", robots.empty() ? "" : ", ", i + 1);
+    const char* several = colour + palette.size() < paths.size() ? "s" : "";
+    const char* more = colour + 3 * palette.size() < paths.size() ? ", ..." : "";
+    const std::string words = fmt::format("{}: robot{} {}{}", planner, several, robots, more);
+    for (std::size_t i = colour; i < paths.size(); i += palette.size())
+      sheet.line("coloured", points_of(paths[i].message), {words});
+  }
+}
+
+void draw_planner(Sheet& sheet, const std::string& planner,
+                  const std::vector<Stamped<nav_msgs::Path>>& paths) {
+  if (paths.size() > 1 && are_timed(paths)) {
+    draw_fleet(sheet, planner, paths);
+  } else {
+    draw_plans(sheet, planner, paths);
+  }
+}
+
 /// Draws the uncertainty of some 20 beliefs.
 void draw_belief(Sheet& sheet,
                  const std::vector<Stamped<geometry_msgs::PoseWithCovarianceStamped>>& beliefs) {
@@ -216,8 +249,8 @@ void draw_events(Sheet& sheet, const Log& log) {
     sheet.line("plan", points_of(path));
   for (const Channel& channel : log.channels()) {
     if (channel.topic.starts_with(topic::plan_of))
-      draw_plans(sheet, channel.topic.substr(topic::plan_of.size()),
-                 log.messages<nav_msgs::Path>(channel.topic));
+      draw_planner(sheet, channel.topic.substr(topic::plan_of.size()),
+                   log.messages<nav_msgs::Path>(channel.topic));
   }
   sheet.line("reference", points_of(track_on(log, topic::reference)));
   sheet.line("pursued", points_of(track_on(log, topic::target_pose)));

@@ -83,6 +83,12 @@ inline constexpr auto looks = std::to_array<Look>({
     {"grid", "", "stroke:#15212b;stroke-opacity:.07"},
 });
 
+/// Colours that people with every kind of colour vision tell apart. Source: Okabe and Ito, Color Universal
+/// Design, 2008, and Tol, Colour schemes, 2021.
+inline constexpr std::array<const char*, 10> palette = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                        "#332288", "#e69f00", "#56b4e9", "#882255",
+                                                        "#117733", "#999933"};
+
 /// The number of a row. A kind that has no row does not compile.
 struct Kind {
   std::size_t row = 0;

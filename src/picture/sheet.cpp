@@ -14,11 +14,6 @@ namespace {
 
 constexpr std::string_view line_sample = "<path d=\"M2 7H28\"/>", area_sample = "<path d=\"M2 1H28V13H2Z\"/>";
 
-/// Colours that people with every kind of colour vision tell apart. Source: Okabe and Ito, Color Universal
-/// Design, 2008, and Tol, Colour schemes, 2021.
-constexpr std::array<const char*, 10> palette = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#332288",
-                                                 "#e69f00", "#56b4e9", "#882255", "#117733", "#999933"};
-
 /// Returns one of 11 opacities. Even what is palest can be seen.
 double opacity_of(double share) {
   return std::isfinite(share) ? std::ceil(12.0 * std::clamp(share, 0.1, 1.0)) / 12.0 : 1.0;

@@ -11,8 +11,9 @@
 //   /supplies,
 //            /tags, /waypoints, /shots, /targets and /target_positions
 //
-// A single track is the darker the later. The legend names exactly what is drawn. Numbers that are not finite
-// are left out.
+// A single track is the darker the later. Several paths on /plan/NAME have one colour, but one each, of ten,
+// if their poses have times: they are those of robots that drive at once. The legend names exactly what is
+// drawn. Numbers that are not finite are left out.
 #pragma once
 
 #include <cstddef>

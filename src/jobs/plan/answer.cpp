@@ -13,6 +13,7 @@
 #include "outrider/path/check.hpp"
 #include "outrider/path/pieces.hpp"
 #include "outrider/path/safety.hpp"
+#include "outrider/path/timing.hpp"
 
 namespace outrider {
 namespace {
@@ -154,7 +155,12 @@ struct Asked {
     for (std::size_t i = 0; i < queries.size(); ++i) {
       rows.push_back(row_of(planner.first, ground, queries[i], std::move(plans[i])));
       rows.back().time_s = share_s;
+      if (rows.back().found()) rows.back().drive_s = drive_s(*rows.back().plan);
     }
+  }
+  [[nodiscard]] double drive_s(const Plan& plan) const {
+    const auto drive = fastest_drive(plan, question.drive);
+    return drive ? drive->time_s : PlanRow::unknown;
   }
   [[nodiscard]] std::vector<PlanRow> ask_all() const {
     const auto& queries = question.queries;
@@ -208,6 +214,7 @@ Outcome<std::vector<PlanRow>> rows_of(const ChosenPlanner& planner, const PlanQu
 }  // namespace
 
 Outcome<PlanAnswer> answer(const PlanQuestion& question, const PlanTools& tools, const Budget& budget) {
+  if (auto ok = check(question.drive); !ok) return pass_on(ok);
   std::vector<PlanRow> rows;
   for (const ChosenPlanner& planner : question.planners) {
     if (tools.before) {
@@ -260,6 +267,7 @@ Table table_of(const PlanAnswer& answer) {
                "cost",
                "cost_unit",
                "length_m",
+               "drive_s",
                "lower_bound",
                "optimal",
                "guarantee",
@@ -289,6 +297,7 @@ Table table_of(const PlanAnswer& answer) {
                           row.cost,
                           row.cost_unit,
                           row.length_m,
+                          row.drive_s,
                           row.lower_bound,
                           optimal,
                           row.guarantee,

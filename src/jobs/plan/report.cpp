@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "outrider/path/timing.hpp"
+
 namespace outrider {
 namespace {
 
@@ -22,12 +24,18 @@ std::string reason_of(const PlanQuestion& question, const PlanAnswer& answer) {
   return {};
 }
 
-void add_metrics(Report& report, const PlanAnswer& answer) {
+std::vector<const PlanRow*> rows_of(const PlanAnswer& answer) {
   std::vector<const PlanRow*> rows;
   for (const PlanRow& row : answer.rows) rows.push_back(&row);
+  return rows;
+}
+
+void add_metrics(Report& report, const PlanAnswer& answer) {
+  const auto rows = rows_of(answer);
   if (const PlanRow* best = shortest(rows)) {
     report.metrics = {{"cost", best->cost},
                       {"length_m", best->length_m},
+                      {"drive_s", best->drive_s},
                       {"lower_bound", best->lower_bound},
                       {"clearance_m", best->clearance_m},
                       {"exposure", best->exposure},
@@ -46,6 +54,22 @@ void add_times(Report& report, const PlanQuestion& question, const PlanAnswer& a
     build_s += answer.rows[i].build_s;
   }
   report.machine_times = {{"planning_s", search_s}, {"building_s", build_s}};
+}
+
+/// The speeds of the fastest drive along the path that the metrics are of: a row where each phase begins, and
+/// one for the end. Empty where no path was found.
+Table speed_profile_of(const PlanQuestion& question, const PlanAnswer& answer) {
+  Table table{"speed_profile", {"time_s", "along_m", "speed_mps", "acceleration_mps2", "turn_rad"}, {}};
+  const PlanRow* best = shortest(rows_of(answer));
+  if (best == nullptr) return table;
+  const auto drive = fastest_drive(*best->plan, question.drive);
+  if (!drive) return table;
+  for (const DrivePhase& phase : drive->phases) {
+    table.rows.push_back(
+        {phase.start_s, phase.start_m, phase.speed_mps, phase.acceleration_mps2, phase.turn_rad});
+  }
+  table.rows.push_back({drive->time_s, drive->driven_m, 0.0, 0.0, 0.0});
+  return table;
 }
 
 }  // namespace
@@ -74,7 +98,7 @@ Report plan_report(const PlanQuestion& question, const PlanAnswer& answer) {
   report.status = all ? "done" : "not_done";
   add_metrics(report, answer);
   add_times(report, question, answer);
-  report.tables = {table_of(answer)};
+  report.tables = {table_of(answer), speed_profile_of(question, answer)};
   return report;
 }
 

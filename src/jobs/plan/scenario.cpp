@@ -80,7 +80,9 @@ PlanScenario::PlanScenario() {
 std::vector<OptionGroup> describe(PlanScenario& scenario) {
   OptionGroup question = describe_question(scenario);
   for (Option& option : describe_grid(scenario)) question.options.push_back(std::move(option));
-  std::vector<OptionGroup> groups{std::move(question)};
+  std::vector<OptionGroup> groups{
+      std::move(question),
+      {"drive", "the robot on its path, for the time of the fastest drive", describe(scenario.drive)}};
   for (const auto& [planner, configured] : scenario.planners) {
     if (configured.options.empty()) continue;
     const std::string name(planner.name);

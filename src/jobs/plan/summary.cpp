@@ -11,9 +11,9 @@ namespace outrider {
 namespace {
 
 std::string head(bool numbered) {
-  return fmt::format("  {}{:<26} {:>11} {:>11} {:>11} {:<4} {:>8} {:>9} {:>5} {:>10} {:>10}{}\n",
-                     numbered ? "query  " : "", "planner", "length m", "cost", "bound", "", "clear m",
-                     "exposure", "legs", "expansions", "ms", numbered ? "  goal" : "");
+  return fmt::format("  {}{:<26} {:>11} {:>9} {:>11} {:>11} {:<4} {:>8} {:>9} {:>5} {:>10} {:>10}{}\n",
+                     numbered ? "query  " : "", "planner", "length m", "drive s", "cost", "bound", "",
+                     "clear m", "exposure", "legs", "expansions", "ms", numbered ? "  goal" : "");
 }
 
 /// Returns a processing time in milliseconds; "-" if it was not stored.
@@ -30,11 +30,11 @@ std::string line(const TableRow& row, bool numbered) {
   if (row.text("status") != "done")
     return fmt::format("{} {}{}\n", before, printable(row.text("reason")), goal);
   const std::size_t points = row.get<std::vector<Vec2>>("waypoints").size();
-  return fmt::format("{} {:>11.3f} {:>11.3f} {:>11.3f} {:<4} {:>8.3f} {:>9.3f} {:>5} {:>10.0f} {:>10}{}\n",
-                     before, row.number("length_m"), row.number("cost"), row.number("lower_bound"),
-                     row.text("cost_unit"), row.number("clearance_m"), row.number("exposure"),
-                     points == 0 ? 0 : points - 1, row.number("expansions"),
-                     milliseconds_text(row.number("time_s")), goal);
+  return fmt::format(
+      "{} {:>11.3f} {:>9.2f} {:>11.3f} {:>11.3f} {:<4} {:>8.3f} {:>9.3f} {:>5} {:>10.0f} {:>10}{}\n", before,
+      row.number("length_m"), row.number("drive_s"), row.number("cost"), row.number("lower_bound"),
+      row.text("cost_unit"), row.number("clearance_m"), row.number("exposure"), points == 0 ? 0 : points - 1,
+      row.number("expansions"), milliseconds_text(row.number("time_s")), goal);
 }
 
 }  // namespace

@@ -129,7 +129,8 @@ Outcome<PlanTask> load_plan(const PlanScenario& scenario, const std::set<std::st
 Outcome<PlanQuestion> question_of(const PlanTask& task) {
   auto ground = plan_ground(task.map.shape, task.ground);
   if (!ground) return pass_on(ground);
-  return PlanQuestion{std::make_shared<const PlanGround>(std::move(*ground)), task.planners, task.queries};
+  return PlanQuestion{std::make_shared<const PlanGround>(std::move(*ground)), task.planners, task.queries,
+                      task.settled.drive};
 }
 
 }  // namespace outrider

@@ -171,6 +171,23 @@ TEST(PlanView, DrawsPathsTracksAndBeliefs) {
   }
 }
 
+TEST(PlanView, RobotsThatDriveAtOnceHaveColoursOfTheirOwn) {
+  Log log = run_log();
+  for (int i = 0; i < 32; ++i) {
+    const double y = 0.1 * i;
+    log.append("/plan/cbs", 0.0, path_of({0.0, 1.0}, {{{1.0, y}, 0.0}, {{4.0, y}, 0.0}}));
+  }
+  const std::string svg = plan_view(log);
+  for (const char* words : {"cbs: robots 1, 11, 21, ...", "cbs: robots 2, 12, 22, ...",
+                            "cbs: robots 3, 13, 23", "cbs: robots 10, 20, 30"}) {
+    EXPECT_TRUE(legend(svg, words)) << words;
+  }
+  EXPECT_FALSE(has(svg, "32 paths"));
+  Log single = run_log();
+  single.append("/plan/cbs", 0.0, path_of({0.0, 1.0}, {{{1.0, 0.0}, 0.0}, {{4.0, 0.0}, 0.0}}));
+  EXPECT_TRUE(legend(plan_view(single), "cbs: 3.00 m"));
+}
+
 TEST(PlanView, TheOdometryBeginsWhereTheRobotWas) {
   const auto drawn = [](const Pose2& odom_T_start) {
     Log log = run_log();

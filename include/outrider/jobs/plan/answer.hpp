@@ -16,6 +16,7 @@
 
 #include "outrider/jobs/plan/ground.hpp"
 #include "outrider/jobs/plan/scenario.hpp"
+#include "outrider/motion/fastest_drive.hpp"
 #include "outrider/report/report.hpp"
 
 namespace outrider {
@@ -35,6 +36,7 @@ struct PlanQuestion {
   std::shared_ptr<const PlanGround> ground;  ///< may be shared by many questions
   std::vector<ChosenPlanner> planners;
   std::vector<PlanQuery> queries;
+  DriveLimits drive = {};  ///< limits of the robot, for PlanRow::drive_s
 };
 
 /// The result of one planner for one query. Unknown numbers are NaN; without a path, all numbers that
@@ -49,6 +51,7 @@ struct PlanRow {
   double cost = unknown;        ///< cost of the path, in cost_unit
   std::string cost_unit = {};   ///< "m", "s" or "m eq"
   double length_m = unknown;
+  double drive_s = unknown;           ///< least time to drive the path (path/timing.hpp)
   double lower_bound = unknown;       ///< proven: no path of the planner's class costs less
   bool optimal = false;               ///< the path is proven optimal
   std::string guarantee = {};         ///< none, bounded, grid_optimal, any_angle_optimal, disk_optimal,
@@ -89,8 +92,8 @@ struct PlanTools {
 };
 
 /// Runs each planner on each query and returns one row for each. If a query is refused or has no path, its
-/// row says so. Faults: cancelled, and those of PlanTools::before and of the index file. The budget applies
-/// to each search separately.
+/// row says so. Faults: bad_input for limits of the drive that are out of range, cancelled, and those of
+/// PlanTools::before and of the index file. The budget applies to each search separately.
 Outcome<PlanAnswer> answer(const PlanQuestion& question, const PlanTools& tools = {},
                            const Budget& budget = {});
 
@@ -98,7 +101,10 @@ Outcome<PlanAnswer> answer(const PlanQuestion& question, const PlanTools& tools 
 /// goal_blocked; their messages name the point, such as "from 1,2".
 Status check_query(const PlanGround& ground, const PlanQuery& query);
 
-/// Returns a report with status and reason. Its metrics are those of the shortest path found.
+/// Returns a report with status and reason. Its metrics are those of the shortest path found. Its tables are
+/// that of table_of(), and "speed_profile" of the fastest drive along that path: a row for each phase, with
+/// the time and the place where it begins, the speed there, the acceleration until the next row and the angle
+/// of a turn in place, and one for the end; empty without a path.
 Report plan_report(const PlanQuestion& question, const PlanAnswer& answer);
 
 /// Returns the table "rows". It has one column for each member of PlanRow from `planner` to `pieces`.

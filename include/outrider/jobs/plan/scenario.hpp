@@ -19,6 +19,7 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/io/map.hpp"
+#include "outrider/motion/fastest_drive.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/from_world.hpp"
 
@@ -50,11 +51,12 @@ struct PlanScenario {
   double cost_of_black = 10.0;  ///< cost per metre of a black pixel of that image
   std::string terrain;          ///< file of an ESRI ASCII grid of heights; empty: that of the world, if any
   double slope_cost = 0.0;      ///< cost per metre added for the tangent of the slope
+  DriveLimits drive;            ///< of the robot on its path, for the time that it takes
   std::vector<ChosenPlanner> planners;  ///< all planners of the catalogue, with their options
 };
 
-/// Returns the options: top-level keys first, then a section for each planner that has options. They point
-/// into the scenario.
+/// Returns the options: top-level keys first, then the limits of the drive, then a section for each planner
+/// that has options. They point into the scenario.
 std::vector<OptionGroup> describe(PlanScenario& scenario);
 
 /// Checks for missing keys and for keys that exclude each other, as far as possible without the map.

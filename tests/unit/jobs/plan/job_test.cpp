@@ -63,7 +63,7 @@ TEST_F(PlanJobTest, AReportAFileAndATable) {
   EXPECT_NEAR(metric(report, "length_m"), cost, 1e-12);
   EXPECT_EQ(metric(report, "paths"), 1.0);
   EXPECT_EQ(metric(report, "rows"), 1.0);
-  ASSERT_EQ(report.tables.size(), 1U);
+  ASSERT_EQ(report.tables.size(), 2U);
   EXPECT_EQ(&table_named(report, "rows"), &report.tables[0]);
   ASSERT_GE(waypoints_of(*run, 0).size(), 2U);
   EXPECT_EQ(waypoints_of(*run, 0).front(), (Vec2{0.5, 3.5}));
@@ -167,6 +167,34 @@ TEST_F(PlanJobTest, ATraceHasEachExpansion) {
   EXPECT_EQ(
       static_cast<double>(std::ranges::count_if(expanded->data, [](int percent) { return percent >= 0; })),
       number_of(*run, 0, "expansions"));
+}
+
+TEST_F(PlanJobTest, TheFastestDriveKeepsTheLimitsThatAreGiven) {
+  const std::string map = write("a.map", cells);
+  const Changes ask = {{"map", map}, {"from", "0.5,3.5"}, {"to", "0.5,0.5"}, {"planner", "a_star"}};
+  const auto with = [&](const Changes& more) {
+    Changes changes = ask;
+    changes.insert(changes.end(), more.begin(), more.end());
+    return plan(changes);
+  };
+  // 3 m straight: 1 s and 0.4 m to 0.8 m/s, and as much to rest.
+  const auto usual = with({});
+  ASSERT_TRUE(usual.has_value()) << to_string(usual.error());
+  EXPECT_NEAR(metric(usual->report, "drive_s"), 2.0 + 2.2 / 0.8, 1e-12);
+  EXPECT_NEAR(number_of(*usual, 0, "drive_s"), 2.0 + 2.2 / 0.8, 1e-12);
+  const auto braked = with({{"drive.speed", "2"}, {"drive.acceleration", "1"}, {"drive.deceleration", "4"}});
+  ASSERT_TRUE(braked.has_value()) << to_string(braked.error());
+  // v^2 / 2 + v^2 / 8 = 3 at 2.19 m/s, above the limit: 2 m up, 0.5 m down, 0.5 m at 2 m/s.
+  EXPECT_NEAR(metric(braked->report, "drive_s"), 2.0 + 0.25 + 0.5, 1e-12);
+  const Table& table = table_named(braked->report, "speed_profile");
+  ASSERT_EQ(table.rows.size(), 4U);
+  EXPECT_NEAR((TableRow{table, table.rows[1]}.number("along_m")), 2.0, 1e-12);
+  EXPECT_NEAR((TableRow{table, table.rows[2]}.number("speed_mps")), 2.0, 1e-12);
+  EXPECT_EQ((TableRow{table, table.rows[2]}.number("acceleration_mps2")), -4.0);
+  EXPECT_NEAR((TableRow{table, table.rows[3]}.number("time_s")), 2.75, 1e-12);
+  Changes refused = ask;
+  refused.emplace_back("drive.lateral_acceleration", "0");
+  EXPECT_NE(refusal(refused).find("lateral_acceleration: '0'"), std::string::npos) << refusal(refused);
 }
 
 TEST_F(PlanJobTest, TwiceTheSameBytes) {
