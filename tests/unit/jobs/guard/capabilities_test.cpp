@@ -146,6 +146,7 @@ void ask_for(GuardScenario& scenario, Capability capability) {
     case Capability::unknown: scenario.scout.unknown = true; break;
     case Capability::rigid: scenario.sim = "physics"; break;
     case Capability::blocking: problem.targets_block = true; break;
+    case Capability::faults: scenario.faults.gun.jammed_at_s = 5.0; break;
   }
 }
 
