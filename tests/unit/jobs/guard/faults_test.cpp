@@ -25,6 +25,7 @@ GuardProblem short_street() {
   GuardProblem problem;
   problem.world.bounds = {{-1, -4}, {9, 4}};
   problem.world.solids = {testing::floor_at(0)};
+  problem.start = {{0, 0}, 0.0};
   problem.targets = {{"near", {2, 2, 0}, {0.5, 0.3, 0.45}},
                      {"middle", {4.9, -2.4, 0}, {0.5, 0.3, 0.45}},
                      {"far", {7.8, 2, 0}, {0.5, 0.3, 0.45}}};
