@@ -28,4 +28,22 @@ std::vector<Option> describe(ExplorerWheels& wheels) {
   };
 }
 
+std::vector<Option> describe(ExplorerFaults& faults) {
+  std::vector<Option> options = {
+      {"blind_from", "s", 0.0, 1e9, "from then on no scan comes", &faults.blind_from_s},
+      {"blind_for", "s", 0.0, 1e9, "for how long", &faults.blind_for_s},
+      {"bias", "m", -1.0, 1.0, "added to every range", &faults.bias_m},
+      {"outliers", "", 0.0, 1.0, "part of the beams that give any range", &faults.outliers},
+      {"latency", "s", 0.0, 10.0, "a scan arrives so long after it was measured", &faults.latency_s},
+      {"frozen_from", "s", 0.0, 1e9, "from then on every scan repeats the last ranges",
+       &faults.frozen_from_s},
+      {"slip", "", 0.0, 1.0, "part of what both wheels roll that does not move the robot", &faults.slip},
+      {"stuck_from", "s", 0.0, 1e9, "from then on the left wheel does not turn", &faults.stuck_from_s},
+      {"stuck_for", "s", 0.0, 1e9, "for how long", &faults.stuck_for_s},
+  };
+  const std::vector<Option> kidnapped = describe(faults.kidnapping);
+  options.insert(options.end(), kidnapped.begin(), kidnapped.end());
+  return options;
+}
+
 }  // namespace outrider

@@ -14,6 +14,7 @@ namespace outrider {
 namespace {
 
 constexpr double sample_period_s = 0.1;
+constexpr double no_ball_s = 1.0;  // a robot that waits for a ball to land and sees none goes on after that
 constexpr double at_station_m = 1e-6;  // beside the error of a drive that ends there
 
 std::string contact_of(const Impact& impact, const FlightSpace& space, const Target& target) {
@@ -163,10 +164,17 @@ void SimulatedRobot::aim(WaypointBody& body, const AimGun& command) {
   }
 }
 
-/// Throws a ball from where the robot is, at that velocity. Time does not go on.
-Impact SimulatedRobot::shoot(const Fire& command, Vec2 velocity_mps) {
+/// Throws a ball from where the robot is, at that velocity, unless the gun fires nothing. Time does not go
+/// on.
+std::optional<Impact> SimulatedRobot::shoot(const Fire& command, Vec2 velocity_mps) {
   const auto& from = body<WaypointBody>();
   SimulatedGun& gun = *devices_.gun;
+  if (!gun.pull_trigger(from.time_s())) {
+    tell(from.time_s(), "no_shot",
+         fmt::format("pulls the trigger at {}, and nothing leaves the barrel",
+                     gun.scene().targets[command.target].name));
+    return std::nullopt;
+  }
   const auto& targets = devices_.targets;
   const std::size_t stand_in = targets ? targets->stand_in(command.target) : command.target;
   const Walk* const walk = targets ? targets->walk(command.target) : nullptr;
@@ -196,11 +204,11 @@ Impact SimulatedRobot::shoot(const Fire& command, Vec2 velocity_mps) {
 }
 
 void SimulatedRobot::fire(WaypointBody& body, const Fire& command) {
-  const Impact impact = shoot(command, {});
+  const std::optional<Impact> impact = shoot(command, {});
   if (!command.until_landed) return;
-  body.wait_until(body.time_s() + impact.time_s);
+  body.wait_until(body.time_s() + (impact ? impact->time_s : no_ball_s));
   sample();
-  if (impact.hit && devices_.targets) devices_.targets->hit(command.target, body.time_s(), queue_);
+  if (impact && impact->hit && devices_.targets) devices_.targets->hit(command.target, body.time_s(), queue_);
 }
 
 void SimulatedRobot::wait(WaypointBody& body, const Wait& command) {
@@ -227,6 +235,7 @@ void SimulatedRobot::fill(WaypointBody& body, const Fill& command) {
   tell(body.time_s(), "fill", fmt::format("takes in {} at {}", to_string(call.store), station.name));
   sample();
   body.wait_until(body.time_s() + devices_.stores->fill(call.store));
+  if (call.store == Store::water && devices_.gun) devices_.gun->fill_tank();
   sample();
 }
 

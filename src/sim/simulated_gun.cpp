@@ -44,11 +44,13 @@ void set_pose(outrider_msgs::Shot& shot, const Pose2& robot, double gun_yaw_rad,
 }
 
 SimulatedGun::SimulatedGun(const GunScene& scene, const ExecutionErrors& errors, const Rng& gun,
-                           const Rng& timing)
+                           const Rng& timing, const GunFaults& faults)
     : scene_(scene),
       errors_(errors),
       gun_rng_(gun),
       timing_rng_(timing),
+      faults_(faults),
+      balls_(faults.balls),
       attempts_(scene.targets.size(), 0) {}
 
 SimulatedGun::Turn SimulatedGun::turn_towards(double yaw_rad, double pitch_rad, const Stance& stance,
@@ -85,6 +87,12 @@ Shot SimulatedGun::barrel(const Stance& stance, double heading_rad) const {
 }
 
 double SimulatedGun::draw_delay_s() { return errors_.timing_s * timing_rng_.uniform(-1.0, 1.0); }
+
+bool SimulatedGun::pull_trigger(double time_s) {
+  if (balls_ == 0 || faults_.jammed(time_s)) return false;
+  --balls_;
+  return true;
+}
 
 SimulatedGun::Thrown SimulatedGun::throw_ball(const Shot& shot, std::size_t target, std::size_t stand_in,
                                               Vec2 position, Vec2 velocity_mps, const Walk* walk,

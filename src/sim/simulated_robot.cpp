@@ -74,17 +74,19 @@ void SimulatedRobot::act(const Command& command) {
 
 void SimulatedRobot::run_until(double time_s) {
   std::visit([&](auto& body) { body.run_until(time_s); }, body_);
-  auto* body = std::get_if<WheelBody>(&body_);
-  if (body == nullptr || kidnapped_ || body->time_s() < kidnapping_.at_s) return;
+  if (kidnapped_ || this->time_s() < kidnapping_.at_s) return;
   kidnapped_ = true;
-  body->put(compose(body->pose(), {{0.0, kidnapping_.by_m}, kidnapping_.by_rad}));
+  const Pose2 elsewhere = compose(pose(), {{0.0, kidnapping_.by_m}, kidnapping_.by_rad});
+  if (auto* wheels = std::get_if<WheelBody>(&body_)) wheels->put(elsewhere);
+  if (auto* twist = std::get_if<TwistBody>(&body_)) twist->put(elsewhere);
 }
 
 SimulatedRobot simulated_explorer(const World& world, const Pose2& start, const RobotModel& robot,
                                   const ExplorerSimParams& params, std::uint64_t seed) {
   const Rng rng(seed);
-  return SimulatedRobot(TwistBody(world, start, robot, params.wheels, rng.child("wheels")),
-                        {.laser = SimulatedLaser(world, params.laser, rng.child("laser"))});
+  return SimulatedRobot(TwistBody(world, start, robot, params.wheels, rng.child("wheels"), params.faults),
+                        {.laser = SimulatedLaser(world, params.laser, rng.child("laser"), params.faults)},
+                        params.faults.kidnapping);
 }
 
 }  // namespace outrider

@@ -18,9 +18,10 @@ double nearer_by(double from, double to, double most) { return from + std::clamp
 }  // namespace
 
 TwistBody::TwistBody(const World& world, const Pose2& start, const RobotModel& robot,
-                     const ExplorerWheels& wheels, const Rng& wheel_rng)
+                     const ExplorerWheels& wheels, const Rng& wheel_rng, const ExplorerFaults& faults)
     : robot_(robot),
       wheels_(wheels),
+      faults_(faults),
       ground_(world, robot, wheels.climbs_m),
       wheel_rng_(wheel_rng),
       pose_(start) {
@@ -45,6 +46,13 @@ void TwistBody::run_until(double time_s) {
   }
 }
 
+void TwistBody::put(const Pose2& pose) {
+  Vec2 by = pose.position - pose_.position;
+  for (int i = 0; i < halvings && ground_.gap_m(pose_.position + by) < 0.0; ++i) by = 0.5 * by;
+  if (ground_.gap_m(pose_.position + by) >= 0.0) pose_.position = pose_.position + by;
+  pose_.heading_rad = pose.heading_rad;
+}
+
 bool TwistBody::take_touch() {
   const bool touched = touching_ || touched_;
   touched_ = false;
@@ -59,8 +67,10 @@ void TwistBody::speed_up(double duration_s) {
 }
 
 void TwistBody::pass(double duration_s) {
-  count_wheels(duration_s);
-  Pose2 next = moved(pose_, twist_, duration_s);
+  const Twist2 on_wheels = rolled();
+  count_wheels(on_wheels, duration_s);
+  const double grip = 1.0 - faults_.slip;
+  Pose2 next = moved(pose_, {grip * on_wheels.ahead_mps, 0.0, grip * on_wheels.turn_radps}, duration_s);
   const Vec2 here = pose_.position;
   const Vec2 way = next.position - here;
   if (!ground_.free({here, next.position})) {
@@ -86,10 +96,17 @@ double TwistBody::counted_m(double way_m, double scale) {
   return scale * way_m + wheels_.noise_m * std::sqrt(std::abs(way_m)) * wheel_rng_.normal();
 }
 
-void TwistBody::count_wheels(double duration_s) {
-  const double aside = 0.5 * wheels_.track_m * twist_.turn_radps;
-  const double left_m = counted_m((twist_.ahead_mps - aside) * duration_s, left_scale_);
-  const double right_m = counted_m((twist_.ahead_mps + aside) * duration_s, right_scale_);
+/// The twist as the wheels roll it: with a stuck left wheel the robot circles about that.
+Twist2 TwistBody::rolled() const {
+  if (!faults_.stuck(time_s_)) return twist_;
+  const double right_mps = twist_.ahead_mps + 0.5 * wheels_.track_m * twist_.turn_radps;
+  return {0.5 * right_mps, 0.0, right_mps / wheels_.track_m};
+}
+
+void TwistBody::count_wheels(const Twist2& rolled, double duration_s) {
+  const double aside = 0.5 * wheels_.track_m * rolled.turn_radps;
+  const double left_m = counted_m((rolled.ahead_mps - aside) * duration_s, left_scale_);
+  const double right_m = counted_m((rolled.ahead_mps + aside) * duration_s, right_scale_);
   odometry_ = moved(odometry_, {0.5 * (left_m + right_m), 0.0, (right_m - left_m) / wheels_.track_m}, 1.0);
 }
 

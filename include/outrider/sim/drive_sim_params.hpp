@@ -9,6 +9,7 @@
 #include "outrider/core/options.hpp"
 #include "outrider/estimate/tag.hpp"
 #include "outrider/motion/wheel_faults.hpp"
+#include "outrider/sim/kidnapping.hpp"
 
 namespace outrider {
 
@@ -24,13 +25,6 @@ struct MovedTag {
   std::int64_t id = -1;  ///< of the tag; -1: none
   double by_m = 0.3;     ///< to the right of a reader of the tag
   double at_s = 0.0;     ///< time at which it is moved
-};
-
-/// A kidnapping: somebody lifts the robot and puts it down elsewhere.
-struct Kidnapping {
-  double at_s = 1e9;    ///< time of the kidnapping
-  double by_m = 0.8;    ///< displacement to the left of the robot
-  double by_rad = 0.8;  ///< change of heading
 };
 
 /// What goes wrong while a simulated robot drives.

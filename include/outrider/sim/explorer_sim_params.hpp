@@ -8,6 +8,7 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/geometry/pose.hpp"
+#include "outrider/sim/kidnapping.hpp"
 
 namespace outrider {
 
@@ -35,10 +36,33 @@ struct ExplorerWheels {
 };
 std::vector<Option> describe(ExplorerWheels& wheels);
 
+/// What goes wrong with the range finder and the wheels without the robot being told.
+struct ExplorerFaults {
+  double blind_from_s = 1e9;   ///< from then on no scan comes
+  double blind_for_s = 1e9;    ///< for how long
+  double bias_m = 0.0;         ///< added to every range
+  double outliers = 0.0;       ///< fraction of the beams that give any range between minimum and maximum
+  double latency_s = 0.0;      ///< a scan arrives so long after it was measured
+  double frozen_from_s = 1e9;  ///< from then on every scan repeats the last ranges
+  double slip = 0.0;           ///< fraction of the rolling of both wheels that does not move the robot
+  double stuck_from_s = 1e9;   ///< from then on the left wheel does not turn
+  double stuck_for_s = 1e9;    ///< for how long
+  Kidnapping kidnapping;       ///< shorter than asked for if the robot would stand in something
+
+  [[nodiscard]] bool blind(double time_s) const {
+    return time_s >= blind_from_s && time_s < blind_from_s + blind_for_s;
+  }
+  [[nodiscard]] bool stuck(double time_s) const {
+    return time_s >= stuck_from_s && time_s < stuck_from_s + stuck_for_s;
+  }
+};
+std::vector<Option> describe(ExplorerFaults& faults);
+
 /// The simulated devices of an exploring robot.
 struct ExplorerSimParams {
   RangeFinderModel laser;
   ExplorerWheels wheels;
+  ExplorerFaults faults = {};
 };
 
 }  // namespace outrider

@@ -9,6 +9,7 @@
 #include "outrider/log/gun_messages.hpp"
 #include "outrider/robot/observation.hpp"
 #include "outrider/sim/execution_errors.hpp"
+#include "outrider/sim/guard_sim_params.hpp"
 
 namespace outrider {
 
@@ -35,7 +36,8 @@ class SimulatedGun {
  public:
   /// What the scene refers to must outlive the gun. `gun` is the random stream of shot errors, `timing` that
   /// of firing times.
-  SimulatedGun(const GunScene& scene, const ExecutionErrors& errors, const Rng& gun, const Rng& timing);
+  SimulatedGun(const GunScene& scene, const ExecutionErrors& errors, const Rng& gun, const Rng& timing,
+               const GunFaults& faults = {});
 
   /// A motion of both joints. Each joint turns at its own rate.
   struct Turn {
@@ -70,6 +72,10 @@ class SimulatedGun {
   /// and the ball leaves at `fired_s`.
   Thrown throw_ball(const Shot& shot, std::size_t target, std::size_t stand_in, Vec2 position,
                     Vec2 velocity_mps, const Walk* walk, double fired_s);
+  /// Pulls the trigger. Returns true if a ball leaves the barrel.
+  bool pull_trigger(double time_s);
+  /// Fills the tank.
+  void fill_tank() { balls_ = faults_.balls; }
   /// Increments and returns the number of attempts at a target.
   int next_attempt(std::size_t target) { return ++attempts_[target]; }
 
@@ -81,6 +87,8 @@ class SimulatedGun {
   ExecutionErrors errors_;
   Rng gun_rng_;
   Rng timing_rng_;
+  GunFaults faults_;
+  std::int64_t balls_;  // in the tank
   GunState state_;
   std::vector<int> attempts_;  // by target
 };

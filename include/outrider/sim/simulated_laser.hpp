@@ -1,6 +1,7 @@
-// SimulatedLaser: a range finder on a robot that measures at its own rate.
+// SimulatedLaser: a range finder on a robot that measures at its own rate, with the faults of its sensor.
 #pragma once
 
+#include <deque>
 #include <optional>
 
 #include "outrider/sim/range_finder.hpp"
@@ -9,18 +10,25 @@ namespace outrider {
 
 class SimulatedLaser {
  public:
-  SimulatedLaser(const World& world, const RangeFinderModel& model, const Rng& rng)
-      : finder_(world, model), rng_(rng) {}
+  SimulatedLaser(const World& world, const RangeFinderModel& model, const Rng& rng,
+                 const ExplorerFaults& faults = {})
+      : finder_(world, model), faults_(faults), rng_(rng), fault_rng_(rng.child("faults")) {}
 
-  /// Returns a scan from the given pose if the next scan is due at `time_s`, else nothing. The first scan is
-  /// due at time 0.
+  /// Measures a scan from the given pose if the next scan is due at `time_s`. The first scan is due at time
+  /// 0. Returns the scan that arrives now, if any: that one, or with latency an older one.
   std::optional<LaserScan> look(const Pose2& world_T_robot, double time_s);
   [[nodiscard]] const RangeFinder& finder() const { return finder_; }
 
  private:
+  void spoil(LaserScan& scan, double time_s);
+
   RangeFinder finder_;
+  ExplorerFaults faults_;
   Rng rng_;
-  std::int64_t turns_ = 0;  // rotations whose scan was taken
+  Rng fault_rng_;
+  std::vector<float> frozen_;        // ranges that are repeated
+  std::deque<LaserScan> under_way_;  // measured and not arrived
+  std::int64_t turns_ = 0;           // rotations whose scan was taken
 };
 
 }  // namespace outrider

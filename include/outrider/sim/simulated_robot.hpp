@@ -2,8 +2,8 @@
 //
 // A body is a class with begin(command), which returns the end time of the command, run_until(time), and the
 // true motion. A device measures from the true pose of the body, either when the robot senses or at its own
-// rate. A kidnapping can move the robot to another place (WheelBody only). To add a body, write a class and
-// add it to the variant; to add a device, write a class and add a member to SimulatedDevices.
+// rate. A kidnapping can move the robot to another place (WheelBody and TwistBody only). To add a body, write
+// a class and add it to the variant; to add a device, write a class and add a member to SimulatedDevices.
 //
 // The same bodies, devices and commands give the same observations.
 #pragma once
@@ -72,7 +72,7 @@ class SimulatedRobot final : public Robot {
   void wait(WaypointBody& body, const Wait& command);
   void fill(WaypointBody& body, const Fill& command);
   void turn_gun(const std::vector<Vec2>& waypoints, const FollowWaypoints& command, std::size_t shots_done);
-  Impact shoot(const Fire& command, Vec2 velocity_mps);
+  std::optional<Impact> shoot(const Fire& command, Vec2 velocity_mps);
   Log* log_now();
   void sample();
   void gauge();

@@ -5,7 +5,8 @@
 // what the wheels can climb and lower than the top of the robot. If the disk would touch one, the robot stays
 // in place and only turns, while its wheels slip and the encoders keep counting. A contact counts once until
 // the robot has left the obstacle. The odometry integrates the rotations of the wheels, each with its own
-// scale error and with noise that grows with the square root of the distance.
+// scale error and with noise that grows with the square root of the distance. Of the faults it has slip and a
+// stuck wheel.
 //
 // The same world, start, model, random stream and commands give the same motion. O(nearby obstacles) per
 // step.
@@ -23,11 +24,14 @@ namespace outrider {
 class TwistBody {
  public:
   TwistBody(const World& world, const Pose2& start, const RobotModel& robot, const ExplorerWheels& wheels,
-            const Rng& wheel_rng);
+            const Rng& wheel_rng, const ExplorerFaults& faults = {});
 
   /// Begins a DriveTwist and returns its end time; other commands end at once.
   double begin(const Command& command);
   void run_until(double time_s);
+  /// Moves the robot to another pose at once (kidnapping), or less far if it would stand in an obstacle
+  /// there.
+  void put(const Pose2& pose);
   /// Returns true if the bumper was pressed since the previous call.
   bool take_touch();
   /// Returns the bearing of the newest contact relative to the heading, if there was one.
@@ -45,11 +49,13 @@ class TwistBody {
  private:
   void pass(double duration_s);
   void speed_up(double duration_s);
-  void count_wheels(double duration_s);
+  [[nodiscard]] Twist2 rolled() const;
+  void count_wheels(const Twist2& rolled, double duration_s);
   double counted_m(double way_m, double scale);
 
   RobotModel robot_;
   ExplorerWheels wheels_;
+  ExplorerFaults faults_;
   OpenGround ground_;
   Rng wheel_rng_;
   double left_scale_ = 1.0;  // scale of the distance counted by each wheel

@@ -19,6 +19,18 @@ bool usable(const LaserScan& scan) {
          std::ranges::any_of(scan.ranges_m, [&](float range) { return range >= scan.least_m; });
 }
 
+/// Returns true if the scan has exactly the ranges of before although the robot has moved since.
+bool repeats(ExploreMission& mission, const LaserScan& scan) {
+  constexpr double moved_m = 0.02, turned_rad = 0.02;
+  if (scan.ranges_m != mission.ranges_m) {
+    mission.ranges_m = scan.ranges_m;
+    mission.odometry_of_ranges = mission.odometry;
+    return false;
+  }
+  const Pose2 since = relative_pose(mission.odometry_of_ranges, mission.odometry);
+  return norm(since.position) > moved_m || std::abs(wrap_angle(since.heading_rad)) > turned_rad;
+}
+
 /// Returns the end points of the beams that hit something.
 std::vector<Vec2> ends_of(const LaserScan& scan, const Pose2& frame_T_laser) {
   std::vector<Vec2> ends;
@@ -78,7 +90,7 @@ void take_scan(ExploreMission& mission, const LaserScan& scan) {
   mission.pose = step->pose;
   mission.marks_moved = mission.marks_moved || step->update.redrawn;
   ++mission.scans;
-  if (!usable(scan)) {
+  if (!usable(scan) || repeats(mission, scan)) {
     ++mission.bad_scans;
   } else {
     mission.scan_s = mission.time_s;

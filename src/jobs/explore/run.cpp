@@ -188,6 +188,18 @@ Table left_over_table(const LeftOvers& left) {
   return table;
 }
 
+/// Why a map that is called complete is not what is there; empty if it is.
+std::string why_wrong(const MapQuality& quality) {
+  constexpr double least_part = 0.9, most_error_m = 0.1;
+  if (quality.map_error_m > most_error_m)
+    return fmt::format("its map is wrong: its walls are off by {:.2f} m on average", quality.map_error_m);
+  if (quality.explored_fraction < least_part) {
+    return fmt::format("its map is wrong: it has {:.0f} % of what can be seen, and is called complete",
+                       100.0 * quality.explored_fraction);
+  }
+  return {};
+}
+
 double count(const LeftOvers& left, LeftReason reason) {
   return static_cast<double>(std::ranges::count(left.places, reason, &LeftOver::reason));
 }
@@ -200,7 +212,10 @@ void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& rob
   const bool home = distance(robot.pose().position, mission.task.start.position) <= home_m;
   const bool back = home || !mission.task.rules.return_home;
   const bool complete = mission.stop_reason == "complete";
-  report.status = complete && back && visible_contacts == 0 ? "done" : "not_done";
+  const MapQuality quality = map_quality(truth, robot.devices().laser->finder(), run.map);
+  const std::string wrong = why_wrong(quality);
+  const bool claims_done = complete && (mission.home || !mission.task.rules.return_home);
+  report.status = complete && back && visible_contacts == 0 && wrong.empty() ? "done" : "not_done";
   if (mission.stop_reason == "leak" && truth.leaks) {
     report.reason = fmt::format(
         "{}. The robot can leave the box of all that stands at about {:.2f},{:.2f}; close the gap on the way "
@@ -212,10 +227,11 @@ void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& rob
     report.reason = "it is not home";
   } else if (visible_contacts > 0) {
     report.reason = "something was touched that the laser sees";
+  } else {
+    report.reason = wrong;
   }
   report.tables = {left_over_table(mission.left)};
   run.stop_reason = mission.stop_reason;
-  const MapQuality quality = map_quality(truth, robot.devices().laser->finder(), run.map);
   const auto number = [](auto value) { return static_cast<double>(value); };
   report.metrics = {
       {"explored_fraction", quality.explored_fraction},
@@ -236,6 +252,7 @@ void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& rob
       {"visible_contacts", number(visible_contacts)},
       {"returned_home", home ? 1.0 : 0.0},
       {"home_error_m", distance(robot.pose().position, mission.task.start.position)},
+      {"false_complete", claims_done && !(back && wrong.empty()) ? 1.0 : 0.0},
       {"pose_error_m", distance(robot.pose().position, mission.pose.position)},
       {"stuck", number(mission.stuck)},
       {"bad_scans", number(mission.bad_scans)},

@@ -52,6 +52,7 @@ std::vector<OptionGroup> describe(ExploreScenario& scenario) {
       {"robot", "the robot, a disk on two wheels", describe(task.robot)},
       {"laser", "its range finder", describe(scenario.sim.laser)},
       {"wheels", "its wheels and how they count wrong", describe(scenario.sim.wheels)},
+      {"faults", "what goes wrong without the robot being told", describe(scenario.sim.faults)},
       {"explore", "where it goes next", describe(task.explore)},
       {"steer", "how it drives there", describe(task.steer)},
       {"rules", "when it thinks, waits and gives up", describe(task.rules)},

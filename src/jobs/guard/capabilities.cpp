@@ -33,6 +33,7 @@ const std::vector<CapabilityRow>& capabilities() {
       {unknown, "an unknown yard", "scout.unknown"},
       {rigid, "rigid bodies", "sim"},
       {blocking, "targets that block", "targets_block"},
+      {faults, "faults of the robot", "faults"},
   };
   return rows;
 }
@@ -58,6 +59,7 @@ const std::vector<Clash>& clashes() {
       {terrain, unknown, "the map of a range finder is level"},
       {terrain, rigid, "the rigid robot rolls on a level floor"},
       {air, rigid, "the physics engine knows no drag"},
+      {rigid, faults, "faults are simulated in the kinematic robot only"},
       {unknown, rigid, "the rigid robot has no range finder"},
       {unknown, blocking, "targets that block would be walls on the map"},
   };
@@ -77,6 +79,7 @@ std::vector<Capability> asked_of(const GuardScenario& scenario) {
       {unknown, scenario.scout.unknown},
       {rigid, scenario.sim != "kinematic"},
       {blocking, problem.targets_block},
+      {faults, scenario.faults.any()},
   };
   std::vector<Capability> asked;
   for (const auto& [capability, is_asked] : all) {

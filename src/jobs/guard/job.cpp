@@ -27,22 +27,23 @@ Outcome<Report> carry_out(const GuardScenario& scenario, const FiringMap& firing
   const ArrivalOptions& arrivals = scenario.arrivals;
   if (scenario.wander.any()) {
     return simulate_moving_targets(problem, firing_map, scenario.preferences, scenario.history,
-                                   scenario.wander, scenario.options, seed, log, watch);
+                                   scenario.wander, scenario.options, seed, log, watch, scenario.faults);
   }
   if (arrivals.any()) {
     return simulate_arriving_targets(problem, firing_map, plan, scenario.intruders, arrivals,
-                                     scenario.options, seed, log, watch);
+                                     scenario.options, seed, log, watch, scenario.faults);
   }
   if (arrivals.leave < 1.0) {
-    return simulate_surviving_targets(problem, firing_map, plan, arrivals, scenario.options, seed, log,
-                                      watch);
+    return simulate_surviving_targets(problem, firing_map, plan, arrivals, scenario.options, seed, log, watch,
+                                      scenario.faults);
   }
   return run_guard({.problem = problem,
                     .firing_map = firing_map,
                     .plan = plan,
                     .options = scenario.options,
                     .seed = seed,
-                    .rigid = scenario.sim == "physics"},
+                    .rigid = scenario.sim == "physics",
+                    .faults = scenario.faults},
                    log, watch);
 }
 
@@ -107,7 +108,7 @@ Status guard_found_yard(const GuardScenario& scenario, ScoutedYard& yard, RunSte
   if (auto ok = steps.next("driving and shooting"); !ok) return ok;
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   auto report = run_guard_on_map(scenario.problem, yard, *firing_map, *plan, scenario.options, seed, run.log,
-                                 steps.inner());
+                                 steps.inner(), scenario.faults);
   if (!report) return tl::unexpected<Fault>(report.error());
   finish(run, std::move(*report), planning_s);
   return {};

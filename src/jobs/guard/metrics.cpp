@@ -179,6 +179,27 @@ std::string reason_of(const GuardRun& run, const Tally& tally) {
                      tally.failed, tally.unreachable);
 }
 
+/// What is added to the reason if shots had no result; else an empty text.
+std::string why_unanswered(const std::vector<TargetRecord>& records) {
+  int unanswered = 0;
+  for (const TargetRecord& record : records) unanswered += record.unanswered;
+  if (unanswered == 0) return {};
+  return fmt::format("; {} shot{} had no result: is the gun jammed, or its tank empty?", unanswered,
+                     unanswered == 1 ? "" : "s");
+}
+
+/// Returns the targets that are called reached and that no ball hit.
+double falsely_reached(const std::vector<TargetRecord>& records, const TargetLog& targets, const Log& log) {
+  double count = 0.0;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const auto hits = [&](const Stamped<outrider_msgs::Shot>& shot) {
+      return shot.message.hit && shot.message.target == targets.name(i);
+    };
+    if (records[i].status == TargetStatus::reached && std::ranges::none_of(shots_of(log), hits)) count += 1.0;
+  }
+  return count;
+}
+
 /// Returns the row of a target in the table. The clearance of a hit is that of its flight.
 std::vector<TableValue> row_of(const std::string& name, const TargetRecord& record, const Log& log) {
   if (record.shots == 0)
@@ -252,6 +273,7 @@ Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord&
   if (supplies.any()) add(supply_metrics(log, supplies, mission.stores));
   if (run.plan.on_the_move) add(passing_metrics(log));
   if (record.rigid) add(rigid_metrics(*record.rigid));
+  if (run.faults.any()) add({{"false_reached", falsely_reached(records, targets, log)}});
   Table table = target_table();
   for (std::size_t i = 0; i < records.size(); ++i)
     table.rows.push_back(row_of(targets.name(i), records[i], log));
@@ -259,6 +281,7 @@ Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord&
   const std::string dry = ran_dry(log);
   report.status = tally.reached + tally.unreachable == tally.targets && dry.empty() ? "done" : "not_done";
   report.reason = dry.empty() ? reason_of(run, tally) + why_stranded(log) : dry;
+  if (report.status != "done") report.reason += why_unanswered(records);
   return report;
 }
 

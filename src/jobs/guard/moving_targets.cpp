@@ -239,8 +239,9 @@ void note_moving(MovingTargets& targets, StopTasks& tasks, const Observation& se
   note_seen(targets, seen, plan.options);
   if (!std::exchange(tasks.fired, false)) return;
   const ShotResult* const result = result_of(seen, targets.aimed_at);
-  if (result == nullptr || !result->hit) return;
   TargetRecord& record = tasks.records[targets.aimed_at];
+  if (result == nullptr) ++record.unanswered;
+  if (result == nullptr || !result->hit) return;
   targets.last_hit_s = seen.time_s;
   settle(record, TargetStatus::reached,
          fmt::format("hit by shot {} from ({:.2f}, {:.2f})", record.shots, record.pose.position.x,

@@ -110,7 +110,7 @@ Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch) 
     return carry_out(run, yielding, robot, robot.record, targets, log, watch);
   }
   SimulatedRobot robot = simulated_guard(true_problem(run), true_map(run), log, run.seed, target_params(run),
-                                         run.truth ? run.truth->levels : StoreLevels{});
+                                         run.truth ? run.truth->levels : StoreLevels{}, run.faults);
   TargetLog targets(log, robot.queue(), run);
   note_entrances(robot.queue(), run);
   return carry_out(run, run.problem, robot, robot.record, targets, log, watch);

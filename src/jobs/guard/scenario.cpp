@@ -129,6 +129,8 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
       {"gun", "the water gun", describe(problem.gun)},
       {"air", "the air that the ball flies through", describe(problem.air)},
       {"errors", "the largest errors of the execution", describe(problem.errors)},
+      {"faults", "what goes wrong without the mission being told, once it has begun to guard",
+       describe(scenario.faults)},
       {"supplies", "water and charge that end, and the stations that fill them up",
        describe(problem.supplies)},
       {"plan", "the planner", describe(scenario.options)},

@@ -232,7 +232,7 @@ Report unguarded(const GuardProblem& truth, const ScoutedYard& yard, const std::
 Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& yard,
                                  const FiringMap& firing_map, const GuardPlan& plan,
                                  const GuardOptions& options, std::uint64_t seed, Log& log,
-                                 const RunWatch& watch) {
+                                 const RunWatch& watch, const GuardSimParams& faults) {
   const GuardProblem& found = yard.found.problem;
   const GuardProblem really = true_yard(truth, yard.found, found.start);
   GuardOptions coarse = options;
@@ -249,7 +249,8 @@ Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& y
                            .plan = plan,
                            .options = options,
                            .seed = seed,
-                           .truth = TrueYard{really, *true_map, levels_after(explored, truth.supplies)}},
+                           .truth = TrueYard{really, *true_map, levels_after(explored, truth.supplies)},
+                           .faults = faults},
                           log, watch);
   if (!report) return report;
   report->tables = {all_targets(*report, truth, yard, explore_s)};

@@ -70,6 +70,11 @@ void note_failure(StopTasks& tasks, std::size_t target, const GuardProblem& prob
 
 /// What a target that was never hit has to say. Tries without a shot are no misses.
 std::string missed(const TargetRecord& record) {
+  if (record.unanswered > 0) {
+    return fmt::format(
+        "no hit by {} shot{}, of which {} had no result: is the gun jammed, or its tank empty?", record.shots,
+        record.shots == 1 ? "" : "s", record.unanswered);
+  }
   return fmt::format("missed {} time{}", record.shots, record.shots == 1 ? "" : "s");
 }
 
@@ -155,7 +160,10 @@ void note_flying(StopTasks& tasks, const Observation& seen, const GuardProblem& 
     const ShotResult* const result = result_of(seen, ball.target);
     if (result == nullptr && seen.time_s < ball.lands_s + lost_s) {
       tasks.flying.push_back(ball);
-    } else if (result != nullptr && result->hit) {
+      continue;
+    }
+    if (result == nullptr) ++record.unanswered;
+    if (result != nullptr && result->hit) {
       settle(
           record, TargetStatus::reached,
           fmt::format("hit by shot {}{} from ({:.2f}, {:.2f})", record.shots,
@@ -347,7 +355,9 @@ void note_shots(StopTasks& tasks, const Observation& seen, const GuardProblem& p
                 const FiringMap& firing_map) {
   note_flying(tasks, seen, problem, firing_map);
   if (!std::exchange(tasks.fired, false)) return;
-  const ShotResult* const result = result_of(seen, tasks.queue.front().targets.front());
+  const std::size_t target = tasks.queue.front().targets.front();
+  const ShotResult* const result = result_of(seen, target);
+  if (result == nullptr) ++tasks.records[target].unanswered;
   note_result(tasks, result != nullptr && result->hit, seen, problem);
 }
 

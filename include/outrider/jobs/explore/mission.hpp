@@ -9,7 +9,8 @@
 // A robot that makes no progress, or touches something, backs off along its path; where it touched nothing it
 // bans the goal for a while. Where it touched something the ground stays blocked, also if the laser sees
 // nothing there. Where it has driven, the ground stays open, whatever noise does to the map. If it gets stuck
-// repeatedly, it trusts the newest scan more than the map. Unusable scans are skipped; without any usable
+// repeatedly, it trusts the newest scan more than the map. Unusable scans are skipped, as are those that
+// repeat the ranges of before after a motion, which a sensor does that is frozen; without any usable
 // scan for `blind_s` the robot stops.
 //
 // Where nothing is left to see on ground that the map calls wide enough, the robot tries the ways on which it
@@ -75,6 +76,8 @@ struct ExploreMission {
   double scan_s = 0.0;          ///< time of the newest usable scan
   double range_m = 3.5;         ///< of the range finder
   double driven_m = 0.0;        ///< distance by odometry
+  std::vector<float> ranges_m;  ///< of the newest scan
+  Pose2 odometry_of_ranges;     ///< odometry of the first scan with these ranges
   std::vector<Vec2> beam_ends;  ///< beam ends of the newest usable scan, in the world frame of that time
   CloseRange close_range;
   bool touching = false;

@@ -28,8 +28,9 @@ struct ExploreRun {
 };
 
 /// Explores the world with a simulated robot, and logs the exploration. The status is "done" if the
-/// exploration is complete (nothing is left over: left_over.hpp), the robot is home (if it has to return) and
-/// it touched nothing that its laser can see. Touching what the laser cannot see, such as a glass door, is
+/// exploration is complete (nothing is left over: left_over.hpp), the robot is home (if it has to return), it
+/// touched nothing that its laser can see, and the map is right: at least 0.9 of what can be seen, and walls
+/// that are off by at most 0.1 m on average. Touching what the laser cannot see, such as a glass door, is
 /// how the robot finds out about it. A world that the robot can leave is open: there the robot turns back
 /// with the reason "leak" once its map is larger than the box of all obstacles plus twice the range of the
 /// laser, whatever most_extent allows. A pure function of its arguments except for machine_times. Faults:
@@ -44,8 +45,9 @@ struct ExploreRun {
 ///   contacts, visible_contacts       touches of anything, and of what the laser sees
 ///   returned_home                    1 when the true robot ended within 0.3 m of its start
 ///   home_error_m                     distance of the true robot from its start in the end
-///   pose_error_m                     distance of its true from its believed position in the end
-///   stuck, bad_scans, loops          how often it got stuck; unusable scans; closed loops
+///   false_complete                   1 when the robot believes to be done, and is elsewhere or its map is
+///   wrong pose_error_m                     distance of its true from its believed position in the end stuck,
+///   bad_scans, loops          how often it got stuck; unusable scans; closed loops
 /// and the table "left_over" has the places that are left over, with the reasons.
 Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& task, const ExplorerSimParams& params,
                                 std::uint64_t seed, Log& log, const RunWatch& watch = {},

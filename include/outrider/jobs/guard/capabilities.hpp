@@ -23,6 +23,7 @@ enum class Capability : std::uint8_t {
   unknown,    ///< an unknown yard, which is explored first
   rigid,      ///< rigid-body simulation of robot and balls
   blocking,   ///< targets that block robot and shots
+  faults,     ///< faults of the robot that the mission is not told
 };
 
 /// The names of a capability.

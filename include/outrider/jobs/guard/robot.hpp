@@ -9,9 +9,9 @@ namespace outrider {
 
 /// Makes the robot. The problem, the firing map and the log must outlive it. All errors are drawn from named
 /// random streams of the seed: arrival, gun, timing, survival, sight. The stores begin at `levels`, at most
-/// full.
+/// full. The problem does not know of the faults.
 SimulatedRobot simulated_guard(const GuardProblem& problem, const FiringMap& firing_map, Log& log,
                                std::uint64_t seed, TargetSimParams targets = {},
-                               const StoreLevels& levels = {});
+                               const StoreLevels& levels = {}, const GuardSimParams& faults = {});
 
 }  // namespace outrider

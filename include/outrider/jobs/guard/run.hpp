@@ -37,6 +37,7 @@ struct GuardRun {
   std::optional<WalkerRun> walkers = {};  ///< set if intruders walk about
   std::optional<TrueYard> truth = {};     ///< set if the yard was explored first
   bool rigid = false;                     ///< simulate rigid bodies
+  GuardSimParams faults = {};             ///< unknown to the mission; not with rigid bodies
 };
 
 /// Simulates and logs the mission, and returns what it came to. Log and report are pure functions of the
@@ -53,11 +54,13 @@ struct GuardRun {
 ///   shots_in_passing, hits_in_passing                                               shots on the move
 ///   arrival_error_mean_m, arrival_error_max_m, flight_error_max_m,
 ///   shots_as_foreseen, bumps                                                        rigid bodies
+///   false_reached                                                                   faults
 /// intruder_seconds is the sum of the times inside of all intruders that can be hit; an intruder that is not
 /// hit counts until the end. makespan_s is the time of the last hit, or the end if one of them was not hit.
-/// The bounds are those of arrival_bound.hpp. survived counts the hits that the intruder survived. chance is
-/// the mean of the predicted chances of the shots, expected_hits their sum. Faults: those of
-/// make_rigid_world(), if rigid bodies are simulated.
+/// The bounds are those of arrival_bound.hpp. false_reached counts the
+/// targets that the mission calls reached and that no ball of the log hit. survived counts the hits that the
+/// intruder survived. chance is the mean of the predicted chances of the shots, expected_hits their sum.
+/// Faults: those of make_rigid_world(), if rigid bodies are simulated.
 Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch = {});
 
 }  // namespace outrider

@@ -12,6 +12,7 @@
 #include "outrider/jobs/guard/scout.hpp"
 #include "outrider/jobs/guard/wander.hpp"
 #include "outrider/sim/explorer_sim_params.hpp"
+#include "outrider/sim/guard_sim_params.hpp"
 
 namespace outrider {
 
@@ -52,12 +53,13 @@ struct GuardScenario {
   std::vector<Track> history;       ///< recorded tracks, from `wander` when loaded
   ScoutOptions scout;
   ExplorerSimParams sensors;  ///< laser and wheels of a robot that explores an unknown yard
+  GuardSimParams faults;      ///< faults of the robot, which the mission does not know
   bool regions = false;       ///< log from where each target can be hit
   PddlOptions pddl;
 };
 
 /// Returns the options: top-level keys first, then the sections robot, gun, air, errors, supplies, plan,
-/// arrivals, wander, scout, laser and wheels.
+/// faults, arrivals, wander, scout, laser and wheels.
 std::vector<OptionGroup> describe(GuardScenario& scenario);
 
 /// Reads the world and the targets into `scenario.problem`. Returns one sentence for each repair to the

@@ -45,7 +45,7 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
 Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& yard,
                                  const FiringMap& firing_map, const GuardPlan& plan,
                                  const GuardOptions& options, std::uint64_t seed, Log& log,
-                                 const RunWatch& watch = {});
+                                 const RunWatch& watch = {}, const GuardSimParams& faults = {});
 
 /// Returns the report of a yard that was explored and then not guarded, for that reason.
 Report unguarded(const GuardProblem& truth, const ScoutedYard& yard, const std::string& why);

@@ -12,7 +12,8 @@ namespace outrider {
 Outcome<Report> simulate_arriving_targets(const GuardProblem& problem, const FiringMap& firing_map,
                                           const GuardPlan& plan, const std::vector<Intruder>& intruders,
                                           const ArrivalOptions& arrivals, const GuardOptions& options,
-                                          std::uint64_t seed, Log& log, const RunWatch& watch = {});
+                                          std::uint64_t seed, Log& log, const RunWatch& watch = {},
+                                          const GuardSimParams& faults = {});
 
 /// Simulates intruders that are all inside from the start and may survive hits. The policy is the one with
 /// the least expected time (survivors.hpp, estimated from 40 missions with a beam of at most 4). Additional
@@ -21,13 +22,14 @@ Outcome<Report> simulate_arriving_targets(const GuardProblem& problem, const Fir
 Outcome<Report> simulate_surviving_targets(const GuardProblem& problem, const FiringMap& firing_map,
                                            const GuardPlan& plan, const ArrivalOptions& arrivals,
                                            const GuardOptions& options, std::uint64_t seed, Log& log,
-                                           const RunWatch& watch = {});
+                                           const RunWatch& watch = {}, const GuardSimParams& faults = {});
 
 /// Simulates intruders that walk about. Their walks are drawn from the seed; the visit map is learned from
 /// the history. Faults: those of draw_walks() and plan_moving().
 Outcome<Report> simulate_moving_targets(const GuardProblem& problem, const FiringMap& firing_map,
                                         const std::vector<double>& weights, const std::vector<Track>& history,
                                         const WanderOptions& wander, const GuardOptions& options,
-                                        std::uint64_t seed, Log& log, const RunWatch& watch = {});
+                                        std::uint64_t seed, Log& log, const RunWatch& watch = {},
+                                        const GuardSimParams& faults = {});
 
 }  // namespace outrider

@@ -40,6 +40,7 @@ struct TargetRecord {
   std::optional<PlannedShot> shot;  ///< the shot that was solved last
   Pose2 pose;                       ///< pose of the robot at the last attempt to solve a shot
   double done_s = 0.0;              ///< time of the last change of the status
+  int unanswered = 0;               ///< shots of which the robot reported no result
 };
 
 /// Sets the final status of a target.

@@ -1,0 +1,71 @@
+// Explorations with faults that the robot is not told: done only if the map is right and the robot is home.
+#include <gtest/gtest.h>
+
+#include "box_solid.hpp"
+#include "outrider/jobs/explore/run.hpp"
+
+namespace outrider {
+namespace {
+
+/// A room of 4 x 3 m with a chest.
+World room() {
+  World world;
+  world.solids = {testing::box("south", {-0.2, -0.2}, {4.2, 0.0}),
+                  testing::box("north", {-0.2, 3.0}, {4.2, 3.2}),
+                  testing::box("west", {-0.2, 0.0}, {0.0, 3.0}), testing::box("east", {4.0, 0.0}, {4.2, 3.0}),
+                  testing::box("chest", {2.2, 1.2}, {2.8, 1.6})};
+  world.bounds = {{-0.2, -0.2}, {4.2, 3.2}};
+  return world;
+}
+
+ExploreRun explored(const ExplorerFaults& faults) {
+  ExploreTask task;
+  task.start = {{1.0, 1.0}, 0.0};
+  task.rules.most_time_s = 200.0;
+  ExplorerSimParams params;
+  params.faults = faults;
+  Log log;
+  auto run = run_explore(room(), task, params, 1, log);
+  EXPECT_TRUE(run) << run.error().sentence;
+  EXPECT_EQ(run->report.reason.empty(), run->report.status == "done");
+  if (run->report.status == "done") {
+    EXPECT_LT(distance(run->true_pose.position, task.start.position), 0.3);
+    EXPECT_LE(metric(run->report, "map_error_m"), 0.1);
+    EXPECT_GE(metric(run->report, "explored_fraction"), 0.9);
+    EXPECT_EQ(metric(run->report, "visible_contacts"), 0.0);
+  }
+  return std::move(*run);
+}
+
+TEST(ExploreFaults, WithoutAnyItIsDone) { EXPECT_EQ(explored({}).report.status, "done"); }
+
+TEST(ExploreFaults, WithoutScansItIsBlind) {
+  ExplorerFaults faults;
+  faults.blind_from_s = 4.0;
+  EXPECT_EQ(explored(faults).stop_reason, "blind");
+}
+
+TEST(ExploreFaults, AFrozenSensorIsBlind) {
+  ExplorerFaults faults;
+  faults.frozen_from_s = 4.0;
+  EXPECT_EQ(explored(faults).stop_reason, "blind");
+}
+
+TEST(ExploreFaults, ABiasThatSpoilsTheMapIsNotDone) {
+  ExplorerFaults faults;
+  faults.bias_m = -0.3;
+  EXPECT_EQ(explored(faults).report.status, "not_done");
+}
+
+TEST(ExploreFaults, OthersEndHonestly) {
+  ExplorerFaults outliers, late, slips, stuck, kidnapped;
+  outliers.outliers = 0.1;
+  late.latency_s = 0.4;
+  slips.slip = 0.2;
+  stuck.stuck_from_s = 5.0;
+  kidnapped.kidnapping.at_s = 5.0;
+  for (const ExplorerFaults& faults : {outliers, late, slips, stuck, kidnapped}) explored(faults);
+}
+
+}  // namespace
+}  // namespace outrider

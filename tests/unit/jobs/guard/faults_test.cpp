@@ -1,0 +1,107 @@
+// Guard missions with faults that they are not told: they end, and call no target reached that no ball hit.
+#include <gtest/gtest.h>
+
+#include "outrider/jobs/guard/passing_plan.hpp"
+#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/topics.hpp"
+#include "support/guard_runs.hpp"
+#include "support/guard_yard.hpp"
+
+namespace outrider {
+namespace {
+
+GuardOptions fault_options(bool on_the_move) {
+  GuardOptions options;
+  options.resolution_m = 0.25;
+  options.stops = 30;
+  options.refinements = 0;
+  options.iterations = 50;
+  options.shoot_on_the_move = on_the_move;
+  return options;
+}
+
+/// Three targets left and right of a street.
+GuardProblem short_street() {
+  GuardProblem problem;
+  problem.world.bounds = {{-1, -4}, {9, 4}};
+  problem.world.solids = {testing::floor_at(0)};
+  problem.start = {{0, 0}, 0.0};
+  problem.targets = {{"near", {2, 2, 0}, {0.5, 0.3, 0.45}},
+                     {"middle", {4.9, -2.4, 0}, {0.5, 0.3, 0.45}},
+                     {"far", {7.8, 2, 0}, {0.5, 0.3, 0.45}}};
+  return problem;
+}
+
+struct FaultyRun {
+  Run run;
+  int hit = 0;  ///< targets that a ball of the log has hit
+};
+
+FaultyRun guarded(const GuardSimParams& faults, bool on_the_move) {
+  const GuardProblem problem = short_street();
+  const GuardOptions options = fault_options(on_the_move);
+  const auto firing_map = build_firing_map(problem, options);
+  auto plan = plan_guard(problem, *firing_map, fault_options(false), {});
+  if (on_the_move) plan = shoot_in_passing(problem, *firing_map, *plan);
+  FaultyRun done{testing::carried_out({.problem = problem,
+                                       .firing_map = *firing_map,
+                                       .plan = *plan,
+                                       .options = options,
+                                       .seed = 1,
+                                       .faults = faults},
+                                      {})};
+  for (const Target& target : problem.targets) {
+    bool hit = false;
+    for (const auto& shot : done.run.log.messages<outrider_msgs::Shot>(topic::shots))
+      hit = hit || (shot.message.hit && shot.message.target == target.name);
+    done.hit += hit ? 1 : 0;
+  }
+  EXPECT_EQ(metric(done.run.report, "reached"), done.hit);
+  EXPECT_EQ(metric(done.run.report, "false_reached"), 0.0);
+  EXPECT_EQ(done.run.report.status, done.hit == 3 ? "done" : "not_done");
+  EXPECT_EQ(done.run.report.reason.empty(), done.hit == 3);
+  return done;
+}
+
+TEST(GuardFaults, AGunThatIsJammedForGoodEndsTheMission) {
+  for (const bool on_the_move : {false, true}) {
+    GuardSimParams faults;
+    faults.gun.jammed_at_s = 0.0;
+    const FaultyRun done = guarded(faults, on_the_move);
+    EXPECT_EQ(done.hit, 0);
+    EXPECT_EQ(metric(done.run.report, "shots"), 0.0);
+    EXPECT_NE(done.run.report.reason.find("is the gun jammed"), std::string::npos) << done.run.report.reason;
+  }
+}
+
+TEST(GuardFaults, AfterAShortJamTargetsAreShotAtAgain) {
+  for (const bool on_the_move : {false, true}) {
+    GuardSimParams faults;
+    faults.gun.jammed_at_s = 0.0;
+    faults.gun.jammed_for_s = 2.0;
+    EXPECT_EQ(guarded(faults, on_the_move).hit, 3);
+  }
+}
+
+TEST(GuardFaults, AnEmptyTankLeavesTargets) {
+  for (const bool on_the_move : {false, true}) {
+    GuardSimParams faults;
+    faults.gun.balls = 1;
+    const FaultyRun done = guarded(faults, on_the_move);
+    EXPECT_EQ(metric(done.run.report, "shots"), 1.0);
+    EXPECT_LE(done.hit, 1);
+    EXPECT_NE(done.run.report.reason.find("its tank empty"), std::string::npos) << done.run.report.reason;
+  }
+}
+
+TEST(GuardFaults, LargerErrorsThanToldAreSeen) {
+  for (const bool on_the_move : {false, true}) {
+    GuardSimParams faults;
+    faults.position_ratio = 5.0;
+    faults.aim_ratio = 1.9;
+    guarded(faults, on_the_move);
+  }
+}
+
+}  // namespace
+}  // namespace outrider
