@@ -9,9 +9,10 @@
 // tile (heading_cone.hpp), for one at rest for each cone of its next straight drive and cell. The values are
 // the largest numbers for which:
 // - from a tile to the next ones ahead, a value falls by no more than the drive of that step takes;
-// - a straight drive of length L takes L / v and, if L is at least v^2 / (2 a), (sqrt(2) - 1/2) v / a or more
-// besides to speed up and
-//   slow down. Shorter ones count as part of the rest between longer ones: they take sqrt(8) L / v or more;
+// - a straight drive of length L >= v^2 / (2 a) takes L / v, and (sqrt(2) - 1/2) v / a or more besides to
+// speed
+//   up and slow down; shorter ones count as part of the rest between longer ones, and take sqrt(8) L / v or
+//   more;
 // - between two straight drives, the robot turns by the least angle between their cones or more;
 // - where a target can be hit, the value is at most that without the target.
 // Within a cell the robot may be anywhere, so each halt lets it move by up to two cells for nothing.
