@@ -324,7 +324,7 @@ double mission_bound(const GuardProblem& problem, const FiringMap& firing_map,
     const auto next = relaxed.hardest();
     if (!next || !relaxed.choose(*next, meter, budget.stop)) break;
   }
-  if (!options.shoot_on_the_move) return relaxed.bound_s();
+  if (!options.shoot_on_the_move || !heading_bound_possible(problem, firing_map)) return relaxed.bound_s();
   return with_headings(problem, firing_map, targets, relaxed, room, budget.stop);
 }
 

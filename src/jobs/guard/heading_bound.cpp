@@ -9,7 +9,8 @@
 namespace outrider {
 namespace {
 
-constexpr double most_work = 2e8;  // values of all sets together
+constexpr double most_work = 2e8;   // values of all sets together
+constexpr double most_cells = 8e5;  // of a yard
 constexpr int finest = 4;
 
 /// How finely cells are divided: so that a robot at full speed crosses one in a 16th of the time that a halt
@@ -21,6 +22,11 @@ int fineness(const Limits& straight, double resolution_m) {
 }
 
 }  // namespace
+
+bool heading_bound_possible(const GuardProblem& problem, const FiringMap& firing_map) {
+  const int fine = fineness(problem.robot.straight(), firing_map.frame.resolution_m);
+  return static_cast<double>(firing_map.frame.size()) * fine * fine <= most_cells;
+}
 
 double heading_bound(const GuardProblem& problem, const FiringMap& firing_map,
                      const std::vector<std::size_t>& targets, const HeadingLimits& limits,

@@ -33,6 +33,9 @@ struct HeadingLimits {
       cells;  ///< by set of targets, a bit for each: where a robot may be that has these left to hit
 };
 
+/// False where the yard is so large that heading_bound() would be 0, and the limits need not be found.
+bool heading_bound_possible(const GuardProblem& problem, const FiringMap& firing_map);
+
 /// Returns the bound for hitting `targets`, s, or `limits.most_s` if it is not less. Returns 0 if
 /// `memory_bytes` or the work allowed for one bound is too little, if the robot speeds up so fast that a halt
 /// costs less than what is lost at it, or after a stop request. The value is the same for any number of
