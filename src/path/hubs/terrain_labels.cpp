@@ -18,38 +18,49 @@ struct Terrain {
   std::shared_ptr<const GridMap> ground;
   std::shared_ptr<const CellCosts> costs;
 
-  /// Returns true if both are the same, if need be cell by cell.
-  [[nodiscard]] bool same(const Terrain& other) const {
-    if (ground == nullptr || other.ground == nullptr) return false;
-    if ((costs == nullptr) != (other.costs == nullptr)) return false;
-    const bool same_costs = costs == other.costs || costs->per_m.cells == other.costs->per_m.cells;
-    const bool same_ground = ground == other.ground ||
-                             (ground->frame == other.ground->frame && ground->marks == other.ground->marks);
-    return same_costs && same_ground;
+  /// Returns how many cells differ in what they cost or in being blocked; all for other frames.
+  [[nodiscard]] std::size_t differing(const Terrain& other) const {
+    if (ground == other.ground && costs == other.costs) return 0;
+    const bool alike = ground != nullptr && other.ground != nullptr && ground->frame == other.ground->frame;
+    if (!alike) return std::numeric_limits<std::size_t>::max();
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < ground->frame.size(); ++i) {
+      const Cell c = ground->frame.cell(i);
+      count += ground->blocked(c) != other.ground->blocked(c) || price(c) != other.price(c) ? 1 : 0;
+    }
+    return count;
   }
+
+ private:
+  [[nodiscard]] float price(Cell c) const { return costs == nullptr ? 1.0F : costs->per_m[c]; }
 };
 
 struct TerrainMemory {
   Terrain made_for;
-  std::int64_t mib = 0;
+  Terrain asked;                              ///< the last one
+  std::size_t differ = 0;                     ///< cells in which the two differ
+  std::int64_t mib = 0;                       ///< 0: nothing has been asked
   std::unique_ptr<const TerrainIndex> index;  ///< none if it does not fit
   std::uint64_t spent = 0;                    ///< expansions of searches on other terrain since then
 
   /// An expansion costs about as much as so many entries visited.
   static constexpr std::uint64_t entries_an_expansion = 32;
 
-  /// Returns true if the index is that of the terrain. Builds it the first time, and when searches on other
-  /// terrain have taken as much work. After a cancelled build there is none, as if nothing had been asked.
+  /// Returns true if the index is that of the terrain. Builds it for terrain that is new or very different,
+  /// and when searches on similar terrain have taken as much work. After a cancelled build there is none, as
+  /// if nothing had been asked.
   bool renew(const Terrain& now, std::int64_t most_mib, const std::stop_token& stop) {
-    if (mib == most_mib && made_for.same(now)) {
-      made_for = now;
-      return true;
+    if (mib == most_mib) {
+      if (!(asked.ground == now.ground && asked.costs == now.costs)) differ = made_for.differing(now);
+      asked = now;
+      if (differ == 0) return true;
+      const bool similar = differ <= now.ground->frame.size() / 32;
+      if (similar && index != nullptr && spent * entries_an_expansion < index->work()) return false;
     }
-    const bool early = index != nullptr && mib == most_mib && spent * entries_an_expansion < index->work();
-    if (early) return false;
     index = TerrainIndex::of(*now.ground, now.costs.get(), static_cast<std::size_t>(most_mib) << 20U, stop);
-    made_for = stop.stop_requested() ? Terrain{} : now;
-    mib = most_mib;
+    made_for = asked = stop.stop_requested() ? Terrain{} : now;
+    mib = stop.stop_requested() ? 0 : most_mib;
+    differ = 0;
     spent = 0;
     return true;
   }

@@ -7,14 +7,15 @@
 //
 // Complete and optimal among paths along the eight moves of the grid; lower_bound is the cost. Accepts only
 // the model `cells`. The first query on a ground and its costs builds the index in the workspace, in at most
-// `hub_memory_mib`; the work is limited too, to some seconds for 64 MiB. It takes 1 to 2 KB a cell, so
-// 64 MiB hold some 200 x 200 cells. If it does not fit, terrain_a_star() answers, and Plan::remark says so.
-// On other ground or with other costs terrain_a_star() answers too, until it has done as much work as
-// building the index took; then the index is built again. Of the budget an answer from the index counts as
-// one expansion; building it is not counted, but can be cancelled. A query takes O(length of the two lists +
-// moves of the path * log(length of a list)). Faults: those of terrain_a_star(). Sources: Akiba, Iwata and
-// Yoshida, Fast exact shortest-path distance queries on large networks by pruned landmark labeling (2013);
-// George, Nested dissection of a regular finite element mesh (1973), for the order of the hubs.
+// `hub_memory_mib`; the work is limited too, to some seconds for 64 MiB. 64 MiB hold
+// some 40,000 free cells of rooms and corridors, and 10,000 to 20,000 of open ground. If it does not fit,
+// terrain_a_star() answers, and Plan::remark says so. If at most one cell in 32 changes, terrain_a_star()
+// answers too, until it has done as much work as building the index took; then, and if more changes, the
+// index is built again. Of the budget an answer from the index counts as one expansion; building it is not
+// counted, but can be cancelled. A query takes O(length of the two lists + moves of the path * log(length of
+// a list)). Faults: those of terrain_a_star(). Sources: Akiba, Iwata and Yoshida, Fast exact shortest-path
+// distance queries on large networks by pruned landmark labeling (2013); George, Nested dissection of a
+// regular finite element mesh (1973), for the order of the hubs.
 #pragma once
 
 #include "outrider/core/budget.hpp"

@@ -79,13 +79,14 @@ TEST(TerrainLabels, OtherGroundAndCostsAreSearchedUntilThatHasCostAsMuch) {
   Workspace workspace;
   Problem problem{ground, {0.5, 0.5}, {39.5, 39.5}};
   problem.costs = random_costs(rng, grid.frame);
-  const auto with_other_costs = random_costs(rng, grid.frame);
+  auto changed = *problem.costs;
+  for (int x = 5; x < 35; ++x) changed.per_m[{x, 20}] = 9.0F;
   expect_the_cost_of_a_star(problem, workspace, true);
   const auto equal = std::make_shared<const CellCosts>(*problem.costs);
   problem.costs = equal;  // another object, but the same costs
   problem.grid = std::make_shared<const GridMap>(*ground);
   expect_the_cost_of_a_star(problem, workspace, true);
-  problem.costs = with_other_costs;
+  problem.costs = std::make_shared<const CellCosts>(changed);
   int searched = 0;
   for (int k = 0; k < 100'000; ++k) {
     const auto plan = terrain_labels(problem, {}, {}, workspace);
@@ -95,6 +96,8 @@ TEST(TerrainLabels, OtherGroundAndCostsAreSearchedUntilThatHasCostAsMuch) {
     ++searched;
   }
   EXPECT_GT(searched, 0);
+  expect_the_cost_of_a_star(problem, workspace, true);
+  problem.costs = random_costs(rng, grid.frame);  // altogether different
   expect_the_cost_of_a_star(problem, workspace, true);
 }
 
