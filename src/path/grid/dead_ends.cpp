@@ -1,8 +1,8 @@
 #include "dead_ends.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
+#include <tuple>
 
 namespace outrider {
 namespace {
@@ -115,8 +115,9 @@ class Builder {
     std::vector<Gate> candidates;
     add_candidates(1, stride_, candidates);
     add_candidates(stride_, 1, candidates);
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Gate& a, const Gate& b) { return a.length < b.length; });
+    std::sort(candidates.begin(), candidates.end(), [](const Gate& a, const Gate& b) {
+      return std::tie(a.length, a.along, a.first) < std::tie(b.length, b.along, b.first);
+    });
     for (const Gate& gate : candidates) {
       const std::uint32_t after = gate.first + gate.length * gate.along;
       std::uint32_t i = gate.first;
