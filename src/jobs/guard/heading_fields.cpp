@@ -246,7 +246,7 @@ class HeadingFields::Settling {
       const int y = up ? rows_ - 1 - k : k;
       if (!moved[y] && !moved[y + p.step.y] && !moved[y + q.step.y]) continue;
       const auto along = [&](const TileExit& exit, const std::vector<Units>& across) {
-        return drive_row(moving_.row(c, y), moving_.offset(exit.step), across_row(across, y), columns_);
+        return drive_row(moving_.row(c, y), moving_.offset(exit.step), row_of(across, y), columns_);
       };
       const bool p_within = p.step.y == 0;  // a step within the row comes last
       const bool one = p_within ? along(q, fields_.across_q_[c]) : along(p, fields_.across_p_[c]);
@@ -258,7 +258,7 @@ class HeadingFields::Settling {
   /// From rest, a straight drive begins.
   void depart(std::size_t c, const Rows& moved, Rows& rested) {
     for (int y = 0; y < rows_; ++y) {
-      const Units* wall = across_row(fields_.wall_, y);
+      const Units* wall = row_of(fields_.wall_, y);
       for (const TileOverlap& overlap : cones_[c].overlaps) {
         if (!moved[y - overlap.cell.y]) continue;
         const Units* tile = moving_.row(c, y) - moving_.offset(overlap.cell);
@@ -314,7 +314,7 @@ class HeadingFields::Settling {
     return moved;
   }
 
-  [[nodiscard]] const Units* across_row(const std::vector<Units>& field, int y) const {
+  [[nodiscard]] const Units* row_of(const std::vector<Units>& field, int y) const {
     return fields_.row(field, window_, y);
   }
   [[nodiscard]] Units near(int column) const { return near_[static_cast<std::size_t>(column)]; }
