@@ -216,16 +216,15 @@ std::vector<GridWindow> Relaxed::windows(const Relaxed& homeward, double most_s)
   const double aside_s = static_cast<double>(chosen_.size() + 1) * aside_s_;
   for (std::size_t left = 0; left < windows.size(); ++left) {
     const Field& before = homeward.value_[windows.size() - 1 - left];
-    std::optional<Cell> low, high;
+    Cell low{frame_.width, frame_.height}, high{-1, -1};
     for (std::size_t c = 0; c < frame_.size(); ++c) {
       const double time = (before[c] + value_[left][c]) * unit_s_ - to_home_s_ - aside_s;
       if (on_the_move_s(time) > most_s) continue;
       const Cell cell = frame_.cell(c);
-      if (!low) low = high = cell;
-      low = Cell{std::min(low->x, cell.x), std::min(low->y, cell.y)};
-      high = Cell{std::max(high->x, cell.x), std::max(high->y, cell.y)};
+      low = Cell{std::min(low.x, cell.x), std::min(low.y, cell.y)};
+      high = Cell{std::max(high.x, cell.x), std::max(high.y, cell.y)};
     }
-    if (low) windows[left] = {*low, high->x - low->x + 1, high->y - low->y + 1};
+    if (low.x <= high.x) windows[left] = {low, high.x - low.x + 1, high.y - low.y + 1};
   }
   return windows;
 }

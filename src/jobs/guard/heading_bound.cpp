@@ -41,6 +41,7 @@ double heading_bound(const GuardProblem& problem, const FiringMap& firing_map,
   }
   if (!fields.useful() || work > std::min(most_work, memory_bytes / sizeof(Units))) return 0.0;
   std::vector<std::vector<Units>> masks;
+  masks.reserve(targets.size());
   for (const std::size_t target : targets) masks.push_back(fields.mask(firing_map.regions[target]));
   std::vector<HeadingValues> values(windows.size());
   values[0] = fields.constant(windows[0], 0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "outrider/motion/profile.hpp"
 
@@ -64,13 +65,16 @@ std::vector<Units> refined_mask(const GridFrame& frame, const GridFrame& finer, 
 class Rows {
  public:
   Rows(const GridWindow& window, bool value)
-      : rows_(static_cast<std::size_t>(window.rows + 2 * rim), value ? 1 : 0) {}
+      : rows_(static_cast<std::size_t>(window.rows) + 2 * rim, value ? 1 : 0) {}
 
-  [[nodiscard]] bool operator[](int row) const { return rows_[static_cast<std::size_t>(row + rim)] != 0; }
-  void set(int row) { rows_[static_cast<std::size_t>(row + rim)] = 1; }
+  [[nodiscard]] bool operator[](int row) const { return rows_[at(row)] != 0; }
+  void set(int row) { rows_[at(row)] = 1; }
   [[nodiscard]] bool any() const { return std::find(rows_.begin(), rows_.end(), 1) != rows_.end(); }
 
  private:
+  /// The first row of the rim is -rim.
+  static std::size_t at(int row) { return static_cast<std::size_t>(row) + rim; }
+
   std::vector<std::uint8_t> rows_;
 };
 
@@ -91,7 +95,7 @@ HeadingFields::HeadingFields(const GuardProblem& problem, const FiringMap& firin
       fine_(fine) {
   const RobotModel& robot = problem.robot;
   unit_s_ = frame_.resolution_m / heading_scale() / robot.speed_mps;
-  halt_ = units((std::sqrt(2.0) - 0.5) * robot.speed_mps / robot.acceleration_mps2);
+  halt_ = units((std::numbers::sqrt2 - 0.5) * robot.speed_mps / robot.acceleration_mps2);
   shuffle_ = units(std::sqrt(8.0) * frame_.resolution_m / robot.speed_mps);
   // A point of a cell of the firing map may be free if the centre is clear of all but half the diagonal.
   const double least = robot.radius_m - std::sqrt(0.5) * coarse_.resolution_m - 1e-6;
@@ -167,7 +171,7 @@ void HeadingFields::nearby(const ConeFields& resting, std::size_t cone, int row,
   const Units* above = here + resting.offset({0, 1});
   std::vector<Units> across(static_cast<std::size_t>(columns) + 2);  // of three rows, from one column before
   for (int i = -1; i <= columns; ++i) {
-    across[static_cast<std::size_t>(i + 1)] = std::min({here[i], below[i], above[i]});
+    across[static_cast<std::size_t>(i) + 1] = std::min({here[i], below[i], above[i]});
   }
   const Units* wall = this->row(wall_, resting.window(), row);
   least.resize(static_cast<std::size_t>(columns));
