@@ -64,8 +64,7 @@ std::vector<Units> refined_mask(const GridFrame& frame, const GridFrame& finer, 
 /// By row of a window, and of the rim around it: whether something in the row has changed.
 class Rows {
  public:
-  Rows(const GridWindow& window, bool value)
-      : rows_(static_cast<std::size_t>(window.rows) + 2 * rim, value ? 1 : 0) {}
+  Rows(const GridWindow& window, bool value) : rows_(at(window.rows + rim), value ? 1 : 0) {}
 
   [[nodiscard]] bool operator[](int row) const { return rows_[at(row)] != 0; }
   void set(int row) { rows_[at(row)] = 1; }
