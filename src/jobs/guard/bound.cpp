@@ -149,7 +149,10 @@ Field Relaxed::arrived(std::size_t set) const {
 /// than the lesser of 2 d / v, the chord of the true time up to v^2 / a, and d / v + v / a, the time beyond.
 /// On the move, no less than d / v.
 void Relaxed::drive(Field& value) const {
-  if (on_the_move_) return lattice_.lower(value, 1);
+  if (on_the_move_) {
+    lattice_.lower(value, 1);
+    return;
+  }
   Field driven = value;
   lattice_.lower(driven, 1);
   for (std::size_t c = 0; c < value.size(); ++c) driven[c] = std::min(value[c], sum(driven[c], overhead_));

@@ -196,7 +196,7 @@ void HeadingFields::hit(const std::vector<Units>& mask, const HeadingValues& aft
             [&](int i) { return std::max(near[i], region[i]); });
       std::fill(tile.begin(), tile.end(), never);
       for (const TileOverlap& overlap : cones_[c].overlaps) {
-        const Units* there = region + frame_.width * overlap.cell.y + overlap.cell.x;
+        const Units* there = region + std::ptrdiff_t{frame_.width} * overlap.cell.y + overlap.cell.x;
         lower(tile.data(), columns, [&](int i) { return there[i]; });
       }
       const Units* then = after.moving.row(c, y - from.low.y) + (low.x - from.low.x);

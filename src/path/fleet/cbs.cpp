@@ -148,14 +148,14 @@ class Tree {
   /// the earliest few.
   Outcome<Split> best_split(std::size_t node, const std::vector<const Track*>& tracks,
                             const std::vector<Collision>& collisions) {
-    std::optional<Split> best;
+    Split best;
     for (std::size_t i = 0; i < std::min(most_looked_at, collisions.size()); ++i) {
       auto split = split_of(node, tracks, collisions[i]);
       if (!split) return split;
-      if (!best || split->rank() > best->rank()) best = std::move(*split);
-      if (best->rank() == 2) break;
+      if (i == 0 || split->rank() > best.rank()) best = std::move(*split);
+      if (best.rank() == 2) break;
     }
-    return std::move(*best);
+    return best;
   }
 
   Outcome<Split> split_of(std::size_t node, const std::vector<const Track*>& tracks, const Collision& c) {

@@ -93,7 +93,10 @@ class Expansion {
     const int to_column = dx * (frontier_.goal.x - c.x), to_row = dy * (frontier_.goal.y - c.y);
     const int to_line = std::min(to_column, to_row);
     if (to_line < 1 || to_line > steps) return;
-    if (to_column == to_row) return reach_goal(h);
+    if (to_column == to_row) {
+      reach_goal(h);
+      return;
+    }
     const Cell turn{c.x + to_line * dx, c.y + to_line * dy};
     const unsigned d = to_row == to_line ? h : v;
     auto ignore = [](Cell, unsigned) {};
