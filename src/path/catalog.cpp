@@ -28,15 +28,28 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
+/// The guarantee of a planner that finds a path whenever there is one.
+Guarantee complete(PathClass among, double most_ratio, std::string_view sentence,
+                   Measure measure = Measure::length) {
+  return {
+      .complete = true, .among = among, .most_ratio = most_ratio, .sentence = sentence, .measure = measure};
+}
+
+Guarantee shortest_along_moves() {
+  return complete(PathClass::along_moves, 1.0, "complete; shortest along the eight moves of the grid");
+}
+
+Guarantee cheapest_along_moves() {
+  return complete(PathClass::along_moves, 1.0, "complete; cheapest along the eight moves of the grid",
+                  Measure::terrain);
+}
+
 /// What searches on the medial axis promise.
 Guarantee along_the_axis() {
-  return {.complete = true,
-          .among = PathClass::any_curve,
-          .most_ratio = unbounded,
-          .sentence =
-              "complete; no path has more clearance (to 0.1 %); costs at most 1.006 times the least "
-              "along the axis, and states a bound for all paths",
-          .measure = Measure::safety};
+  return complete(PathClass::any_curve, unbounded,
+                  "complete; no path has more clearance (to 0.1 %); costs at most 1.006 times the least "
+                  "along the axis, and states a bound for all paths",
+                  Measure::safety);
 }
 
 std::vector<PathPlanner> planners_along_moves() {
@@ -44,31 +57,22 @@ std::vector<PathPlanner> planners_along_moves() {
       {.name = "dijkstra",
        .sentence = "Searches in all directions until the goal is reached.",
        .paper = "Dijkstra, A note on two problems in connexion with graphs, 1959",
-       .guarantee = {.complete = true,
-                     .among = PathClass::along_moves,
-                     .most_ratio = 1.0,
-                     .sentence = "complete; shortest along the eight moves of the grid"},
+       .guarantee = shortest_along_moves(),
        .configure = with_options(dijkstra, dijkstra_many)},
       {.name = "a_star",
        .sentence = "Searches towards the goal, led by the distance along the moves of an empty grid.",
        .paper =
            "Hart, Nilsson and Raphael, A formal basis for the heuristic determination of minimum cost paths, "
            "1968",
-       .guarantee = {.complete = true,
-                     .among = PathClass::along_moves,
-                     .most_ratio = 1.0,
-                     .sentence = "complete; shortest along the eight moves of the grid (at most `weight` "
-                                 "times as long above weight "
-                                 "1)"},
+       .guarantee = complete(PathClass::along_moves, 1.0,
+                             "complete; shortest along the eight moves of the grid (at most `weight` times "
+                             "as long above weight 1)"),
        .configure = with_options(a_star)},
       {.name = "jps",
        .sentence = "A* that expands only the cells where an obstacle forces a turn; runs over the others 64 "
                    "at a time.",
        .paper = "Harabor and Grastien, Improving jump point search, 2014",
-       .guarantee = {.complete = true,
-                     .among = PathClass::along_moves,
-                     .most_ratio = 1.0,
-                     .sentence = "complete; shortest along the eight moves of the grid"},
+       .guarantee = shortest_along_moves(),
        .configure = with_options(jps),
        .models = {GridModel::cells}},
       {.name = "jps_plus",
@@ -76,10 +80,7 @@ std::vector<PathPlanner> planners_along_moves() {
            "Jump point search with an index of how far each run goes from each cell; for many queries on one "
            "grid.",
        .paper = "Rabin and Silva, JPS+: an extreme A* speed optimization for static uniform cost grids, 2015",
-       .guarantee = {.complete = true,
-                     .among = PathClass::along_moves,
-                     .most_ratio = 1.0,
-                     .sentence = "complete; shortest along the eight moves of the grid"},
+       .guarantee = shortest_along_moves(),
        .configure = with_options(jps_plus),
        .models = {GridModel::cells},
        .index = true},
@@ -91,10 +92,7 @@ std::vector<PathPlanner> planners_along_moves() {
            "Uras, Koenig and Hernandez, Subgoal graphs for optimal pathfinding in eight-neighbor grids, "
            "2013; Abraham, Delling, Goldberg and Werneck, Hierarchical hub labelings for shortest paths, "
            "2012",
-       .guarantee = {.complete = true,
-                     .among = PathClass::along_moves,
-                     .most_ratio = 1.0,
-                     .sentence = "complete; shortest along the eight moves of the grid"},
+       .guarantee = shortest_along_moves(),
        .configure = with_options(octile_labels, save_octile_labels, load_octile_labels),
        .models = {GridModel::cells},
        .index = true,
@@ -103,22 +101,18 @@ std::vector<PathPlanner> planners_along_moves() {
 }
 
 std::vector<PathPlanner> planners_of_changing_maps() {
-  const Guarantee guarantee = {.complete = true,
-                               .among = PathClass::along_moves,
-                               .most_ratio = 1.0,
-                               .sentence = "complete; shortest along the eight moves of the grid"};
   return {
       {.name = "d_star_lite",
        .sentence = "A* from the goal that is kept, and repaired where the map has changed; for a robot that "
                    "corrects its map on the way.",
        .paper = "Koenig and Likhachev, D* Lite, 2002",
-       .guarantee = guarantee,
+       .guarantee = shortest_along_moves(),
        .configure = with_options(d_star_lite),
        .incremental = true},
       {.name = "lpa_star",
        .sentence = "A* from the start that is kept, and repaired where the map has changed; for one start.",
        .paper = "Koenig, Likhachev and Furcy, Lifelong Planning A*, 2004",
-       .guarantee = guarantee,
+       .guarantee = shortest_along_moves(),
        .configure = with_options(lpa_star),
        .incremental = true},
   };
@@ -131,11 +125,7 @@ std::vector<PathPlanner> planners_on_terrain() {
        .paper =
            "Hart, Nilsson and Raphael, A formal basis for the heuristic determination of minimum cost paths, "
            "1968",
-       .guarantee = {.complete = true,
-                     .among = PathClass::along_moves,
-                     .most_ratio = 1.0,
-                     .sentence = "complete; cheapest along the eight moves of the grid",
-                     .measure = Measure::terrain},
+       .guarantee = cheapest_along_moves(),
        .configure = with_options(terrain_a_star),
        .models = {GridModel::cells},
        .weighs = true},
@@ -145,11 +135,7 @@ std::vector<PathPlanner> planners_on_terrain() {
            "in some cells; for many queries on one grid.",
        .paper = "Akiba, Iwata and Yoshida, Fast exact shortest-path distance queries on large networks by "
                 "pruned landmark labeling, 2013",
-       .guarantee = {.complete = true,
-                     .among = PathClass::along_moves,
-                     .most_ratio = 1.0,
-                     .sentence = "complete; cheapest along the eight moves of the grid",
-                     .measure = Measure::terrain},
+       .guarantee = cheapest_along_moves(),
        .configure = with_options(terrain_labels),
        .models = {GridModel::cells},
        .index = true,
@@ -158,11 +144,8 @@ std::vector<PathPlanner> planners_on_terrain() {
       {.name = "terrain_theta_star",
        .sentence = "Theta* on ground that costs more in some cells: straight legs where they cost no more.",
        .paper = "Choi and Yu, Any-angle path planning on non-uniform costmaps, 2011",
-       .guarantee = {.complete = true,
-                     .among = PathClass::any_direction,
-                     .most_ratio = unbounded,
-                     .sentence = "complete; near the cheapest path, without a proven ratio",
-                     .measure = Measure::terrain},
+       .guarantee = complete(PathClass::any_direction, unbounded,
+                             "complete; near the cheapest path, without a proven ratio", Measure::terrain),
        .configure = with_options(terrain_theta_star),
        .models = {GridModel::cells},
        .weighs = true},
@@ -175,28 +158,21 @@ std::vector<PathPlanner> planners_in_any_direction() {
        .sentence =
            "A* whose legs may point in any direction: each vertex takes the parent of its parent if seen.",
        .paper = "Nash, Daniel, Koenig and Felner, Theta*: any-angle path planning on grids, 2007",
-       .guarantee = {.complete = true,
-                     .among = PathClass::any_direction,
-                     .most_ratio = unbounded,
-                     .sentence = "complete; near the shortest path, without a proven ratio"},
+       .guarantee = complete(PathClass::any_direction, unbounded,
+                             "complete; near the shortest path, without a proven ratio"),
        .configure = with_options(theta_star)},
       {.name = "lazy_theta_star",
        .sentence = "Free-direction A* that looks along a line only when it expands a vertex.",
        .paper = "Nash, Koenig and Tovey, Lazy Theta*: any-angle path planning and path length analysis in "
                 "3D, 2010",
-       .guarantee = {.complete = true,
-                     .among = PathClass::any_direction,
-                     .most_ratio = unbounded,
-                     .sentence = "complete; near the shortest path, without a proven ratio"},
+       .guarantee = complete(PathClass::any_direction, unbounded,
+                             "complete; near the shortest path, without a proven ratio"),
        .configure = with_options(lazy_theta_star)},
       {.name = "polyanya",
        .sentence = "Looks from corner to corner over a navigation mesh, and finds the shortest path in any "
                    "direction.",
        .paper = "Cui, Harabor and Grastien, Compromise-free pathfinding on a navigation mesh, 2017",
-       .guarantee = {.complete = true,
-                     .among = PathClass::any_direction,
-                     .most_ratio = 1.0,
-                     .sentence = "complete; shortest of all paths"},
+       .guarantee = complete(PathClass::any_direction, 1.0, "complete; shortest of all paths"),
        .configure = with_options(polyanya),
        .models = {GridModel::corners}},
       {.name = "hub_labels",
@@ -204,10 +180,7 @@ std::vector<PathPlanner> planners_in_any_direction() {
            "Looks the shortest path in any direction up in an index of hubs that most paths pass; for many "
            "queries on one grid.",
        .paper = "Du, Shen and Cheema, Ultrafast Euclidean shortest path computation using hub labeling, 2023",
-       .guarantee = {.complete = true,
-                     .among = PathClass::any_direction,
-                     .most_ratio = 1.0,
-                     .sentence = "complete; shortest of all paths"},
+       .guarantee = complete(PathClass::any_direction, 1.0, "complete; shortest of all paths"),
        .configure = with_options(hub_labels, save_hub_labels, load_hub_labels),
        .models = {GridModel::corners},
        .index = true,
@@ -218,14 +191,10 @@ std::vector<PathPlanner> planners_in_any_direction() {
        .paper =
            "Pollack, The maximum capacity through a network, 1960; Wein, van den Berg and Halperin, Planning "
            "high-quality paths and corridors amidst obstacles, 2008",
-       .guarantee =
-           {.complete = true,
-            .among = PathClass::along_moves,
-            .most_ratio = 1.0,
-            .sentence =
-                "complete; no path along the eight moves has more clearance, and none of those costs less; "
-                "on polygons that of medial_axis",
-            .measure = Measure::safety},
+       .guarantee = complete(PathClass::along_moves, 1.0,
+                             "complete; no path along the eight moves has more clearance, and none of those "
+                             "costs less; on polygons that of medial_axis",
+                             Measure::safety),
        .configure = with_options(safest),
        .models = {GridModel::cells},
        .polygons = true,
@@ -241,10 +210,8 @@ std::vector<PathPlanner> planners_round_corners() {
        .paper = "Lee, Proximity and reachability in the plane, 1978; Liu and Arimoto, Path planning using a "
                 "tangent "
                 "graph, 1992",
-       .guarantee = {.complete = true,
-                     .among = PathClass::any_curve,
-                     .most_ratio = 1.0,
-                     .sentence = "complete; shortest of all paths of the disk, with true arcs"},
+       .guarantee =
+           complete(PathClass::any_curve, 1.0, "complete; shortest of all paths of the disk, with true arcs"),
        .configure = with_options(visibility_graph, visibility_graph_many),
        .models = {},
        .index = true,
@@ -255,10 +222,8 @@ std::vector<PathPlanner> planners_round_corners() {
        .paper = "Liu and Arimoto, Path planning using a tangent graph for mobile robots among polygonal and "
                 "curved "
                 "obstacles, 1992",
-       .guarantee = {.complete = true,
-                     .among = PathClass::any_curve,
-                     .most_ratio = 1.0,
-                     .sentence = "complete; shortest of all paths of the disk, with true arcs"},
+       .guarantee =
+           complete(PathClass::any_curve, 1.0, "complete; shortest of all paths of the disk, with true arcs"),
        .configure = with_options(visibility_graph_reduced, visibility_graph_reduced_many),
        .models = {},
        .index = true,
@@ -267,10 +232,8 @@ std::vector<PathPlanner> planners_round_corners() {
        .sentence =
            "Looks round a corner, by a sweep, only when A* first comes to it; builds nothing beforehand.",
        .paper = "Lee, Proximity and reachability in the plane, 1978; Hart, Nilsson and Raphael, 1968",
-       .guarantee = {.complete = true,
-                     .among = PathClass::any_curve,
-                     .most_ratio = 1.0,
-                     .sentence = "complete; shortest of all paths of the disk, with true arcs"},
+       .guarantee =
+           complete(PathClass::any_curve, 1.0, "complete; shortest of all paths of the disk, with true arcs"),
        .configure = with_options(visibility_graph_implicit, visibility_graph_implicit_many),
        .models = {},
        .polygons = true},
@@ -283,12 +246,10 @@ std::vector<PathPlanner> planners_with_prices() {
        .sentence =
            "Least time for a robot that turns in place before each straight, when turning has a price.",
        .paper = "Liu and Arimoto, 1992; Milnor, On the total curvature of knots, 1950",
-       .guarantee = {.complete = true,
-                     .among = PathClass::any_curve,
-                     .most_ratio = 1.0026,
-                     .sentence = "complete; at most 1.0026 times the least time of all paths, nearer with a "
-                                 "smaller `arc_step`",
-                     .measure = Measure::time},
+       .guarantee = complete(
+           PathClass::any_curve, 1.0026,
+           "complete; at most 1.0026 times the least time of all paths, nearer with a smaller `arc_step`",
+           Measure::time),
        .configure = with_options(least_time, least_time_many),
        .models = {},
        .index = true,
@@ -298,10 +259,8 @@ std::vector<PathPlanner> planners_with_prices() {
        .paper = "O'Dunlaing and Yap, A retraction method for planning the motion of a disc, 1985; Liu and "
                 "Arimoto, "
                 "1992",
-       .guarantee = {.complete = true,
-                     .among = PathClass::widest_curve,
-                     .most_ratio = 1.0,
-                     .sentence = "complete; no path has more clearance, and none of those is shorter"},
+       .guarantee = complete(PathClass::widest_curve, 1.0,
+                             "complete; no path has more clearance, and none of those is shorter"),
        .configure = with_options(widest),
        .models = {},
        .index = true,

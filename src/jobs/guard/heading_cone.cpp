@@ -40,10 +40,11 @@ std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, Vec2 normal, double 
   return part;
 }
 
-std::vector<Vec2> clipped_to(std::vector<Vec2> polygon, Cell cell) {
+/// The part in a cell whose sides are `wider` farther from its centre.
+std::vector<Vec2> clipped_to(std::vector<Vec2> polygon, Cell cell, double wider = 0.0) {
   const Vec2 centre = vector(cell);
   for (const Vec2 normal : {Vec2{1.0, 0.0}, Vec2{-1.0, 0.0}, Vec2{0.0, 1.0}, Vec2{0.0, -1.0}}) {
-    polygon = clipped(polygon, normal, dot(normal, centre) + 0.5);
+    polygon = clipped(polygon, normal, dot(normal, centre) + 0.5 + wider);
   }
   return polygon;
 }
@@ -87,13 +88,8 @@ std::vector<TileOverlap> overlaps(const Step& p, const Step& q) {
 TileExit exit_along(const Step& along, const Step& other) {
   TileExit exit{along.by, along.weight, {}};
   const Vec2 from = vector(along.by), to = from + vector(other.by);
-  const Vec2 aside = 2.0 * contact * Vec2{1.0, 1.0};  // a side that only touches a cell counts
   each_cell([&](Cell cell) {
-    for (const Vec2 shift : {aside, Vec2{aside.x, -aside.y}, -1.0 * aside, Vec2{-aside.x, aside.y}}) {
-      if (clipped_to({from + shift, to + shift}, cell).empty()) continue;
-      exit.cells.push_back(cell);
-      return;
-    }
+    if (!clipped_to({from, to}, cell, contact).empty()) exit.cells.push_back(cell);  // touched counts
   });
   return exit;
 }

@@ -168,14 +168,14 @@ void HeadingFields::nearby(const ConeFields& resting, std::size_t cone, int row,
   const Units* here = resting.row(cone, row);
   const Units* below = here + resting.offset({0, -1});
   const Units* above = here + resting.offset({0, 1});
-  std::vector<Units> across(static_cast<std::size_t>(columns) + 2);  // of three rows, from one column before
-  for (int i = -1; i <= columns; ++i) {
-    across[static_cast<std::size_t>(i) + 1] = std::min({here[i], below[i], above[i]});
-  }
   const Units* wall = this->row(wall_, resting.window(), row);
-  least.resize(static_cast<std::size_t>(columns));
-  for (std::size_t i = 0; i < least.size(); ++i) {
-    least[i] = std::max(std::min({across[i], across[i + 1], across[i + 2]}), wall[i]);
+  const auto count = static_cast<std::size_t>(columns);
+  least.resize(count + 2);  // first the least of three rows, from one column before
+  for (int i = -1; i <= columns; ++i) {
+    least[static_cast<std::size_t>(i) + 1] = std::min({here[i], below[i], above[i]});
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    least[i] = std::max(std::min({least[i], least[i + 1], least[i + 2]}), wall[i]);
   }
 }
 

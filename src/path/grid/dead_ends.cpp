@@ -68,16 +68,20 @@ class Builder {
         if (!blocked(i)) continue;
         const bool begins = i == row || !blocked(i - 1);
         labels_[i] = begins ? walls_.add() : labels_[i - 1];
-        if (row == 0) continue;
-        const std::uint32_t below = i - stride_;
-        if (blocked(below)) {
-          if (begins) walls_.join(labels_[i], labels_[below]);
-          continue;  // the cell after it is of the same run, or free
-        }
-        if (begins && i > row && blocked(below - 1)) walls_.join(labels_[i], labels_[below - 1]);
-        if (i + 1 < row + stride_ && blocked(below + 1)) walls_.join(labels_[i], labels_[below + 1]);
+        if (row > 0) join_below(row, i, begins);
       }
     }
+  }
+
+  /// Joins the run of a cell with those that it touches in the row below.
+  void join_below(std::uint32_t row, std::uint32_t i, bool begins) {
+    const std::uint32_t below = i - stride_;
+    if (blocked(below)) {
+      if (begins) walls_.join(labels_[i], labels_[below]);
+      return;  // the cell after it is of the same run, or free
+    }
+    if (begins && i > row && blocked(below - 1)) walls_.join(labels_[i], labels_[below - 1]);
+    if (i + 1 < row + stride_ && blocked(below + 1)) walls_.join(labels_[i], labels_[below + 1]);
   }
 
   /// Adds the runs along rows or columns that are gates and end a stretch of equal ones.

@@ -9,31 +9,13 @@
 #include "outrider/path/grid/dijkstra.hpp"
 #include "support/costly_cases.hpp"
 #include "support/grid_oracle.hpp"
+#include "support/random_costs.hpp"
 #include "support/random_grid.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr double tiny = 1e-9;
-
-/// Patches of mud and rock on grass, or noise.
-Grid<float> random_costs(Rng& rng, const GridFrame& frame) {
-  Grid<float> costs(frame, 1.0F);
-  if (rng.below(3) == 0) {
-    for (float& cost : costs.cells) cost = static_cast<float>(rng.uniform(0.5, 8.0));
-    return costs;
-  }
-  for (int patch = 0; patch < 6; ++patch) {
-    const auto cost = static_cast<float>(rng.uniform(0.5, 10.0));
-    const Vec2 centre{rng.uniform(0, frame.width), rng.uniform(0, frame.height)};
-    const double radius = rng.uniform(1.0, 0.4 * frame.width + 1.0);
-    for (std::size_t i = 0; i < costs.cells.size(); ++i) {
-      const Cell c = frame.cell(i);
-      if (distance(centre, Vec2{c.x + 0.5, c.y + 0.5}) < radius) costs.cells[i] = cost;
-    }
-  }
-  return costs;
-}
 
 struct Weighed {
   Grid<std::uint8_t> blocked;
@@ -48,7 +30,7 @@ Weighed weighed(Rng& rng, Grid<std::uint8_t> blocked) {
                 static_cast<int>(rng.below(static_cast<std::uint64_t>(blocked.frame.height)))};
   };
   blocked.frame.resolution_m = 0.5;
-  Weighed made{blocked, random_costs(rng, blocked.frame), {}, cell(), cell()};
+  Weighed made{blocked, testing::random_costs(rng, blocked.frame), {}, cell(), cell()};
   made.blocked[made.start] = made.blocked[made.goal] = 0;
   const auto ground = std::make_shared<const GridMap>(GridMap::of(made.blocked, GridModel::cells).value());
   made.problem = {ground, ground->point(made.start), ground->point(made.goal)};
