@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -109,16 +110,20 @@ int execute(const Job& job, JobRequest& request, const Command& words, const std
   return run->report.status == "done" ? job_done : job_not_done;
 }
 
-void add_alias(Command& verb, const std::vector<OptionGroup>& groups, std::string_view alias,
-               std::string_view key) {
-  for (const OptionGroup& group : groups) {
-    for (const Option& option : group.options) {
-      if (key_of(group, option) != key) continue;
-      const std::string help = "as " + flag_of(group.name, option.name);
-      const std::string flag = "--" + std::string(alias);
-      std::holds_alternative<bool*>(option.value) ? verb.flag(flag, help) : verb.option(flag, help);
+/// Adds the aliases of a job; one that stands for several options becomes one flag.
+void add_aliases(Command& verb, const std::vector<OptionGroup>& groups, const Job& job) {
+  std::map<std::string, std::pair<std::string, bool>> flags;  // by name: help, and whether it takes no value
+  for (const auto& [alias, key] : job.aliases) {
+    for (const OptionGroup& group : groups) {
+      for (const Option& option : group.options) {
+        if (key_of(group, option) != key) continue;
+        auto& [help, is_switch] = flags["--" + std::string(alias)];
+        help += (help.empty() ? "as " : " and ") + flag_of(group.name, option.name);
+        is_switch = std::holds_alternative<bool*>(option.value);
+      }
     }
   }
+  for (const auto& [flag, of] : flags) of.second ? verb.flag(flag, of.first) : verb.option(flag, of.first);
 }
 
 /// Makes the text on standard input the content of the file, which need not exist.
@@ -149,7 +154,7 @@ void add_jobs(Command& tool, const std::vector<Job>& jobs, const std::stop_token
     std::erase_if(groups.front().options, [](const Option& option) { return option.name == "job"; });
     groups.insert(groups.begin(), describe(*request));
     add_flags(verb, groups);
-    for (const auto& [alias, key] : job.aliases) add_alias(verb, groups, alias, key);
+    add_aliases(verb, groups, job);
     verb.does(
         [job, request, usual, stop](const Command& words) { return execute(job, *request, words, stop); });
     if (!job.example.empty()) verb.footer(fmt::format("\nExample: outrider {}", job.example));

@@ -15,6 +15,7 @@
 #include "outrider/path/grid/theta_star.hpp"
 #include "outrider/path/hubs/hub_labels.hpp"
 #include "outrider/path/hubs/octile_labels.hpp"
+#include "outrider/path/hubs/terrain_labels.hpp"
 #include "outrider/path/mesh/polyanya.hpp"
 #include "outrider/path/sampling/sampling.hpp"
 #include "outrider/path/visibility/least_time.hpp"
@@ -137,6 +138,22 @@ std::vector<PathPlanner> planners_on_terrain() {
                      .measure = Measure::terrain},
        .configure = with_options(terrain_a_star),
        .models = {GridModel::cells},
+       .weighs = true},
+      {.name = "terrain_labels",
+       .sentence =
+           "Looks the cheapest path along the eight moves up in an index of hubs, on ground that costs more "
+           "in some cells; for many queries on one grid.",
+       .paper = "Akiba, Iwata and Yoshida, Fast exact shortest-path distance queries on large networks by "
+                "pruned landmark labeling, 2013",
+       .guarantee = {.complete = true,
+                     .among = PathClass::along_moves,
+                     .most_ratio = 1.0,
+                     .sentence = "complete; cheapest along the eight moves of the grid",
+                     .measure = Measure::terrain},
+       .configure = with_options(terrain_labels),
+       .models = {GridModel::cells},
+       .index = true,
+       .tells = TraceKind::lookup,
        .weighs = true},
       {.name = "terrain_theta_star",
        .sentence = "Theta* on ground that costs more in some cells: straight legs where they cost no more.",

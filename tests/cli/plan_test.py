@@ -235,8 +235,9 @@ class Plan(ToolTest):
             content = (self.folder / name).read_bytes()
             self.assertFalse(list(self.folder.glob(".outrider-*")))
             self.refused("plan", *question, "--block", "0,3", "--index", name, says=[name, "another map", "delete it"])
-            self.refused("plan", *question, f"--{planner.replace('_', '-')}-index-mib", "65", "--index", name,
-                         says=[name, "other options", "delete it"])
+            for flag in (f"--{planner.replace('_', '-')}-hub-memory", "--hub-memory"):
+                self.refused("plan", *question, flag, "65", "--index", name, says=[name, "other options", "delete it"])
+            self.refused("plan", *question, "--hub-memory", "0", says=["--hub-memory", "'0'", "1 to 65536"])
             self.write(name, content[:-8])
             self.refused("plan", *question, "--index", name, says=[name, "cut or damaged", "delete it"])
             self.write(name, b"a text")

@@ -47,6 +47,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     writer.number(word);
   }
   ask(find_path_planner(name)->configure(), ground,
-      std::move(writer).finish({name, "index_mib 64", *ground}));
+      std::move(writer).finish({name, "hub_memory 64", *ground}));
   return 0;
 }

@@ -53,7 +53,7 @@ TEST(AnyAngleOptima, AreReachedOnEveryPublishedQuery) {
       const ConfiguredPlanner planner = row.configure();
       // Whole indices on the smaller maps, parts of them or none on the others.
       for (const Option& option : planner.options) {
-        if (option.name == "index_mib") {
+        if (option.name == "hub_memory") {
           ASSERT_TRUE(assign(option, "48").has_value());
         }
       }

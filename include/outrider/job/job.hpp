@@ -74,7 +74,7 @@ struct Job {
   /// The option that receives a file given without a flag; empty: none.
   std::string_view file_option = {};
   std::string_view file_sentence = {};  ///< which files this option accepts
-  /// Alternative names of flags, such as {"planner", "plan.planner"}.
+  /// Alternative names of flags, such as {"planner", "plan.planner"}; one name may stand for several keys.
   std::vector<std::pair<std::string_view, std::string_view>> aliases = {};
   /// Formats what run.json has of a run of this job, metrics, tables and settings, as text for a person.
   std::function<std::string(const Report&)> summary = {};

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "outrider/path/problem.hpp"
@@ -74,6 +75,7 @@ struct Plan {
   /// Set for a robot that cannot turn in place: the path then consists of `pieces` that it can drive, on a
   /// grid too, and `vertices` is empty.
   std::optional<Steering> steering = std::nullopt;
+  std::string remark = {};  ///< a sentence about how the answer came about, for a person; empty as a rule
   friend bool operator==(const Plan&, const Plan&) = default;
 };
 

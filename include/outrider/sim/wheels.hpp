@@ -30,7 +30,8 @@ struct Reference {
 
 /// Returns the wheel speeds with which a robot at `actual` approaches and follows the reference. Without slip
 /// the longitudinal error decays as e^(-5 t), and the heading error at rest as e^(-8 t). At 0.8 m/s the
-/// lateral error and the heading error are critically damped.
-WheelSpeeds follow(const Reference& reference, const Pose2& actual, const WheelBase& base);
+/// lateral error and the heading error are critically damped. Speed and turn rate stay within the limits of
+/// the robot: errors of a reference that moves at a limit remain until it slows down.
+WheelSpeeds follow(const Reference& reference, const Pose2& actual, const RobotModel& robot);
 
 }  // namespace outrider

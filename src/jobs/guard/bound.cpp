@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "heading_bound.hpp"
 #include "lattice.hpp"
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/core/parallel.hpp"
@@ -66,17 +67,24 @@ class Relaxed {
   /// The index of the target for which a best relaxed mission would have to do most besides its least flight.
   [[nodiscard]] std::optional<std::size_t> hardest() const;
   [[nodiscard]] double bound_s() const;
-  [[nodiscard]] std::size_t chosen() const { return chosen_.size(); }
+  [[nodiscard]] const std::vector<std::size_t>& chosen() const { return chosen_; }
+  /// The same targets on the move, but the mission ends at the start.
+  [[nodiscard]] Relaxed homeward(const std::stop_token& stop) const;
+  /// By set of chosen targets, the cells where a robot on the move may have these left to hit if the mission
+  /// takes at most `most_s`; `homeward` tells how long it took to hit the others.
+  [[nodiscard]] std::vector<GridWindow> windows(const Relaxed& homeward, double most_s) const;
 
  private:
   [[nodiscard]] Field arrived(std::size_t set) const;
   void drive(Field& value) const;
   [[nodiscard]] std::vector<std::size_t> stops() const;
   [[nodiscard]] double value_s(std::size_t set) const;
+  [[nodiscard]] double on_the_move_s(double driven_s) const;
   [[nodiscard]] bool is_chosen(std::size_t index) const {
     return std::find(chosen_.begin(), chosen_.end(), index) != chosen_.end();
   }
 
+  GridFrame frame_;
   Lattice lattice_;
   Limits straight_;
   bool on_the_move_ = false;
@@ -93,7 +101,8 @@ class Relaxed {
 
 Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
                  const std::vector<std::size_t>& targets, bool on_the_move)
-    : lattice_(firing_map, problem.robot.radius_m),
+    : frame_(firing_map.frame),
+      lattice_(firing_map, problem.robot.radius_m),
       straight_(problem.robot.straight()),
       on_the_move_(on_the_move),
       flight_(targets.size(), GridPart<std::uint16_t>(endless)),
@@ -140,11 +149,11 @@ Field Relaxed::arrived(std::size_t set) const {
 /// than the lesser of 2 d / v, the chord of the true time up to v^2 / a, and d / v + v / a, the time beyond.
 /// On the move, no less than d / v.
 void Relaxed::drive(Field& value) const {
-  if (on_the_move_) return lattice_.error_ratio(value, 1);
+  if (on_the_move_) return lattice_.lower(value, 1);
   Field driven = value;
-  lattice_.error_ratio(driven, 1);
+  lattice_.lower(driven, 1);
   for (std::size_t c = 0; c < value.size(); ++c) driven[c] = std::min(value[c], sum(driven[c], overhead_));
-  lattice_.error_ratio(value, 2, &driven);
+  lattice_.lower(value, 2, &driven);
   for (std::size_t c = 0; c < value.size(); ++c) value[c] = std::min(value[c], driven[c]);
 }
 
@@ -173,14 +182,51 @@ bool Relaxed::choose(std::size_t index, BudgetMeter& meter, const std::stop_toke
 }
 
 /// From below, the time to hit a set from the start. On the move, the robot shoots anywhere in a cell rather
-/// than at its centre, and it speeds up once.
+/// than at its centre.
 double Relaxed::value_s(std::size_t set) const {
-  const double time = value_[set][home_] * unit_s_ - to_home_s_ - std::popcount(set) * aside_s_;
-  if (!on_the_move_) return time;
-  const double way = std::max(0.0, time) * straight_.speed;
+  const double time = value_[set][home_] * unit_s_ - to_home_s_;
+  return on_the_move_ ? on_the_move_s(time - std::popcount(set) * aside_s_) : time;
+}
+
+/// The time of a drive that takes `driven_s` at full speed, and speeds up once.
+double Relaxed::on_the_move_s(double driven_s) const {
+  const double way = std::max(0.0, driven_s) * straight_.speed;
   const double speed_up_m = 0.5 * straight_.speed * straight_.speed / straight_.acceleration;
   return way < speed_up_m ? std::sqrt(2.0 * way / straight_.acceleration)
                           : (way + speed_up_m) / straight_.speed;
+}
+
+Relaxed Relaxed::homeward(const std::stop_token& stop) const {
+  Relaxed back = *this;
+  back.chosen_.clear();
+  back.value_.assign(1, Field(frame_.size(), endless));
+  back.value_[0][home_] = 0;
+  back.drive(back.value_[0]);
+  Budget budget;
+  budget.stop = stop;
+  BudgetMeter meter(budget);
+  for (const std::size_t index : chosen_) {
+    if (!back.choose(index, meter, stop)) break;
+  }
+  return back;
+}
+
+std::vector<GridWindow> Relaxed::windows(const Relaxed& homeward, double most_s) const {
+  std::vector<GridWindow> windows(value_.size());
+  const double aside_s = static_cast<double>(chosen_.size() + 1) * aside_s_;
+  for (std::size_t left = 0; left < windows.size(); ++left) {
+    const Field& before = homeward.value_[windows.size() - 1 - left];
+    Cell low{frame_.width, frame_.height}, high{-1, -1};
+    for (std::size_t c = 0; c < frame_.size(); ++c) {
+      const double time = (before[c] + value_[left][c]) * unit_s_ - to_home_s_ - aside_s;
+      if (on_the_move_s(time) > most_s) continue;
+      const Cell cell = frame_.cell(c);
+      low = Cell{std::min(low.x, cell.x), std::min(low.y, cell.y)};
+      high = Cell{std::max(high.x, cell.x), std::max(high.y, cell.y)};
+    }
+    if (low.x <= high.x) windows[left] = {low, high.x - low.x + 1, high.y - low.y + 1};
+  }
+  return windows;
 }
 
 /// The best of the sets: its value, and the least flights of all other targets.
@@ -241,6 +287,27 @@ std::optional<std::size_t> Relaxed::hardest() const {
   return index;
 }
 
+/// The bound on the move with turns and halts. A limit on what is searched for it is raised until it is not
+/// reached.
+double with_headings(const GuardProblem& problem, const FiringMap& firing_map,
+                     const std::vector<std::size_t>& targets, const Relaxed& relaxed, double memory_bytes,
+                     const std::stop_token& stop) {
+  std::vector<std::size_t> chosen;
+  for (const std::size_t index : relaxed.chosen()) chosen.push_back(targets[index]);
+  const double without = relaxed.bound_s();
+  double bound = without;
+  const Relaxed homeward = relaxed.homeward(stop);
+  if (homeward.chosen().size() < chosen.size()) return bound;
+  for (const double factor : {1.3, 1.6, 2.0}) {
+    const double most_s = factor * without;
+    const double found = heading_bound(problem, firing_map, chosen,
+                                       {most_s, relaxed.windows(homeward, most_s)}, memory_bytes, stop);
+    bound = std::max(bound, found);
+    if (found < most_s) break;
+  }
+  return bound;
+}
+
 }  // namespace
 
 double mission_bound(const GuardProblem& problem, const FiringMap& firing_map,
@@ -251,11 +318,13 @@ double mission_bound(const GuardProblem& problem, const FiringMap& firing_map,
   const std::size_t most = options.prove ? most_chosen : usual_chosen;
   BudgetMeter meter(budget);
   Relaxed relaxed(problem, firing_map, targets, options.shoot_on_the_move);
-  while (relaxed.chosen() < most && std::ldexp(field, static_cast<int>(relaxed.chosen()) + 1) <= room) {
+  while (relaxed.chosen().size() < most &&
+         std::ldexp(field, static_cast<int>(relaxed.chosen().size()) + 1) <= room) {
     const auto next = relaxed.hardest();
     if (!next || !relaxed.choose(*next, meter, budget.stop)) break;
   }
-  return relaxed.bound_s();
+  if (!options.shoot_on_the_move || !heading_bound_possible(problem, firing_map)) return relaxed.bound_s();
+  return with_headings(problem, firing_map, targets, relaxed, room, budget.stop);
 }
 
 }  // namespace outrider

@@ -86,7 +86,7 @@ Lattice::Lattice(const FiringMap& firing_map, double radius_m)
   }
 }
 
-void Lattice::error_ratio(Field& field, std::uint32_t scale, const Field* ceiling) const {
+void Lattice::lower(Field& field, std::uint32_t scale, const Field* ceiling) const {
   std::vector<std::uint32_t> first(std::size_t{endless} + 1, 0);  // value -> its first seed
   for (const std::uint16_t value : field) ++first[value];
   std::exclusive_scan(first.begin(), first.end(), first.begin(), std::uint32_t{0});

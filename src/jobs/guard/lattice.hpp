@@ -35,7 +35,7 @@ class Lattice {
   /// Lowers each value until none exceeds another by more than `scale` times the weight of the moves
   /// between them; a value that would not fall below its `ceiling` is left alone and goes no further. The
   /// sums saturate. Dijkstra's algorithm with buckets (Dial, 1969): O(cells + largest value).
-  void error_ratio(Field& field, std::uint32_t scale, const Field* ceiling = nullptr) const;
+  void lower(Field& field, std::uint32_t scale, const Field* ceiling = nullptr) const;
 
  private:
   static constexpr std::size_t directions = 16;

@@ -14,6 +14,7 @@ constexpr double worth_s = 1e-9;      // the least gain that counts
 constexpr double nearer_s = 0.02;     // by which a moved stop has to shorten the drives
 constexpr double first_step_m = 0.8;  // of a stop that is moved
 constexpr double last_step_m = 0.05;
+constexpr int most_moves = 4000;  // that are tried; a hundred stops would take many more for little
 
 /// Every choice that takes all hits, or one, off a stop.
 std::vector<Choice> lighter(const Choice& choice, std::size_t stop) {
@@ -93,12 +94,13 @@ class Descent {
   }
 
   bool move_stop(std::size_t s, double step_m) {
-    if (choice_.stops[s].targets.empty() || stop_.stop_requested()) return false;
+    if (choice_.stops[s].targets.empty() || stop_.stop_requested() || moves_ >= most_moves) return false;
     const double before_s = assembly_.drives_s(choice_);
     for (int k = 0; k < 8; ++k) {
       Choice next = choice_;
       next.stops[s].place = next.stops[s].place + step_m * direction(k * pi / 4);
       if (!assembly_.may_stop(next.stops[s].place, next.stops[s].targets)) continue;
+      ++moves_;
       if (assembly_.drives_s(next) > before_s - nearer_s) continue;
       if (take(next)) return true;
     }
@@ -109,6 +111,7 @@ class Descent {
   Choice choice_;
   GuardPlan best_;
   double expected_s_ = 0.0;
+  int moves_ = 0;
   std::stop_token stop_;
 };
 

@@ -37,7 +37,6 @@ PhysicsGuard::PhysicsGuard(const GuardProblem& problem, const FiringMap& firing_
       firing_map_(firing_map),
       bodies_(bodies),
       log_(log),
-      wheels_(wheel_base(problem.robot)),
       arrival_rng_(Rng(seed).child("arrival")),
       gun_rng_(Rng(seed).child("gun")),
       attempts_(problem.targets.size(), 0) {
@@ -118,7 +117,7 @@ void PhysicsGuard::track(double duration_s, const ReferenceAt& at) {
     const double ahead_m = dot(direction(end.pose.heading_rad), end.pose.position - here.position);
     const double turn_rad = wrap_angle(end.pose.heading_rad - here.heading_rad);
     if (t >= duration_s && std::abs(ahead_m) < arrived_m && std::abs(turn_rad) < there_rad) break;
-    bodies_.turn_wheels(outrider::follow(at(std::min(t, duration_s)), here, wheels_));
+    bodies_.turn_wheels(outrider::follow(at(std::min(t, duration_s)), here, problem_.robot));
     roll();
   }
   bodies_.turn_wheels({});

@@ -41,7 +41,8 @@ std::string caster(const std::string& name, double ahead_m, double radius_m) {
 
 /// Its frame has z along the axle, to the left.
 std::string wheel(const std::string& side, double left_m, double radius_m) {
-  const double width_m = 0.3 * radius_m;
+  // Thin, as a robot that turns in place rolls on the inner edges.
+  const double width_m = 0.04 * radius_m;
   return fmt::format(
       "<link name='{0}'><pose>0 {1} {2} {3} 0 0</pose>{4}<collision name='tyre'>"
       "<geometry><cylinder><radius>{2}</radius><length>{5}</length></cylinder></geometry>{6}</collision>"

@@ -14,14 +14,13 @@ namespace {
 
 constexpr double lost_s = 5.0;  // after the planned landing, a ball without a result
 
-/// The nearest place, at least `apart_m` from here, from where the target can be hit; sure hits first.
-std::optional<Vec2> nearest_place(const FiringMap& firing_map, const SureHits& sure, std::size_t target,
+/// The nearest of some cells, at least `apart_m` from here.
+std::optional<Vec2> nearest_place(const FiringMap& firing_map, const std::vector<std::size_t>& cells,
                                   Vec2 here, double apart_m) {
   std::optional<Vec2> best;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < firing_map.frame.size(); ++i) {
-    if (!sure.has(i, target)) continue;
-    const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(i));
+  for (const std::size_t cell : cells) {
+    const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(cell));
     const double away = distance(here, place);
     if (away < apart_m || away >= least) continue;
     least = away;
@@ -32,7 +31,7 @@ std::optional<Vec2> nearest_place(const FiringMap& firing_map, const SureHits& s
 
 std::optional<Vec2> another_place(const GuardProblem& problem, const FiringMap& firing_map,
                                   std::size_t target, Vec2 here, double apart_m) {
-  return nearest_place(firing_map, sure_hits(problem, firing_map), target, here, apart_m);
+  return nearest_place(firing_map, sure_cells(problem, firing_map, target), here, apart_m);
 }
 
 /// Takes the first target off the present task.
@@ -111,10 +110,11 @@ void look_elsewhere(StopTasks& tasks, const Observation& seen, const GuardProble
 /// nearest place, after the present task.
 void stop_for(StopTasks& tasks, std::size_t target, const GuardProblem& problem,
               const FiringMap& firing_map) {
-  const SureHits sure = sure_hits(problem, firing_map);
+  const std::vector<std::size_t> sure = sure_cells(problem, firing_map, target);
   const auto serves = [&](const StopTask& task) {
     const Cell cell = firing_map.frame.cell_at(task.place);
-    return !task.call && firing_map.frame.contains(cell) && sure.has(firing_map.frame.index(cell), target);
+    return !task.call && firing_map.frame.contains(cell) &&
+           std::ranges::binary_search(sure, firing_map.frame.index(cell));
   };
   if (const auto task = std::ranges::find_if(tasks.queue, serves); task != tasks.queue.end()) {
     task->targets.push_back(target);
@@ -122,7 +122,7 @@ void stop_for(StopTasks& tasks, std::size_t target, const GuardProblem& problem,
   }
   const bool idle = tasks.queue.empty();
   const Vec2 end = idle ? tasks.last_place : tasks.queue.front().place;
-  const auto place = nearest_place(firing_map, sure, target, end, 0.0);
+  const auto place = nearest_place(firing_map, sure, end, 0.0);
   tasks.queue.insert(tasks.queue.begin() + (idle ? 0 : 1), StopTask{place.value_or(end), {target}});
   if (idle) tasks.arrived = false;
 }

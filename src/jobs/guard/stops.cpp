@@ -113,27 +113,29 @@ std::vector<std::size_t> covers(const SureHits& hits, std::vector<std::size_t> c
 
 }  // namespace
 
+std::vector<std::size_t> sure_cells(const GuardProblem& problem, const FiringMap& firing_map,
+                                    std::size_t target) {
+  const auto around = disk(problem.errors.position_m, firing_map.frame.resolution_m);
+  const auto roomy = static_cast<float>(problem.robot.radius_m + problem.errors.position_m);
+  const FiringRegion& region = firing_map.regions[target];
+  std::vector<std::size_t> sure, possible;
+  region.pitch.each([&](std::size_t i, std::uint8_t pitch) {
+    if (pitch == FiringRegion::no_shot) return;
+    possible.push_back(i);
+    if (region.error_ratio[i] <= sure_ratio && firing_map.clearance_m[i] >= roomy &&
+        hit_all_around(firing_map, region, firing_map.frame.cell(i), around)) {
+      sure.push_back(i);
+    }
+  });
+  return sure.empty() ? possible : sure;
+}
+
 SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map) {
   SureHits hits;
   hits.words = std::max<std::size_t>(1, (problem.targets.size() + 63) / 64);
   hits.targets.assign(firing_map.frame.size() * hits.words, 0);
-  const auto around = disk(problem.errors.position_m, firing_map.frame.resolution_m);
-  const auto roomy = static_cast<float>(problem.robot.radius_m + problem.errors.position_m);
   for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
-    const FiringRegion& region = firing_map.regions[t];
-    std::vector<std::size_t> sure;
-    std::vector<std::size_t> possible;
-    region.pitch.each([&](std::size_t i, std::uint8_t pitch) {
-      if (pitch == FiringRegion::no_shot) return;
-      possible.push_back(i);
-      if (region.error_ratio[i] <= sure_ratio && firing_map.clearance_m[i] >= roomy &&
-          hit_all_around(firing_map, region, firing_map.frame.cell(i), around)) {
-        sure.push_back(i);
-      }
-    });
-    for (const std::size_t i : sure.empty() ? possible : sure) {
-      hits.add(i, t);
-    }
+    for (const std::size_t i : sure_cells(problem, firing_map, t)) hits.add(i, t);
   }
   return hits;
 }

@@ -81,6 +81,9 @@ Job plan_job() {
           .file_sentence =
               "map: map_server YAML, SDF world, MovingAI .map, polygons .txt, PGM or PNG image; may "
               "be gzip-compressed",
+          .aliases = {{"hub-memory", "octile_labels.hub_memory"},
+                      {"hub-memory", "hub_labels.hub_memory"},
+                      {"hub-memory", "terrain_labels.hub_memory"}},
           .summary = plan_summary};
 }
 

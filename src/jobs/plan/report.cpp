@@ -99,6 +99,13 @@ Report plan_report(const PlanQuestion& question, const PlanAnswer& answer) {
   add_metrics(report, answer);
   add_times(report, question, answer);
   report.tables = {table_of(answer), speed_profile_of(question, answer)};
+  for (const PlanRow& row : answer.rows) {
+    if (!row.plan || row.plan->remark.empty()) continue;
+    auto& warnings = report.warnings;
+    if (std::find(warnings.begin(), warnings.end(), row.plan->remark) == warnings.end()) {
+      warnings.push_back(row.plan->remark);
+    }
+  }
   return report;
 }
 

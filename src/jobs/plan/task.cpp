@@ -27,8 +27,8 @@ Outcome<std::vector<ChosenPlanner>> chosen(const PlanScenario& scenario, const P
   auto named = find_path_planner(scenario.planner);
   if (!named) return bad_input(named.error().sentence, "planner");
   if (costs && !named->weighs) {
-    return bad_input(fmt::format("{} does not weigh the costs of the ground; take terrain_theta_star or "
-                                 "terrain_a_star, or leave out costs and slope_cost",
+    return bad_input(fmt::format("{} does not weigh the costs of the ground; take terrain_theta_star, "
+                                 "terrain_a_star or terrain_labels, or leave out costs and slope_cost",
                                  named->name),
                      "planner");
   }

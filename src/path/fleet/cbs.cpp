@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <queue>
@@ -56,29 +57,32 @@ struct Collision {
 
 State state_at(const Track& track, std::size_t step) { return track[std::min(step, track.size() - 1)]; }
 
-/// Returns the first collision, and the number of pairs that collide.
-std::pair<std::optional<Collision>, int> collisions_of(const std::vector<const Track*>& tracks) {
-  std::optional<Collision> first;
-  int pairs = 0;
+/// Returns the first collision of two robots.
+std::optional<Collision> first_collision(const std::vector<const Track*>& tracks, std::size_t a,
+                                         std::size_t b) {
+  const std::size_t steps = std::max(tracks[a]->size(), tracks[b]->size());
+  for (std::size_t t = 1; t < steps; ++t) {
+    const State a_from = state_at(*tracks[a], t - 1), a_to = state_at(*tracks[a], t);
+    const State b_from = state_at(*tracks[b], t - 1), b_to = state_at(*tracks[b], t);
+    const int step = static_cast<int>(t);
+    if (a_to == b_to) return Collision{a, b, a_to, a_to, b_to, b_to, step};
+    if (a_to == b_from && b_to == a_from) return Collision{a, b, a_from, a_to, b_from, b_to, step};
+  }
+  return std::nullopt;
+}
+
+/// Returns the first collision of each pair that collides, the earliest first.
+std::vector<Collision> collisions_of(const std::vector<const Track*>& tracks) {
+  std::vector<Collision> all;
   for (std::size_t a = 0; a < tracks.size(); ++a) {
     for (std::size_t b = a + 1; b < tracks.size(); ++b) {
-      const std::size_t steps = std::max(tracks[a]->size(), tracks[b]->size());
-      for (std::size_t t = 1; t < steps; ++t) {
-        const State a_from = state_at(*tracks[a], t - 1), a_to = state_at(*tracks[a], t);
-        const State b_from = state_at(*tracks[b], t - 1), b_to = state_at(*tracks[b], t);
-        const bool vertex = a_to == b_to, edge = a_to == b_from && b_to == a_from;
-        if (!vertex && !edge) continue;
-        ++pairs;
-        const int step = static_cast<int>(t);
-        if (!first || step < first->step) {
-          first = vertex ? Collision{a, b, a_to, a_to, b_to, b_to, step}
-                         : Collision{a, b, a_from, a_to, b_from, b_to, step};
-        }
-        break;
-      }
+      if (const auto one = first_collision(tracks, a, b)) all.push_back(*one);
     }
   }
-  return {first, pairs};
+  std::sort(all.begin(), all.end(), [](const Collision& x, const Collision& y) {
+    return std::tie(x.step, x.a, x.b) < std::tie(y.step, y.a, y.b);
+  });
+  return all;
 }
 
 /// A node of the constraint tree: its parent, one constraint more, and the new track of that robot.
@@ -87,6 +91,20 @@ struct Node {
   Constraint constraint;
   Track track;
   std::uint64_t cost = 0;
+  bool bypass = false;  ///< the track serves as well as the former one, and the constraint does not hold
+};
+
+/// The two ways to resolve a collision: a constraint on either robot, its new track (none if there is no
+/// way), and by how much that costs more.
+struct Split {
+  static constexpr std::uint64_t no_way = std::numeric_limits<std::uint64_t>::max();
+
+  std::array<Constraint, 2> constraints;
+  std::array<Track, 2> tracks;
+  std::array<std::uint64_t, 2> more{};
+
+  /// Cardinal collisions (2) cost more either way, semi-cardinal ones (1) one way.
+  [[nodiscard]] int rank() const { return (more[0] > 0 ? 1 : 0) + (more[1] > 0 ? 1 : 0); }
 };
 
 class Tree {
@@ -100,12 +118,13 @@ class Tree {
       const std::size_t node = std::get<2>(open_.top());
       open_.pop();
       const auto tracks = tracks_of(node);
-      const auto [collision, pairs] = collisions_of(tracks);
-      if (!collision) return plan(tracks);
-      const Collision& c = *collision;
-      for (const Constraint& one :
-           {Constraint{c.a, c.a_from, c.a_to, c.step}, Constraint{c.b, c.b_from, c.b_to, c.step}}) {
-        if (auto ok = branch(node, one); !ok) return pass_on(ok);
+      const auto collisions = collisions_of(tracks);
+      if (collisions.empty()) return plan(tracks);
+      auto split = best_split(node, tracks, collisions);
+      if (!split) return pass_on(split);
+      if (bypassed(node, *split, collisions.size())) continue;
+      for (std::size_t k = 0; k < 2; ++k) {
+        if (auto ok = branch(node, *split, k); !ok) return pass_on(ok);
       }
     }
     return fault(FaultCode::no_path, "every way of the robots round each other leads to a collision");
@@ -125,27 +144,74 @@ class Tree {
     return {};
   }
 
-  Status branch(std::size_t parent, const Constraint& one) {
+  /// Returns the split of the first collision that is cardinal; else of the first of the highest rank among
+  /// the earliest few.
+  Outcome<Split> best_split(std::size_t node, const std::vector<const Track*>& tracks,
+                            const std::vector<Collision>& collisions) {
+    std::optional<Split> best;
+    for (std::size_t i = 0; i < std::min(most_looked_at, collisions.size()); ++i) {
+      auto split = split_of(node, tracks, collisions[i]);
+      if (!split) return split;
+      if (!best || split->rank() > best->rank()) best = std::move(*split);
+      if (best->rank() == 2) break;
+    }
+    return std::move(*best);
+  }
+
+  Outcome<Split> split_of(std::size_t node, const std::vector<const Track*>& tracks, const Collision& c) {
+    Split split;
+    split.constraints = {Constraint{c.a, c.a_from, c.a_to, c.step},
+                         Constraint{c.b, c.b_from, c.b_to, c.step}};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::size_t robot = split.constraints[k].robot;
+      auto track = track_of(query_, robot, constraints_of(node, split.constraints[k]), memory_, meter_);
+      if (!track && track.error().code != FaultCode::no_path) return pass_on(track);
+      split.more[k] = track ? track->size() - tracks[robot]->size() : Split::no_way;
+      if (track) split.tracks[k] = std::move(*track);
+    }
+    return split;
+  }
+
+  /// The constraints on a robot at a node, and one more.
+  [[nodiscard]] Constraints constraints_of(std::size_t node, const Constraint& one) const {
+    Constraints constraints;
+    constraints.add(one);
+    for (std::size_t n = node; n != 0; n = nodes_[n].parent) {
+      if (!nodes_[n].bypass && nodes_[n].constraint.robot == one.robot) constraints.add(nodes_[n].constraint);
+    }
+    constraints.sort();
+    return constraints;
+  }
+
+  /// If one of the new tracks costs nothing and fewer pairs collide with it, takes it in place of the former
+  /// one, without a constraint, and returns true.
+  bool bypassed(std::size_t node, Split& split, std::size_t pairs) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (split.more[k] != 0) continue;
+      nodes_.push_back({node, split.constraints[k], std::move(split.tracks[k]), nodes_[node].cost, true});
+      const std::size_t fewer = collisions_of(tracks_of(nodes_.size() - 1)).size();
+      if (fewer < pairs) {
+        open_.emplace(nodes_[node].cost, fewer, nodes_.size() - 1);
+        return true;
+      }
+      split.tracks[k] = std::move(nodes_.back().track);
+      nodes_.pop_back();
+    }
+    return false;
+  }
+
+  Status branch(std::size_t parent, Split& split, std::size_t k) {
+    if (split.more[k] == Split::no_way) return {};
     if (nodes_.size() >= static_cast<std::size_t>(options_.most_nodes)) {
       return fault(FaultCode::budget_exhausted,
                    fmt::format("the constraint tree has {} nodes; allow more by most_nodes, or take lacam, "
                                "which also proves that there is no plan",
                                nodes_.size()));
     }
-    Constraints constraints;
-    constraints.add(one);
-    for (std::size_t n = parent; n != 0; n = nodes_[n].parent) {
-      if (nodes_[n].constraint.robot == one.robot) constraints.add(nodes_[n].constraint);
-    }
-    constraints.sort();
-    auto track = track_of(query_, one.robot, constraints, memory_, meter_);
-    if (!track && track.error().code == FaultCode::no_path) return {};
-    if (!track) return tl::unexpected<Fault>(track.error());
-    const std::uint64_t before = tracks_of(parent)[one.robot]->size();
-    nodes_.push_back({parent, one, std::move(*track), 0});
-    nodes_.back().cost = nodes_[parent].cost + nodes_.back().track.size() - before;
+    const std::uint64_t cost = nodes_[parent].cost + split.more[k];
+    nodes_.push_back({parent, split.constraints[k], std::move(split.tracks[k]), cost});
     const std::size_t node = nodes_.size() - 1;
-    open_.emplace(nodes_[node].cost, collisions_of(tracks_of(node)).second, node);
+    open_.emplace(cost, collisions_of(tracks_of(node)).size(), node);
     return {};
   }
 
@@ -171,7 +237,9 @@ class Tree {
     return plan;
   }
 
-  using Entry = std::tuple<std::uint64_t, int, std::size_t>;  // cost, pairs that collide, node
+  static constexpr std::size_t most_looked_at = 16;  // collisions of a node
+
+  using Entry = std::tuple<std::uint64_t, std::size_t, std::size_t>;  // cost, pairs that collide, node
 
   const Query& query_;
   const CbsOptions& options_;

@@ -1,8 +1,11 @@
 #include "outrider/path/grid/jps.hpp"
 
 #include "grid_follow.hpp"
+#include "jps_index.hpp"
 #include "jps_map.hpp"
+#include "jps_scan.hpp"
 #include "jps_search.hpp"
+#include "jump_lists.hpp"
 
 namespace outrider {
 namespace jump {
@@ -11,130 +14,119 @@ namespace {
 struct Memory {
   std::shared_ptr<const GridMap> ground;  ///< ground of the map
   Map map;
+  KnownDeadEnds ends;
+  JumpLists lists;
+  std::uint32_t query = 0;
   Frontier frontier;
-};
-
-/// The lines along one of the two straight directions of a diagonal run, with three moving windows of bits.
-struct Side {
-  const std::uint64_t* line;  // through the present cell
-  std::ptrdiff_t step;        // to the line of the next cell
-  std::int32_t position;      // position of the first bit of the windows
-  std::uint64_t blocked, ahead, ends_behind = 0, ends_here, ends_ahead;
-
-  Side(const Map& map, unsigned d, Cell c, bool up)
-      : line(map.line(d, c)),
-        step(up ? map.lines[d].stride : -map.lines[d].stride),
-        position(map.position(d, c)),
-        blocked(window(line, position)),
-        ahead(window(line + step, position)),
-        ends_here(ends(blocked)),
-        ends_ahead(ends(ahead)) {}
-
-  void advance() {
-    line += step;
-    ends_behind = ends_here;
-    ends_here = ends_ahead;
-    blocked = ahead;
-    ahead = window(line + step, position);
-    ends_ahead = ends(ahead);
-  }
-  /// Returns true if the diagonal step to bit i of the next line meets a blocked cell.
-  [[nodiscard]] bool bars(unsigned i) const {
-    return (((blocked >> i) & 1U) | ((ahead >> (i - 1)) & 3U)) != 0;
-  }
-  /// Finds where the straight run from bit i stops within the windows; 0 if it does not.
-  [[nodiscard]] std::uint64_t stop(unsigned i) const {
-    const std::uint64_t stops = (ends_behind | ends_ahead | blocked) & (~std::uint64_t{1} << i);
-    return stops & (~stops + 1);
-  }
-  /// Returns the sides on which a turn is forced at a stop.
-  [[nodiscard]] unsigned sides(std::uint64_t stop) const {
-    const unsigned behind = step > 0 ? lower : higher;
-    return ((ends_behind & stop) != 0 ? behind : 0U) |
-           ((ends_ahead & stop) != 0 ? lower + higher - behind : 0U);
-  }
 };
 
 class Expansion {
  public:
-  Expansion(const Map& map, Frontier& frontier) : map_(map), frontier_(frontier) {}
+  explicit Expansion(Memory& memory) : map_(memory.map), memory_(memory), frontier_(memory.frontier) {}
 
   void operator()(std::uint32_t id) {
     const JumpNode node = frontier_.nodes[id];
-    id_ = id;
-    from_ = node.cell;
-    if (node.parent == id) {
-      for (const unsigned d : {east, north, west, south}) run(from_, d);
-      for (const unsigned h : {east, west}) {
-        for (const unsigned v : {north, south}) run_diagonally(h, v);
-      }
-      return;
-    }
-    run(from_, node.direction);
-    for (const unsigned side : {lower, higher}) {
-      if ((node.sides & side) == 0) continue;
-      const unsigned turn = side_of(node.direction, side);
-      run(from_, turn);
-      horizontal(turn) ? run_diagonally(turn, node.direction) : run_diagonally(node.direction, turn);
+    id_ = node.is_rest_of_run() ? node.parent : id;
+    from_ = frontier_.nodes[id_].cell;
+    if (node.is_rest_of_run()) {
+      run_diagonally(node.cell, node.direction);
+    } else if (node.parent == id) {
+      leave_start();
+    } else {
+      follow_list(memory_.lists.next(map_, *frontier_.ground, node.point, node.direction), node.direction);
     }
   }
 
  private:
-  /// Follows the straight run from a cell; `ahead` cells of it are known to be free and without a turn.
-  void run(Cell c, unsigned d, std::int32_t ahead = 0) {
-    const std::int32_t p = map_.position(d, c);
-    const Stop stop = scan(map_.line(d, c), map_.lines[d].stride, p + ahead);
-    if (horizontal(d) ? frontier_.goal.y == c.y : frontier_.goal.x == c.x) {
-      const std::int32_t goal = map_.position(d, frontier_.goal);
-      if (goal > p && goal <= stop.position) {
-        frontier_.reach(id_, frontier_.goal, d, 0);
-        return;
-      }
-    }
-    if (stop.sides != 0) frontier_.reach(id_, map_.cell(d, c, stop.position), d, stop.sides);
-  }
+  static constexpr int block = 16;  // steps of a diagonal run before it may have to wait
 
-  /// Follows the straight run from a cell of a diagonal; bit i of the windows is that cell.
-  void run(const Side& side, unsigned i, Cell c, unsigned d) {
-    const std::uint64_t stop = side.stop(i);
-    if ((stop & side.blocked) != 0) return;
-    if (stop == 0) {
-      run(c, d, 63 - static_cast<std::int32_t>(i));
-    } else {
-      const std::int32_t position = side.position + std::countr_zero(stop);
-      frontier_.reach(id_, map_.cell(d, c, position), d, side.sides(stop));
+  void leave_start() {
+    auto emit = [this](Cell c, unsigned d) { reach(memory_.lists.number(c), d); };
+    for (const unsigned d : {east, north, west, south}) {
+      find_goal(from_, d, scan_straight(map_, from_, d, 0, emit));
+    }
+    const unsigned moves = frontier_.ground->moves[frontier_.state(from_)];
+    for (unsigned diagonal = 4; diagonal < 8; ++diagonal) {
+      if (((moves >> diagonal) & 1U) == 0) continue;
+      const Cell step = grid_moves[diagonal];
+      const Cell next{from_.x + step.x, from_.y + step.y};
+      if (!frontier_.defer(id_, from_, next, diagonal)) run_diagonally(from_, diagonal);
     }
   }
 
-  void run_diagonally(unsigned h, unsigned v) {
-    constexpr int most_steps = 32;
+  /// Scans along a diagonal run of the start from a cell on, until it may have to wait.
+  void run_diagonally(Cell c, unsigned diagonal) {
+    const Cell step = grid_moves[diagonal];
+    const unsigned h = step.x > 0 ? east : west, v = step.y > 0 ? north : south;
+    auto emit = [this](Cell found, unsigned d) { reach(memory_.lists.number(found), d); };
+    for (;;) {
+      const int steps = scan_diagonal(map_, c, h, v, block, emit);
+      find_goal_diagonally(c, h, v, steps);
+      if (steps < block) return;
+      c = {c.x + block * step.x, c.y + block * step.y};
+      if (frontier_.defer(id_, c, c, diagonal)) return;
+    }
+  }
+
+  void follow_list(const JumpList& list, unsigned direction) {
+    find_goal(from_, direction, list.ahead);
+    for (const unsigned side : {lower, higher}) {
+      const TurnRuns& runs = list.turns[side - 1];
+      const unsigned turn = side_of(direction, side);
+      find_goal(from_, turn, runs.straight);
+      horizontal(turn) ? find_goal_diagonally(from_, turn, direction, runs.diagonal)
+                       : find_goal_diagonally(from_, direction, turn, runs.diagonal);
+    }
+    for (const std::uint32_t next : list.reached) reach(next >> 2U, next & 3U);
+  }
+
+  /// Reaches the goal if it lies on the straight run from a cell, which is free for that many cells.
+  void find_goal(Cell c, unsigned d, std::int32_t length) {
+    const Cell along = grid_moves[d], to{frontier_.goal.x - c.x, frontier_.goal.y - c.y};
+    const int ahead = to.x * along.x + to.y * along.y;
+    if ((horizontal(d) ? to.y : to.x) == 0 && ahead > 0 && ahead <= length) reach_goal(d);
+  }
+
+  /// Reaches the goal if it lies on a diagonal run of that many steps, or straight beside it.
+  void find_goal_diagonally(Cell c, unsigned h, unsigned v, std::int32_t steps) {
     const int dx = h == east ? 1 : -1, dy = v == north ? 1 : -1;
-    const Cell goal = frontier_.goal;
-    for (Cell c = from_;;) {
-      Side rows(map_, h, c, v == north);
-      Side columns(map_, v, c, h == east);
-      const int to_row = dy * (goal.y - c.y), to_column = dx * (goal.x - c.x);
-      for (int i = 1; i <= most_steps; ++i) {
-        if (rows.bars(static_cast<unsigned>(i))) return;
-        rows.advance();
-        columns.advance();
-        const Cell here{c.x + i * dx, c.y + i * dy};
-        if (i == to_row && i == to_column) {
-          frontier_.reach(id_, here, h, 0);
-          return;
-        }
-        i == to_row ? run(here, h) : run(rows, static_cast<unsigned>(i), here, h);
-        i == to_column ? run(here, v) : run(columns, static_cast<unsigned>(i), here, v);
-      }
-      c = {c.x + most_steps * dx, c.y + most_steps * dy};
+    const int to_column = dx * (frontier_.goal.x - c.x), to_row = dy * (frontier_.goal.y - c.y);
+    const int to_line = std::min(to_column, to_row);
+    if (to_line < 1 || to_line > steps) return;
+    if (to_column == to_row) return reach_goal(h);
+    const Cell turn{c.x + to_line * dx, c.y + to_line * dy};
+    const unsigned d = to_row == to_line ? h : v;
+    auto ignore = [](Cell, unsigned) {};
+    find_goal(turn, d, scan_straight(map_, turn, d, 0, ignore));
+  }
+
+  void reach_goal(unsigned d) { frontier_.reach(id_, frontier_.goal_node, d); }
+
+  void reach(std::uint32_t number, unsigned d) {
+    JumpPoint& point = memory_.lists[number];
+    if (point.query != memory_.query) {
+      if (point.cell == frontier_.start || point.cell == frontier_.goal) return;
+      point.query = memory_.query;
+      point.node = frontier_.nodes.add({point.cell, JumpNode::none, {}, number});
     }
+    frontier_.reach(id_, point.node, d);
   }
 
   const Map& map_;
+  Memory& memory_;
   Frontier& frontier_;
   std::uint32_t id_ = 0;
   Cell from_;
 };
+
+/// Numbers the query, and forgets the jump points that are known if they take too much memory.
+void begin_query(Memory& memory) {
+  constexpr std::size_t most_bytes = std::size_t{64} << 20U;
+  if (memory.lists.bytes() > most_bytes || ++memory.query == 0) {
+    memory.lists.clear();
+    memory.query = 1;
+  }
+}
 
 }  // namespace
 }  // namespace jump
@@ -150,10 +142,21 @@ Outcome<Plan> jps(const Problem& problem, const JpsOptions& /*options*/, const B
   }
   auto& memory = workspace.get<jump::Memory>();
   follow(
-      memory.ground, problem.grid, [&] { memory.map = jump::map_of(query->ground); },
-      [&](const auto& changed) { jump::rewrite(memory.map, query->ground, changed); });
-  return jump::search(problem, *query, memory.frontier, budget, workspace.trace,
-                      jump::Expansion(memory.map, memory.frontier));
+      memory.ground, problem.grid,
+      [&] {
+        memory.map = jump::map_of(query->ground);
+        memory.ends.make(query->ground);
+        memory.lists.clear();
+      },
+      [&](const auto& changed) {
+        if (changed.empty()) return;
+        jump::rewrite(memory.map, query->ground, changed);
+        memory.ends.change();
+        memory.lists.clear();
+      });
+  jump::begin_query(memory);
+  return jump::search(problem, *query, memory.frontier, memory.ends, budget, workspace.trace,
+                      jump::Expansion(memory));
 }
 
 }  // namespace outrider

@@ -1,7 +1,8 @@
-// The jump points that a search has reached, numbered in the order of discovery and found by their cell.
+// The jump points that a search has reached, numbered in the order of discovery.
 //
-// A hash table with open addressing, whose size depends on the search instead of the grid, so that a short
-// search stays in the nearest cache. Its order does not affect results. O(1) expected.
+// They can be found by their cell: a hash table with open addressing, whose size depends on the search
+// instead of the grid, so that a short search stays in the nearest cache. Its order does not affect results.
+// O(1) expected.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +19,15 @@ struct JumpNode {
 
   Cell cell;
   std::uint32_t parent = none;  ///< for the start: itself
-  Octile g;
+  Octile g = {};
+  std::uint32_t point = none;  ///< its number in JumpLists, if it is a jump point of those
   double length = 0.0;         ///< value of g
-  std::uint8_t direction = 0;  ///< direction of arrival
-  std::uint8_t sides = 0;      ///< sides on which a turn is forced
+  /// Direction of arrival. If it is a diagonal move, the node is no jump point, but the rest of a diagonal
+  /// run of its parent, from `cell` on.
+  std::uint8_t direction = 0;
   bool closed = false;
+
+  [[nodiscard]] bool is_rest_of_run() const { return direction > 3; }
 };
 
 class Nodes {
@@ -34,15 +39,20 @@ class Nodes {
   JumpNode& operator[](std::uint32_t id) { return nodes_[id]; }
   const JumpNode& operator[](std::uint32_t id) const { return nodes_[id]; }
 
+  /// Adds a node that will not be found by its cell.
+  std::uint32_t add(const JumpNode& node) {
+    nodes_.push_back(node);
+    return static_cast<std::uint32_t>(nodes_.size() - 1);
+  }
+
   /// Returns the node of a cell; a new one has no parent.
   std::uint32_t find_or_add(Cell c) {
     std::size_t slot = slot_of(c);
     for (; slots_[slot] != JumpNode::none; slot = (slot + 1) & (slots_.size() - 1)) {
       if (nodes_[slots_[slot]].cell == c) return slots_[slot];
     }
-    const auto id = static_cast<std::uint32_t>(nodes_.size());
+    const std::uint32_t id = add({c});
     slots_[slot] = id;
-    nodes_.push_back({c, JumpNode::none, {}, 0.0, 0, 0, false});
     if (2 * nodes_.size() > slots_.size()) grow();
     return id;
   }

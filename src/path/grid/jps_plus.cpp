@@ -13,6 +13,7 @@ namespace {
 struct IndexedMemory {
   std::shared_ptr<const GridMap> ground;  ///< ground of the distances
   std::vector<Distances> distances;
+  KnownDeadEnds ends;
   Frontier frontier;
 };
 
@@ -56,13 +57,14 @@ class IndexedExpansion {
     const int ahead = to.x * along.x + to.y * along.y;
     const bool on_line = (horizontal(d) ? to.y : to.x) == 0;
     if (!on_line || ahead <= 0 || ahead > std::abs(length)) return false;
-    frontier_.reach(id_, frontier_.goal, d, 0);
+    reach(frontier_.goal, d);
     return true;
   }
 
   void reach(Cell c, unsigned d, int length) {
-    frontier_.reach(id_, {c.x + grid_moves[d].x * length, c.y + grid_moves[d].y * length}, d, 0);
+    reach({c.x + grid_moves[d].x * length, c.y + grid_moves[d].y * length}, d);
   }
+  void reach(Cell c, unsigned d) { frontier_.reach(id_, frontier_.nodes.find_or_add(c), d); }
 
   void run_diagonally(unsigned h, unsigned v) {
     const unsigned diagonal = diagonal_of(h, v);
@@ -76,7 +78,7 @@ class IndexedExpansion {
       if (to_line > steps && to_line <= steps + std::abs(leap)) {
         const Cell c{from_.x + to_line * d.x, from_.y + to_line * d.y};
         const unsigned turn = to_row == to_line ? h : v;
-        if (c == frontier_.goal) frontier_.reach(id_, c, h, 0);
+        if (c == frontier_.goal) reach(c, h);
         run_to_goal(c, turn, at[(to_line - steps) * step][turn]);
       }
       if (leap <= 0) return;
@@ -117,9 +119,16 @@ Outcome<Plan> jps_plus(const Problem& problem, const JpsPlusOptions& /*options*/
   }
   auto& memory = workspace.get<jump::IndexedMemory>();
   follow(
-      memory.ground, problem.grid, [&] { memory.distances = jump::distances_of(ground); },
-      [&](const auto& changed) { jump::walk_again(memory.distances, ground, changed); });
-  return jump::search(problem, *query, memory.frontier, budget, workspace.trace,
+      memory.ground, problem.grid,
+      [&] {
+        memory.distances = jump::distances_of(ground);
+        memory.ends.make(ground);
+      },
+      [&](const auto& changed) {
+        jump::walk_again(memory.distances, ground, changed);
+        if (!changed.empty()) memory.ends.change();
+      });
+  return jump::search(problem, *query, memory.frontier, memory.ends, budget, workspace.trace,
                       jump::IndexedExpansion(ground, memory.distances, memory.frontier));
 }
 

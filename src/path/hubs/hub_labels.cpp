@@ -7,10 +7,10 @@
 namespace outrider {
 
 std::vector<Option> describe(HubLabelsOptions& options) {
-  return {{"index_mib", "MiB", 1.0, 65536.0,
+  return {{"hub_memory", "MiB", 1.0, 65536.0,
            "most memory for the index; where labels do not fit, it holds landmarks, and where these do not, "
            "polyanya answers",
-           &options.index_mib}};
+           &options.hub_memory_mib}};
 }
 
 Outcome<Plan> hub_labels(const Problem& problem, const HubLabelsOptions& options, const Budget& budget,
@@ -22,20 +22,20 @@ Outcome<Plan> hub_labels(const Problem& problem, const HubLabelsOptions& options
                      "planner");
   }
   return hub_labelling::plan_by_hubs<hub_labelling::AnyAngleIndex>(
-      problem, *query, options.index_mib, budget, workspace,
+      problem, *query, options.hub_memory_mib, budget, workspace,
       [&] { return polyanya(problem, {}, budget, workspace); });
 }
 
 Outcome<std::string> save_hub_labels(const std::shared_ptr<const GridMap>& ground,
                                      const HubLabelsOptions& options, const Budget& budget,
                                      Workspace& workspace) {
-  return hub_labelling::save_index<hub_labelling::AnyAngleIndex>(ground, options.index_mib, budget,
+  return hub_labelling::save_index<hub_labelling::AnyAngleIndex>(ground, options.hub_memory_mib, budget,
                                                                  workspace);
 }
 
 Status load_hub_labels(const std::shared_ptr<const GridMap>& ground, const StoredIndex& stored,
                        const HubLabelsOptions& options, Workspace& workspace) {
-  return hub_labelling::load_index<hub_labelling::AnyAngleIndex>(ground, stored, options.index_mib,
+  return hub_labelling::load_index<hub_labelling::AnyAngleIndex>(ground, stored, options.hub_memory_mib,
                                                                  workspace);
 }
 

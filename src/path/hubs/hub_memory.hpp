@@ -38,7 +38,7 @@ namespace outrider::hub_labelling {
 template <class Index>
 struct HubMemory {
   std::shared_ptr<const GridMap> ground;  ///< ground of the index
-  std::int64_t index_mib = 0;
+  std::int64_t hub_memory_mib = 0;
   std::shared_ptr<const void> stored;    ///< keeps the bytes to which a loaded index refers
   std::unique_ptr<const Index> index;    ///< none when it would be too large
   std::shared_ptr<const GridMap> asked;  ///< ground of the last query; differs from `ground` in few cells
@@ -50,7 +50,7 @@ struct HubMemory {
   std::optional<typename Index::Scratch> scratch;
 
   void renew(const std::shared_ptr<const GridMap>& now, std::int64_t mib, const std::stop_token& stop) {
-    const bool made = ground != nullptr && index_mib == mib;
+    const bool made = ground != nullptr && hub_memory_mib == mib;
     const bool near = made && (asked == now || compare(now));
     if (near && (!changed || index == nullptr || spent <= index->work)) return;
     make(now, mib, stop);
@@ -63,7 +63,7 @@ struct HubMemory {
     index = std::move(made);
     stored = std::move(bytes);
     ground = asked = now;
-    index_mib = mib;
+    hub_memory_mib = mib;
     scratch.emplace();
   }
 
@@ -131,13 +131,13 @@ Answer look_up(HubMemory<Index>& memory, Cell start, Cell goal, BudgetMeter& met
 /// Plans by the index, and by `search(budget)` what it does not know; on a changed ground the work of the
 /// search counts towards the next index.
 template <class Index, class Search>
-Outcome<Plan> plan_by_hubs(const Problem& problem, const GridQuery& query, std::int64_t index_mib,
+Outcome<Plan> plan_by_hubs(const Problem& problem, const GridQuery& query, std::int64_t hub_memory_mib,
                            const Budget& budget, Workspace& workspace, Search search) {
   const auto& [ground, start, goal] = query;
   BudgetMeter meter(budget);
   if (!meter.spend()) return meter.refusal();
   auto& memory = workspace.get<HubMemory<Index>>();
-  memory.renew(problem.grid, index_mib, budget.stop);
+  memory.renew(problem.grid, hub_memory_mib, budget.stop);
   if (memory.ground == nullptr) return meter.refusal();
   if (memory.index == nullptr) return search();
 
@@ -160,17 +160,19 @@ Outcome<Plan> plan_by_hubs(const Problem& problem, const GridQuery& query, std::
 }
 
 /// The options of an index as text.
-inline std::string text_of_options(std::int64_t index_mib) { return fmt::format("index_mib {}", index_mib); }
+inline std::string text_of_options(std::int64_t hub_memory_mib) {
+  return fmt::format("hub_memory {}", hub_memory_mib);
+}
 
 /// Returns the index of the ground as bytes; builds it if the workspace has none. Faults: cancelled.
 template <class Index>
-Outcome<std::string> save_index(const std::shared_ptr<const GridMap>& ground, std::int64_t index_mib,
+Outcome<std::string> save_index(const std::shared_ptr<const GridMap>& ground, std::int64_t hub_memory_mib,
                                 const Budget& budget, Workspace& workspace) {
   auto& memory = workspace.get<HubMemory<Index>>();
-  if (memory.ground != ground || memory.index_mib != index_mib) {
-    auto made = Index::of(*ground, static_cast<std::size_t>(index_mib) << 20U, budget.stop);
+  if (memory.ground != ground || memory.hub_memory_mib != hub_memory_mib) {
+    auto made = Index::of(*ground, static_cast<std::size_t>(hub_memory_mib) << 20U, budget.stop);
     if (budget.stop.stop_requested()) return BudgetMeter(budget).refusal();
-    memory.take(ground, index_mib, std::move(made), nullptr);
+    memory.take(ground, hub_memory_mib, std::move(made), nullptr);
   }
   IndexWriter writer;
   if (memory.index == nullptr) {
@@ -178,19 +180,19 @@ Outcome<std::string> save_index(const std::shared_ptr<const GridMap>& ground, st
   } else {
     memory.index->write(writer);
   }
-  return std::move(writer).finish({Index::planner, text_of_options(index_mib), *ground});
+  return std::move(writer).finish({Index::planner, text_of_options(hub_memory_mib), *ground});
 }
 
 /// Puts an index from save_index() into the workspace. Faults: bad_input, with the remedy.
 template <class Index>
 Status load_index(const std::shared_ptr<const GridMap>& ground, const StoredIndex& stored,
-                  std::int64_t index_mib, Workspace& workspace) {
-  const auto content = content_of(stored, {Index::planner, text_of_options(index_mib), *ground});
+                  std::int64_t hub_memory_mib, Workspace& workspace) {
+  const auto content = content_of(stored, {Index::planner, text_of_options(hub_memory_mib), *ground});
   if (!content) return tl::unexpected<Fault>(content.error());
   IndexReader reader(*content);
   auto index = Index::read(reader, *ground);
   if (index == nullptr && !holds_none(*content)) return damaged_index();
-  workspace.get<HubMemory<Index>>().take(ground, index_mib, std::move(index), stored.owner);
+  workspace.get<HubMemory<Index>>().take(ground, hub_memory_mib, std::move(index), stored.owner);
   return {};
 }
 

@@ -11,10 +11,10 @@ namespace outrider {
 
 std::vector<Option> describe(OctileLabelsOptions& options) {
   return {
-      {"index_mib", "MiB", 1.0, 65536.0,
+      {"hub_memory", "MiB", 1.0, 65536.0,
        "most memory for the index; where labels do not fit, it holds landmarks, and where these do not, jps "
        "answers",
-       &options.index_mib}};
+       &options.hub_memory_mib}};
 }
 
 Outcome<Plan> octile_labels(const Problem& problem, const OctileLabelsOptions& options, const Budget& budget,
@@ -27,9 +27,9 @@ Outcome<Plan> octile_labels(const Problem& problem, const OctileLabelsOptions& o
                      "planner");
   }
   constexpr std::size_t bytes_a_cell_of_jps_plus = 16;
-  const std::size_t most_bytes = static_cast<std::size_t>(options.index_mib) << 20U;
+  const std::size_t most_bytes = static_cast<std::size_t>(options.hub_memory_mib) << 20U;
   return hub_labelling::plan_by_hubs<hub_labelling::OctileIndex>(
-      problem, *query, options.index_mib, budget, workspace, [&] {
+      problem, *query, options.hub_memory_mib, budget, workspace, [&] {
         const bool fits =
             std::max(ground.frame.width, ground.frame.height) <= hub_labelling::longest_side_of_runs &&
             ground.marks.size() * bytes_a_cell_of_jps_plus <= most_bytes;
@@ -40,12 +40,14 @@ Outcome<Plan> octile_labels(const Problem& problem, const OctileLabelsOptions& o
 Outcome<std::string> save_octile_labels(const std::shared_ptr<const GridMap>& ground,
                                         const OctileLabelsOptions& options, const Budget& budget,
                                         Workspace& workspace) {
-  return hub_labelling::save_index<hub_labelling::OctileIndex>(ground, options.index_mib, budget, workspace);
+  return hub_labelling::save_index<hub_labelling::OctileIndex>(ground, options.hub_memory_mib, budget,
+                                                               workspace);
 }
 
 Status load_octile_labels(const std::shared_ptr<const GridMap>& ground, const StoredIndex& stored,
                           const OctileLabelsOptions& options, Workspace& workspace) {
-  return hub_labelling::load_index<hub_labelling::OctileIndex>(ground, stored, options.index_mib, workspace);
+  return hub_labelling::load_index<hub_labelling::OctileIndex>(ground, stored, options.hub_memory_mib,
+                                                               workspace);
 }
 
 }  // namespace outrider

@@ -54,7 +54,6 @@ class PhysicsGuard final : public Robot {
   const FiringMap& firing_map_;
   RigidWorld& bodies_;
   Log& log_;
-  WheelBase wheels_;
   Rng arrival_rng_;
   Rng gun_rng_;
   std::int64_t ticks_ = 0;

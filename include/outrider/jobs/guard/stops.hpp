@@ -15,10 +15,14 @@ inline constexpr double good_rate = 0.85;
 /// A robot this near to a stop stands at it.
 inline constexpr double there_m = 1e-6;
 
-/// For each cell, the targets that can be hit from there despite errors. The shot tolerates the errors of the
-/// gun, the robot fits at every place within the position error of a drive, and the target can also be hit
-/// from all cells whose centres lie within that error. A target for which no cell meets these conditions is
-/// listed for all cells from which it can be hit at all.
+/// Returns the cells from which a target can be hit despite errors, ascending. The shot tolerates the errors
+/// of the gun, the robot fits at every place within the position error of a drive, and the target can also be
+/// hit from all cells whose centres lie within that error. If no cell meets these conditions, all cells from
+/// which the target can be hit at all. O(cells of the region).
+std::vector<std::size_t> sure_cells(const GuardProblem& problem, const FiringMap& firing_map,
+                                    std::size_t target);
+
+/// For each cell, the targets that have it among their sure_cells().
 struct SureHits {
   std::size_t words = 1;               ///< number of 64-bit words per cell
   std::vector<std::uint64_t> targets;  ///< bit sets of targets, cell by cell

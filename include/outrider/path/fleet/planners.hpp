@@ -36,12 +36,15 @@ struct CbsOptions {
 };
 std::vector<Option> describe(CbsOptions& options);
 
-/// Conflict-based search: plans each robot alone, takes the first collision, and branches into two problems,
-/// in each of which one of the two robots must avoid it. Optimal: the least sum of costs, which is
+/// Conflict-based search: plans each robot alone, takes a collision, and branches into two problems, in each
+/// of which one of the two robots must avoid it. Of the earliest collisions it takes one that costs more
+/// either way, if there is one. If a robot can avoid a collision for nothing and then collides with fewer
+/// others, it does so without a branch. Optimal: the least sum of costs, which is
 /// lower_bound. Finds a plan whenever there is one and the budget allows it; where there is none it never
 /// ends by itself, but by `most_nodes` or the budget. Exponential in the number of collisions. An expansion
 /// is a cell at a step in the search of one robot. Source: Sharon, Stern, Felner and Sturtevant,
-/// Conflict-based search for optimal multi-agent pathfinding (2015). Among equal costs the node with fewer
+/// Conflict-based search for optimal multi-agent pathfinding (2015); Boyarski et al., ICBS: improved
+/// conflict-based search algorithm for multi-agent pathfinding (2015). Among equal costs the node with fewer
 /// collisions comes first.
 Outcome<FleetPlan> cbs(const FleetProblem& problem, const CbsOptions& options, const Budget& budget);
 

@@ -5,15 +5,22 @@
 // A diagonal run scans to both sides at each of its cells. The jump points found by these scans become
 // successors of the first cell of the diagonal; the cells of the diagonal never enter the queue.
 //
+// Jump points in dead ends, parts of the ground that no shortest path between start and goal enters, are left
+// out; the gates that lead from one part to the next give a lower bound. What lies next to a jump point is
+// scanned by the first query that expands it and kept for the next ones.
+//
 // Complete and optimal among paths along the eight moves of the grid; lengths are kept exactly as m + sqrt(2)
 // n cells, and lower_bound is the cost. Accepts only the model `cells`. The first query on a ground stores it
-// as bits: O(cells), half a byte per cell in the workspace, which also keeps the ground. On another ground of
-// the same frame, only the changed cells are written if they are few. Later queries touch only the cells that
-// they scan, and keep about 80 bytes for each jump point found. Faults: those of grid_query(); bad_input for
-// the model `corners`; no_path (proven at this resolution); budget_exhausted; cancelled. Sources: Harabor and
-// Grastien, Online graph pruning for pathfinding on grid maps (2011), The JPS pathfinding system (2012,
-// without corner cutting) and Improving jump point search (2014, blocks of bits and pruning of diagonal jump
-// points).
+// as bits and finds its dead ends: O(cells), half a byte and four bytes per cell in the workspace, which also
+// keeps the ground; no dead ends above 4 million cells. On another ground of the same frame, only the changed
+// cells are written if they are few; dead ends are then found again only after searches that cost as much.
+// Until then the counters, and the choice among equally long paths, may differ from those on a new workspace;
+// status and cost never do. Later queries touch only the cells that they scan, and keep about 60 bytes for
+// each jump point found, and the lists of jump points in at most 64 MiB beyond one query. Faults: those of
+// grid_query(); bad_input for the model `corners`; no_path (proven at this resolution); budget_exhausted;
+// cancelled. Sources: Harabor and Grastien, Online graph pruning for pathfinding on grid maps (2011), The JPS
+// pathfinding system (2012, without corner cutting) and Improving jump point search (2014, blocks of bits and
+// pruning of diagonal jump points); Pochter et al., Search space reduction using swamp hierarchies (2010).
 #pragma once
 
 #include "outrider/core/budget.hpp"

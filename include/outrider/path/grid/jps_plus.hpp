@@ -5,9 +5,10 @@
 //
 // Complete and optimal among paths along the eight moves of the grid; lengths are kept exactly as m + sqrt(2)
 // n cells, and lower_bound is the cost. Accepts only the model `cells`, with sides up to 32767. The first
-// query on a ground builds the index: O(cells), 16 bytes per cell in the workspace, which also keeps the
-// ground. On another ground of the same frame that differs in at most one cell in 32, only the runs whose
-// lengths change are computed again; the index equals one built from scratch. Faults: those of grid_query();
+// query on a ground builds the index and finds the dead ends: O(cells), 20 bytes per cell in the workspace,
+// which also keeps the ground. On another ground of the same frame that differs in at most one cell in 32,
+// only the runs whose lengths change are computed again; the index equals one built from scratch. Dead ends
+// follow as in jps.hpp, with the same consequence for counters. Faults: those of grid_query();
 // bad_input for the model `corners` or a longer side; no_path (proven at this resolution); budget_exhausted;
 // cancelled. Sources: Rabin and Silva, JPS+: an extreme A* speed optimization for static uniform cost grids
 // (2015); Harabor and Grastien, Improving jump point search (2014).

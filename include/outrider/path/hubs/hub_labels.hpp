@@ -6,7 +6,7 @@
 //
 // Complete. Optimal among all paths in the model, to 1e-9 of the length; lower_bound is the cost. Accepts
 // only the model `corners`. The first query builds the index, which the workspace keeps, in at most
-// `index_mib`. A small sample tells early whether the lists of all corners fit, with work that goes with the
+// `hub_memory`. A small sample tells early whether the lists of all corners fit, with work that goes with the
 // memory: some seconds for 64 MiB. Where they do not, the index holds the turns with landmarks instead
 // (guided_graph.hpp), and a query is a search among the turns, exact as well. Where these do not fit, or most
 // turns see more than 40 others, polyanya answers. save_hub_labels() and load_hub_labels() keep the index
@@ -38,7 +38,7 @@ namespace outrider {
 
 /// Options of hub_labels().
 struct HubLabelsOptions {
-  std::int64_t index_mib = 64;  ///< maximum memory of the index, MiB
+  std::int64_t hub_memory_mib = 64;  ///< maximum memory of the index, MiB
 };
 std::vector<Option> describe(HubLabelsOptions& options);
 

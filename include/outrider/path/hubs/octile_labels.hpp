@@ -8,12 +8,12 @@
 //
 // Complete and optimal among paths along the eight moves of the grid; lengths are kept exactly as m + sqrt(2)
 // n cells, and lower_bound is the cost. Accepts only the model `cells`. The first query builds the index,
-// which the workspace keeps, in at most `index_mib`. A small sample tells early whether the lists of all
+// which the workspace keeps, in at most `hub_memory`. A small sample tells early whether the lists of all
 // cells fit, with work that goes with the memory: some seconds for 64 MiB. Where they do not, or a path to a
 // hub has more than 65535 straight or diagonal moves, the index holds the subgoals with landmarks instead
 // (guided_graph.hpp), and a query is a search among the subgoals, exact as well. Where these do not fit, most
 // subgoals reach more than 40 others, the runs take more than half, or a side is longer than 32767 cells,
-// jps_plus answers if its distances fit into `index_mib`, else jps. save_octile_labels() and
+// jps_plus answers if its distances fit into `hub_memory`, else jps. save_octile_labels() and
 // load_octile_labels() keep the index between runs.
 //
 // On a changed ground, the index of the old ground answers if its answer is proven (hub_kept.hpp): its path
@@ -42,7 +42,7 @@ namespace outrider {
 
 /// Options of octile_labels().
 struct OctileLabelsOptions {
-  std::int64_t index_mib = 64;  ///< maximum memory of the index, MiB
+  std::int64_t hub_memory_mib = 64;  ///< maximum memory of the index, MiB
 };
 std::vector<Option> describe(OctileLabelsOptions& options);
 

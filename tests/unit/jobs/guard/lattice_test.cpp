@@ -27,7 +27,7 @@ FiringMap surveyed(const GuardProblem& problem, double resolution_m) {
 std::vector<double> ways_from(const Lattice& lattice, const FiringMap& firing_map, std::size_t cell) {
   Field field(firing_map.frame.size(), endless);
   field[cell] = 0;
-  lattice.error_ratio(field, 1);
+  lattice.lower(field, 1);
   std::vector<double> ways;
   for (const std::uint16_t units : field) ways.push_back(units * lattice.unit_m());
   return ways;
@@ -117,10 +117,10 @@ TEST(Lattice, SpreadsManySourcesAtOnce) {
       if (field[source] == endless) continue;
       Field alone(field.size(), endless);
       alone[source] = field[source];
-      lattice.error_ratio(alone, 2);
+      lattice.lower(alone, 2);
       for (std::size_t c = 0; c < alone.size(); ++c) expected[c] = std::min(expected[c], alone[c]);
     }
-    lattice.error_ratio(field, 2);
+    lattice.lower(field, 2);
     EXPECT_EQ(field, expected);
   }
 }

@@ -64,7 +64,7 @@ struct Yard {
   GuardPlan plan;
 };
 
-GuardOptions quick() {
+GuardOptions quick_options() {
   GuardOptions options = testing::from_rest();
   options.resolution_m = 0.2;
   options.stops = 40;
@@ -73,9 +73,9 @@ GuardOptions quick() {
 }
 
 Yard make_yard(GuardProblem problem) {
-  auto firing_map = build_firing_map(problem, quick());
+  auto firing_map = build_firing_map(problem, quick_options());
   EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
-  auto plan = plan_guard(problem, *firing_map, quick(), {});
+  auto plan = plan_guard(problem, *firing_map, quick_options(), {});
   EXPECT_TRUE(plan.has_value());
   return {std::move(problem), std::move(*firing_map), std::move(*plan)};
 }

@@ -31,6 +31,25 @@ class GroundCosts : public PlanCase {
   }
 };
 
+TEST_F(GroundCosts, AnIndexThatDoesNotFitIsAWarning) {
+  std::string open = "type octile\nheight 200\nwidth 200\nmap\n";
+  for (int y = 0; y < 200; ++y) open += std::string(200, '.') + "\n";
+  Changes ask{{"map", write("open.map", open)},
+              {"planner", "terrain_labels"},
+              {"from", "0.5,0.5"},
+              {"to", "199.5,150.5"},
+              {"terrain_labels.hub_memory", "1"}};
+  const auto small = plan(ask);
+  ASSERT_TRUE(small.has_value()) << to_string(small.error());
+  ASSERT_EQ(small->report.warnings.size(), 1U);
+  EXPECT_EQ(small->report.warnings.front(),
+            "terrain_a_star answers, since the labels of 200 x 200 cells do not fit into 1 MiB; give more "
+            "hub_memory, or a coarser map");
+  const auto fits = plan(with({{"costs", write("swamp.pgm", swamp())}, {"planner", "terrain_labels"}}));
+  ASSERT_TRUE(fits.has_value()) << to_string(fits.error());
+  EXPECT_TRUE(fits->report.warnings.empty());
+}
+
 TEST_F(GroundCosts, TheDefaultPlannerWeighsThem) {
   const auto run = plan(with({{"costs", write("swamp.pgm", swamp())}}));
   ASSERT_TRUE(run.has_value()) << to_string(run.error());
@@ -51,10 +70,12 @@ TEST_F(GroundCosts, TheDefaultPlannerWeighsThem) {
 TEST_F(GroundCosts, CompareAsksThoseThatWeigh) {
   const auto run = plan(with({{"costs", write("swamp.pgm", swamp())}, {"compare", "true"}}));
   ASSERT_TRUE(run.has_value()) << to_string(run.error());
-  ASSERT_EQ(rows_of(*run), 2U);
+  ASSERT_EQ(rows_of(*run), 3U);
   EXPECT_EQ(text_of(*run, 0, "planner"), "terrain_a_star");
   EXPECT_EQ(text_of(*run, 0, "guarantee"), "grid_optimal");
-  EXPECT_EQ(text_of(*run, 1, "guarantee"), "none");
+  EXPECT_EQ(text_of(*run, 1, "planner"), "terrain_labels");
+  EXPECT_NEAR(number_of(*run, 1, "cost"), number_of(*run, 0, "cost"), 1e-9);
+  EXPECT_EQ(text_of(*run, 2, "guarantee"), "none");
 }
 
 /// A ramp of 45 degrees in the upper half: a metre on it costs 1 + slope_cost.

@@ -101,8 +101,8 @@ TEST(HubLabels, SearchAmongLandmarksWhereLabelsDoNotFit) {
   const Blocked grid = strewn(rng, 120, 120, 0.1);
   const auto ground = ground_of(grid);
   HubLabelsOptions small, large;
-  small.index_mib = 2;
-  large.index_mib = 512;
+  small.hub_memory_mib = 2;
+  large.hub_memory_mib = 512;
   Workspace narrow, wide;
   int searched = 0, bent = 0;
   for (int k = 0; k < 1000; ++k) {
@@ -123,7 +123,7 @@ TEST(HubLabels, SearchAmongLandmarksOnChangedGrounds) {
   Rng rng = Rng(26).child("changes");
   auto ground = ground_of(strewn(rng, 120, 120, 0.1));
   HubLabelsOptions small;
-  small.index_mib = 2;
+  small.hub_memory_mib = 2;
   Workspace workspace;
   int bent = 0, searched = 0;
   for (int step = 0; step < outrider::testing::cases(12); ++step) {
@@ -152,7 +152,7 @@ TEST(HubLabels, LeaveItToPolyanyaWhereTheHubsDoNotFit) {
   Rng rng = Rng(24).child("no memory");
   const auto ground = ground_of(strewn(rng, 150, 150, 0.25));
   HubLabelsOptions options;
-  options.index_mib = 1;
+  options.hub_memory_mib = 1;
   Workspace workspace;
   int bent = 0;
   for (int k = 0; k < 50; ++k) {

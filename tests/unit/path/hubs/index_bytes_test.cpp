@@ -16,9 +16,9 @@ using Ground = std::shared_ptr<const GridMap>;
 /// A row with an index that can be kept, by name.
 class Stored : public ::testing::TestWithParam<std::string> {
  protected:
-  [[nodiscard]] ConfiguredPlanner planner(std::int64_t index_mib = 64) const {
+  [[nodiscard]] ConfiguredPlanner planner(std::int64_t hub_memory_mib = 64) const {
     ConfiguredPlanner configured = find_path_planner(GetParam())->configure();
-    EXPECT_TRUE(assign(configured.options.front(), std::to_string(index_mib)));
+    EXPECT_TRUE(assign(configured.options.front(), std::to_string(hub_memory_mib)));
     return configured;
   }
   [[nodiscard]] Ground ground_of(const Grid<std::uint8_t>& grid) const {
@@ -31,9 +31,9 @@ class Stored : public ::testing::TestWithParam<std::string> {
     if (!bytes.empty()) std::memcpy(words->data(), bytes.data(), bytes.size());
     return {std::as_bytes(std::span(*words)).first(bytes.size()), words};
   }
-  std::string saved(const Ground& ground, std::int64_t index_mib = 64) const {
+  std::string saved(const Ground& ground, std::int64_t hub_memory_mib = 64) const {
     Workspace workspace;
-    return planner(index_mib).save_index(ground, {}, workspace).value();
+    return planner(hub_memory_mib).save_index(ground, {}, workspace).value();
   }
   [[nodiscard]] std::string refusal(const Ground& ground, std::string_view bytes) const {
     Workspace workspace;
@@ -56,13 +56,13 @@ TEST_P(Stored, AnswersAsTheIndexThatWasBuilt) {
                                                                 {ground_of(strewn(rng, 120, 120, 0.1)), 2},
                                                                 {ground_of(strewn(rng, 200, 200, 0.3)), 1}};
   int bent = 0;
-  for (const auto& [ground, index_mib] : grounds) {
-    const ConfiguredPlanner row = planner(index_mib);
+  for (const auto& [ground, hub_memory_mib] : grounds) {
+    const ConfiguredPlanner row = planner(hub_memory_mib);
     Workspace built, loaded;
     const std::string bytes = row.save_index(ground, {}, built).value();
     ASSERT_TRUE(row.load_index(ground, stored(bytes), loaded));
     EXPECT_EQ(row.save_index(ground, {}, loaded).value(), bytes);
-    EXPECT_EQ(saved(ground, index_mib), bytes);
+    EXPECT_EQ(saved(ground, hub_memory_mib), bytes);
     for (int k = 0; k < 150; ++k) {
       const Problem problem{ground, random_point(rng, *ground), random_point(rng, *ground)};
       const auto a = row.plan(problem, {}, built), b = row.plan(problem, {}, loaded);

@@ -134,7 +134,7 @@ TEST(OctileLabels, SearchAmongLandmarksWhereLabelsDoNotFit) {
   const Blocked grid = strewn(rng, 120, 120, 0.1);
   const auto ground = ground_of(grid);
   OctileLabelsOptions small;
-  small.index_mib = 2;
+  small.hub_memory_mib = 2;
   Workspace narrow, wide;
   int searched = 0;
   for (int k = 0; k < 1000; ++k) {
@@ -153,7 +153,7 @@ TEST(OctileLabels, SearchAmongLandmarksOnChangedGrounds) {
   Rng rng = Rng(38).child("changes");
   auto ground = ground_of(strewn(rng, 120, 120, 0.1));
   OctileLabelsOptions small;
-  small.index_mib = 2;
+  small.hub_memory_mib = 2;
   Workspace workspace;
   int searched = 0;
   for (int step = 0; step < outrider::testing::cases(12); ++step) {
@@ -175,7 +175,7 @@ TEST(OctileLabels, LeaveItToJumpPointSearchWhereTheHubsDoNotFit) {
   const auto strewn_ground = ground_of(strewn(rng, 150, 150, 0.25));
   const auto long_ground = ground_of(strewn(rng, 40'000, 3, 0.02));
   OctileLabelsOptions options;
-  options.index_mib = 1;
+  options.hub_memory_mib = 1;
   Workspace workspace;
   for (const auto& ground : {strewn_ground, long_ground}) {
     for (int k = 0; k < 40; ++k) {

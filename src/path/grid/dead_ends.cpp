@@ -1,0 +1,225 @@
+#include "dead_ends.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace outrider {
+namespace {
+
+/// Sets of numbers that are joined.
+class Sets {
+ public:
+  std::uint32_t add() {
+    parents_.push_back(static_cast<std::uint32_t>(parents_.size()));
+    return parents_.back();
+  }
+  std::uint32_t find(std::uint32_t i) {
+    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    parents_[std::max(a, b)] = std::min(a, b);
+  }
+  [[nodiscard]] std::size_t size() const { return parents_.size(); }
+
+ private:
+  std::vector<std::uint32_t> parents_;
+};
+
+struct Gate {
+  std::uint32_t first = 0;  // index of its lowest cell
+  std::uint32_t length = 0;
+  std::uint32_t along = 0;  // from one cell to the next: 1 in a row, a line of the map in a column
+};
+
+/// Cells are indices of the map. The border around the grid is blocked, so each free cell has neighbours.
+class Builder {
+ public:
+  explicit Builder(const GridMap& ground)
+      : ground_(ground),
+        stride_(ground.stride),
+        size_(static_cast<std::uint32_t>(ground.marks.size())),
+        labels_(ground.marks.size(), DeadEnds::none) {}
+
+  DeadEnds build() {
+    join_walls();
+    choose_gates();
+    join_areas();
+    make_trees();
+    return finish();
+  }
+
+ private:
+  static constexpr std::uint32_t gate_bit = 1U << 31U;  // of a label: it is the number of a gate
+
+  [[nodiscard]] bool blocked(std::uint32_t i) const { return (ground_.marks[i] & GridMap::blocked_bit) != 0; }
+  [[nodiscard]] bool in_gate(std::uint32_t i) const {
+    return labels_[i] != DeadEnds::none && labels_[i] >= gate_bit;
+  }
+  [[nodiscard]] std::uint32_t gate_at(std::uint32_t i) const { return labels_[i] - gate_bit; }
+
+  /// Labels each run of blocked cells in a row, and joins runs that touch.
+  void join_walls() {
+    for (std::uint32_t row = 0; row < size_; row += stride_) {
+      for (std::uint32_t i = row; i < row + stride_; ++i) {
+        if (!blocked(i)) continue;
+        const bool begins = i == row || !blocked(i - 1);
+        labels_[i] = begins ? walls_.add() : labels_[i - 1];
+        if (row == 0) continue;
+        const std::uint32_t below = i - stride_;
+        if (blocked(below)) {
+          if (begins) walls_.join(labels_[i], labels_[below]);
+          continue;  // the cell after it is of the same run, or free
+        }
+        if (begins && i > row && blocked(below - 1)) walls_.join(labels_[i], labels_[below - 1]);
+        if (i + 1 < row + stride_ && blocked(below + 1)) walls_.join(labels_[i], labels_[below + 1]);
+      }
+    }
+  }
+
+  /// Adds the runs along rows or columns that are gates and end a stretch of equal ones.
+  void add_candidates(std::uint32_t along, std::uint32_t across, std::vector<Gate>& gates) {
+    const std::uint32_t lines = along == 1 ? size_ / stride_ : stride_, length = size_ / lines;
+    for (std::uint32_t line = across; line < (lines - 1) * across; line += across) {
+      const std::uint32_t end = line + (length - 1) * along;
+      for (std::uint32_t i = line + along; i < end; i += along) {
+        if (blocked(i)) continue;
+        const std::uint32_t begin = i;
+        while (!blocked(i)) i += along;
+        const Gate gate{begin, (i - begin) / along, along};
+        if (walls_.find(labels_[begin - along]) == walls_.find(labels_[i]) && ends_stretch(gate, across)) {
+          gates.push_back(gate);
+        }
+      }
+    }
+  }
+
+  /// Returns true if both sides of the gate hold free cells, and one of them is not an equal run.
+  [[nodiscard]] bool ends_stretch(const Gate& gate, std::uint32_t across) const {
+    const std::uint32_t before = gate.first - gate.along, after = gate.first + gate.length * gate.along;
+    std::uint32_t lower = 0, higher = 0;
+    for (std::uint32_t i = gate.first; i != after; i += gate.along) {
+      lower += blocked(i - across) ? 0 : 1;
+      higher += blocked(i + across) ? 0 : 1;
+    }
+    const bool equal_lower = lower == gate.length && blocked(before - across) && blocked(after - across);
+    const bool equal_higher = higher == gate.length && blocked(before + across) && blocked(after + across);
+    return lower > 0 && higher > 0 && !(equal_lower && equal_higher);
+  }
+
+  /// Takes the shortest gates that do not cross, and labels their cells.
+  void choose_gates() {
+    std::vector<Gate> candidates;
+    add_candidates(1, stride_, candidates);
+    add_candidates(stride_, 1, candidates);
+    std::sort(candidates.begin(), candidates.end(), [](const Gate& a, const Gate& b) {
+      return std::tie(a.length, a.along, a.first) < std::tie(b.length, b.along, b.first);
+    });
+    for (const Gate& gate : candidates) {
+      const std::uint32_t after = gate.first + gate.length * gate.along;
+      std::uint32_t i = gate.first;
+      while (i != after && labels_[i] == DeadEnds::none) i += gate.along;
+      if (i != after) continue;
+      for (i = gate.first; i != after; i += gate.along) {
+        labels_[i] = gate_bit + static_cast<std::uint32_t>(gates_.size());
+      }
+      gates_.push_back(gate);
+    }
+  }
+
+  /// Returns the side of a gate as a member of areas_.
+  static std::uint32_t lower_side(std::uint32_t gate) { return 2 * gate; }
+  static std::uint32_t higher_side(std::uint32_t gate) { return 2 * gate + 1; }
+
+  /// Joins the runs of free cells that no gate parts, and with them the sides of the gates that they touch.
+  void join_areas() {
+    for (std::size_t i = 0; i < 2 * gates_.size(); ++i) areas_.add();
+    for (std::uint32_t i = stride_; i < size_; ++i) {
+      if (blocked(i)) continue;
+      if (in_gate(i)) {
+        const std::uint32_t before = i - (gates_[gate_at(i)].along == 1 ? stride_ : 1);
+        if (!blocked(before)) areas_.join(lower_side(gate_at(i)), area_towards_higher(before));
+        continue;
+      }
+      const bool begins = blocked(i - 1) || in_gate(i - 1), opens = begins || blocked(i - stride_ - 1);
+      labels_[i] = begins ? areas_.add() : labels_[i - 1];
+      if (begins && !blocked(i - 1)) areas_.join(labels_[i], area_towards_higher(i - 1));
+      const std::uint32_t below = i - stride_;
+      if (!blocked(below) && (opens || in_gate(below) || in_gate(below - 1))) {
+        areas_.join(labels_[i], area_towards_higher(below));
+      }
+    }
+  }
+  /// Returns the area of a cell, as seen from the next higher cell.
+  [[nodiscard]] std::uint32_t area_towards_higher(std::uint32_t i) const {
+    return in_gate(i) ? higher_side(gate_at(i)) : labels_[i];
+  }
+
+  /// Numbers the areas of each tree from its root on.
+  void make_trees() {
+    const auto sides = static_cast<std::uint32_t>(2 * gates_.size());
+    first_.assign(areas_.size() + 1, 0);
+    for (std::uint32_t side = 0; side < sides; ++side) ++first_[areas_.find(side) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    beside_.resize(sides);
+    std::vector<std::uint32_t> next(first_);
+    for (std::uint32_t side = 0; side < sides; ++side) beside_[next[areas_.find(side)]++] = side;
+
+    numbers_.assign(areas_.size(), DeadEnds::none);
+    behind_.assign(gates_.size(), DeadEnds::none);
+    for (std::uint32_t set = 0; set < areas_.size(); ++set) {
+      if (areas_.find(set) == set && numbers_[set] == DeadEnds::none) make_tree(set);
+    }
+  }
+
+  void make_tree(std::uint32_t root) {
+    auto number = static_cast<std::uint32_t>(found_.areas.size());
+    numbers_[root] = number;
+    found_.areas.emplace_back();
+    for (std::vector<std::uint32_t> sets = {root}; number < found_.areas.size(); ++number) {
+      const std::uint32_t set = sets[number - numbers_[root]];
+      for (std::uint32_t k = first_[set]; k < first_[set + 1]; ++k) {
+        const std::uint32_t gate = beside_[k] / 2, other = areas_.find(beside_[k] ^ 1U);
+        if (numbers_[other] != DeadEnds::none) continue;
+        numbers_[other] = behind_[gate] = static_cast<std::uint32_t>(found_.areas.size());
+        const auto& [first, length, along] = gates_[gate];
+        found_.areas.push_back(
+            {number, found_.areas[number].depth + 1, cell(first), cell(first + (length - 1) * along)});
+        sets.push_back(other);
+      }
+    }
+  }
+  [[nodiscard]] Cell cell(std::uint32_t i) const {
+    return {static_cast<int>(i % stride_), static_cast<int>(i / stride_)};
+  }
+
+  DeadEnds finish() {
+    for (std::uint32_t i = 0; i < size_; ++i) {
+      if (blocked(i)) continue;
+      labels_[i] = in_gate(i) ? 2 * behind_[gate_at(i)] + 1 : 2 * numbers_[areas_.find(labels_[i])];
+    }
+    found_.labels = std::move(labels_);
+    return std::move(found_);
+  }
+
+  const GridMap& ground_;
+  std::uint32_t stride_;
+  std::uint32_t size_;
+  std::vector<std::uint32_t> labels_;  // of walls, gates and members of areas_, in the end as in DeadEnds
+  Sets walls_;
+  Sets areas_;  // of the two sides of each gate and runs of free cells
+  std::vector<Gate> gates_;
+  std::vector<std::uint32_t> first_, beside_;  // the sides of gates in each set of areas_
+  std::vector<std::uint32_t> numbers_;         // of the areas, by set
+  std::vector<std::uint32_t> behind_;          // the area behind each gate
+  DeadEnds found_;
+};
+
+}  // namespace
+
+DeadEnds dead_ends_of(const GridMap& ground) { return Builder(ground).build(); }
+
+}  // namespace outrider

@@ -1,0 +1,182 @@
+#include "terrain_index.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+#include "dissection_order.hpp"
+
+namespace outrider::hub_labelling {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double as_cheap = 1.0 + 1e-12;  // a path that costs no more than this counts as equally cheap
+
+constexpr unsigned move_back(unsigned move) { return move ^ 2U; }
+
+}  // namespace
+
+/// Builds the labels: from each cell in turn a search of Dijkstra, which does not go beyond cells to which
+/// earlier hubs know a path that is as cheap.
+class TerrainLabelling {
+ public:
+  TerrainLabelling(const GridMap& ground, const CellCosts* costs, std::size_t most_bytes)
+      : ground_(ground),
+        costs_(costs),
+        most_entries_(most_bytes / (sizeof(std::uint32_t) + sizeof(double))),
+        most_work_(std::uint64_t{most_bytes} << 4U),
+        order_(dissection_order(ground)),
+        labels_(ground.marks.size()),
+        cost_(ground.marks.size(), infinite),
+        back_(ground.marks.size(), 0),
+        to_hub_(order_.size(), infinite) {}
+
+  std::unique_ptr<const TerrainIndex> build(const std::stop_token& stop) {
+    for (std::uint32_t rank = 0; rank < order_.size(); ++rank) {
+      if (entries_ > most_entries_ || work_ > most_work_ || stop.stop_requested()) return nullptr;
+      search_from(rank);
+    }
+    return entries_ > most_entries_ ? nullptr : collect();
+  }
+
+ private:
+  struct Entry {
+    std::uint32_t hub = 0;
+    double cost = 0.0;
+  };
+  struct Waiting {
+    double cost = 0.0;
+    std::uint32_t cell = 0;
+    friend bool operator<(const Waiting& a, const Waiting& b) {  // the cheapest is on top
+      return a.cost != b.cost ? a.cost > b.cost : a.cell > b.cell;
+    }
+  };
+
+  [[nodiscard]] double price(std::uint32_t index) const {
+    return costs_ == nullptr ? 1.0 : double{costs_->per_m[ground_.at(index)]};
+  }
+
+  void search_from(std::uint32_t rank) {
+    const std::uint32_t hub = order_[rank];
+    for (const Entry& entry : labels_[hub]) to_hub_[entry.hub >> 3U] = entry.cost;
+    reach(hub, 0.0, 0);
+    while (!queue_.empty()) {
+      const auto [cost, cell] = queue_.top();
+      queue_.pop();
+      if (cost > cost_[cell] || known(cell, cost)) continue;
+      labels_[cell].push_back({8 * rank + back_[cell], cost});
+      ++entries_;
+      expand(cell, cost);
+    }
+    for (const std::uint32_t cell : reached_) cost_[cell] = infinite;
+    reached_.clear();
+    for (const Entry& entry : labels_[hub]) to_hub_[entry.hub >> 3U] = infinite;
+  }
+
+  void expand(std::uint32_t cell, double cost) {
+    const double here = price(cell);
+    for (unsigned left = ground_.moves[cell]; left != 0; left &= left - 1) {
+      const auto move = static_cast<unsigned>(std::countr_zero(left));
+      const Cell step = grid_moves[move];
+      const auto next = static_cast<std::uint32_t>(
+          static_cast<std::ptrdiff_t>(cell) + step.y * static_cast<std::ptrdiff_t>(ground_.stride) + step.x);
+      const double length = move < 4 ? 1.0 : std::numbers::sqrt2;
+      reach(next, cost + length * (0.5 * (here + price(next))), move_back(move));
+    }
+  }
+
+  void reach(std::uint32_t cell, double cost, unsigned back) {
+    if (!(cost < cost_[cell])) return;
+    if (cost_[cell] == infinite) reached_.push_back(cell);
+    cost_[cell] = cost;
+    back_[cell] = static_cast<std::uint8_t>(back);
+    queue_.push({cost, cell});
+  }
+
+  /// Returns true if an earlier hub lies on a path that is as cheap.
+  bool known(std::uint32_t cell, double cost) {
+    work_ += labels_[cell].size() + 8;
+    return std::any_of(labels_[cell].begin(), labels_[cell].end(), [&](const Entry& entry) {
+      return to_hub_[entry.hub >> 3U] + entry.cost <= cost * as_cheap;
+    });
+  }
+
+  std::unique_ptr<const TerrainIndex> collect() {
+    auto index = std::make_unique<TerrainIndex>();
+    index->work_ = work_;
+    index->first_.reserve(labels_.size() + 1);
+    index->hubs_.reserve(entries_);
+    index->costs_.reserve(entries_);
+    for (auto& label : labels_) {
+      index->first_.push_back(index->hubs_.size());
+      for (const Entry& entry : label) {
+        index->hubs_.push_back(entry.hub);
+        index->costs_.push_back(entry.cost);
+      }
+      std::vector<Entry>().swap(label);
+    }
+    index->first_.push_back(index->hubs_.size());
+    return index;
+  }
+
+  const GridMap& ground_;
+  const CellCosts* costs_;
+  std::size_t most_entries_;
+  std::uint64_t most_work_;
+  std::vector<std::uint32_t> order_;        // cell, by rank
+  std::vector<std::vector<Entry>> labels_;  // by cell; entries as in TerrainIndex
+  std::vector<double> cost_;                // by cell, of this search
+  std::vector<std::uint8_t> back_;          // by cell, the move towards the hub
+  std::vector<double> to_hub_;              // by rank, from the hub of this search
+  std::vector<std::uint32_t> reached_;
+  std::priority_queue<Waiting> queue_;
+  std::size_t entries_ = 0;
+  std::uint64_t work_ = 0;
+};
+
+std::unique_ptr<const TerrainIndex> TerrainIndex::of(const GridMap& ground, const CellCosts* costs,
+                                                     std::size_t most_bytes, const std::stop_token& stop) {
+  if (ground.marks.size() * sizeof(std::size_t) > most_bytes) return nullptr;
+  return TerrainLabelling(ground, costs, most_bytes - ground.marks.size() * sizeof(std::size_t)).build(stop);
+}
+
+/// Appends the cells from one on to a hub, both with it.
+void TerrainIndex::follow(const GridMap& ground, Cell from, std::uint32_t hub, std::vector<Cell>& way) const {
+  for (Cell c = from;;) {
+    way.push_back(c);
+    const std::uint32_t index = ground.index(c);
+    const std::size_t at = static_cast<std::size_t>(
+        std::lower_bound(hubs_.begin() + static_cast<std::ptrdiff_t>(first_[index]),
+                         hubs_.begin() + static_cast<std::ptrdiff_t>(first_[index + 1]), 8 * hub) -
+        hubs_.begin());
+    if (costs_[at] == 0.0) return;
+    const Cell step = grid_moves[hubs_[at] & 7U];
+    c = {c.x + step.x, c.y + step.y};
+  }
+}
+
+std::vector<Cell> TerrainIndex::find(const GridMap& ground, Cell start, Cell goal) const {
+  const std::uint32_t s = ground.index(start), g = ground.index(goal);
+  std::size_t i = first_[s], j = first_[g];
+  double best = infinite;
+  std::uint32_t hub = 0;
+  while (i < first_[s + 1] && j < first_[g + 1]) {
+    const std::uint32_t a = hubs_[i] >> 3U, b = hubs_[j] >> 3U;
+    if (a == b && costs_[i] + costs_[j] < best) {
+      best = costs_[i] + costs_[j];
+      hub = a;
+    }
+    i += a <= b ? 1 : 0;
+    j += b <= a ? 1 : 0;
+  }
+  std::vector<Cell> way, rest;
+  if (best == infinite) return way;
+  follow(ground, start, hub, way);
+  follow(ground, goal, hub, rest);
+  way.insert(way.end(), rest.rbegin() + 1, rest.rend());
+  return way;
+}
+
+}  // namespace outrider::hub_labelling
