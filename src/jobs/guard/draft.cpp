@@ -252,15 +252,21 @@ std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft
 
 }  // namespace
 
-Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_map,
-                          const GuardOptions& options, const Budget& budget, ShotBook& book,
-                          const DraftObserver& observe) {
-  Drafting drafting{problem, firing_map, options, budget, book, observe, sure_hits(problem, firing_map),
-                    {},      {}};
-  double told_s = std::numeric_limits<double>::infinity();
+std::vector<std::size_t> targets_with_region(const FiringMap& firing_map) {
+  std::vector<std::size_t> targets;
   for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
-    if (firing_map.regions[t].hits > 0) drafting.targets.push_back(t);
+    if (firing_map.regions[t].hits > 0) targets.push_back(t);
   }
+  return targets;
+}
+
+Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_map,
+                          const std::vector<std::size_t>& targets, const GuardOptions& options,
+                          const Budget& budget, ShotBook& book, const DraftObserver& observe) {
+  Drafting drafting{problem, firing_map, options, budget, book, observe, sure_hits(problem, firing_map),
+                    targets, {}};
+  drafting.hits.keep_only(targets);
+  double told_s = std::numeric_limits<double>::infinity();
   const auto wanted = static_cast<std::size_t>(options.stops);
   std::size_t most = std::min(wanted, usual_stops);
   // Among fewer stops a search finds better which parts of the yard to go to; near these it then gets all.

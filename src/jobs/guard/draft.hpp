@@ -32,9 +32,13 @@ struct Draft {
 
 /// The best tour found by looking at a error_ratio of stops first, then closer around the stops of the best
 /// tour, again and again until that no longer helps. Over the stops looked at last the tour then gets its
-/// bound, and is improved once more where that finds a better one. `book` holds the shot of each hit.
+/// bound, and is improved once more where that finds a better one. `book` holds the shot of each hit. Only
+/// `targets` are hit; each needs a firing region.
 Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_map,
-                          const GuardOptions& options, const Budget& budget, ShotBook& book,
-                          const DraftObserver& observe = {});
+                          const std::vector<std::size_t>& targets, const GuardOptions& options,
+                          const Budget& budget, ShotBook& book, const DraftObserver& observe = {});
+
+/// Returns the targets that have a firing region, ascending.
+std::vector<std::size_t> targets_with_region(const FiringMap& firing_map);
 
 }  // namespace outrider
