@@ -11,6 +11,8 @@
 namespace outrider {
 namespace {
 
+constexpr std::int64_t exact_goals_of_part = 8;  // more take seconds, and many parts are planned
+
 /// The stops of a draft with their shots, still without ways between them.
 std::vector<PlannedStop> stops_of(const GuardProblem& problem, const FiringMap& firing_map,
                                   const Draft& draft, const ShotBook& book) {
@@ -36,13 +38,13 @@ GuardOptions drafting_options(const FiringMap& firing_map, GuardOptions options)
 }
 
 /// Drafts a tour that hits the targets, and gives its stops to the plan, with the ways and the cost.
-Outcome<Draft> add_tour(const GuardProblem& problem, const FiringMap& firing_map,
-                        const std::vector<std::size_t>& targets, const GuardOptions& drafting,
-                        const Budget& budget, GuardPlan& plan, const DraftObserver& observe) {
+Outcome<Draft> add_tour(const GuardProblem& problem, const FiringMap& firing_map, const DraftTask& task,
+                        const GuardOptions& drafting, const Budget& budget, GuardPlan& plan,
+                        const DraftObserver& observe) {
   ShotBook book;
-  auto draft = draft_tour(problem, firing_map, targets, drafting, budget, book, observe);
+  auto draft = draft_tour(problem, firing_map, task, drafting, budget, book, observe);
   if (!draft) return draft;
-  for (const std::size_t t : targets) {
+  for (const std::size_t t : task.targets) {
     if (std::ranges::find(draft->targets, t) != draft->targets.end()) continue;
     plan.unreachable.push_back({t, "its only shots keep the margin by less than the contact tolerance"});
   }
@@ -74,7 +76,7 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firi
 
   const GuardOptions drafting = drafting_options(firing_map, options);
   const auto draft =
-      add_tour(problem, firing_map, targets_with_region(firing_map), drafting, budget, plan, observe);
+      add_tour(problem, firing_map, {targets_with_region(firing_map)}, drafting, budget, plan, observe);
   if (!draft) return tl::unexpected(draft.error());
   const double anywhere_s = mission_bound(problem, firing_map, draft->targets, drafting, budget);
   if (drafting.shoot_on_the_move) {
@@ -94,8 +96,10 @@ Outcome<GuardPlan> plan_part(const GuardProblem& problem, const FiringMap& firin
                              const Budget& budget) {
   GuardPlan plan;
   if (targets.empty()) return plan;
-  const GuardOptions drafting = drafting_options(firing_map, options);
-  const auto draft = add_tour(problem, firing_map, targets, drafting, budget, plan, {});
+  GuardOptions drafting = drafting_options(firing_map, options);
+  drafting.gap = 1.0;  // no bound
+  const auto draft =
+      add_tour(problem, firing_map, {targets, exact_goals_of_part}, drafting, budget, plan, {});
   if (!draft) return tl::unexpected(draft.error());
   if (drafting.shoot_on_the_move) return shoot_in_passing(problem, firing_map, plan, budget.stop);
   plan.expected_s = draft->tour.cost_s;
