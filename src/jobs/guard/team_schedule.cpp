@@ -16,6 +16,26 @@ constexpr double piece_s = 0.25;        // longest piece of a drive that is comp
 constexpr double wait_step_s = 0.25;    // waits that are tried
 constexpr int most_admissions = 2'000;  // drives that are admitted, those taken back included
 
+/// How much longer the turn to a leg and the leg take at most if it ends so far beside its end.
+double delay_s(const RobotModel& robot, const Straight& leg, double error_m) {
+  const double length = distance(leg.from, leg.to);
+  const double turn = error_m < length ? std::asin(error_m / length) : pi;
+  return duration(turn, robot.turning()) + duration(length + error_m, robot.straight()) - leg.length_s;
+}
+
+/// Adds where a robot is while it drives a leg.
+void add_pieces(std::vector<Presence>& present, const RobotModel& robot, const Straight& leg,
+                double leaves_s) {
+  const auto pieces = static_cast<int>(std::ceil(leg.length_s / piece_s));
+  Vec2 at = leg.from;
+  for (int i = 1; i <= pieces; ++i) {
+    const double after_s = leg.length_s * i / pieces;
+    const Vec2 next = i == pieces ? leg.to : platform_on(robot, leg.from, leg.to, after_s).position;
+    present.push_back({present.back().end_s, leaves_s + after_s, {at, next}});
+    at = next;
+  }
+}
+
 /// What has been admitted so far.
 struct Admitted {
   std::vector<PlanClock> clocks;
@@ -64,7 +84,8 @@ class TeamScheduler {
     for (const auto& present : admitted.present) last_s = std::max(last_s, present.back().begin_s);
     const auto& waypoints = member.plan.stops[clock.stops_made()].waypoints;
     for (double begin_s = clock.free_s(); begin_s < last_s + wait_step_s; begin_s += wait_step_s) {
-      auto own = presences(member.problem.robot, clock.heading_rad(), waypoints, begin_s);
+      auto own = presences(member.problem.robot, clock.heading_rad(), waypoints, begin_s,
+                           member.problem.errors.position_m);
       bool apart = true;
       for (std::size_t other = 0; apart && other < team_.size(); ++other)
         apart = other == robot || keep_apart(own, admitted.present[other], gap_m_);
@@ -91,23 +112,25 @@ class TeamScheduler {
 
 }  // namespace
 
+Presence standing(Vec2 place, double begin_s) { return {begin_s, no_end_s, {place, place}}; }
+
 std::vector<Presence> presences(const RobotModel& robot, double heading_rad,
-                                const std::vector<Vec2>& waypoints, double begin_s) {
+                                const std::vector<Vec2>& waypoints, double begin_s, double arrival_error_m) {
   std::vector<Presence> result;
+  const std::vector<Straight> legs = straights(robot, heading_rad, waypoints);
   double time_s = begin_s;
-  for (const Straight& leg : straights(robot, heading_rad, waypoints)) {
-    result.push_back({time_s, begin_s + leg.begin_s, {leg.from, leg.from}});
-    const auto pieces = static_cast<int>(std::ceil(leg.length_s / piece_s));
-    Vec2 at = leg.from;
-    for (int i = 1; i <= pieces; ++i) {
-      const double after_s = leg.length_s * i / pieces;
-      const Vec2 next = i == pieces ? leg.to : platform_on(robot, leg.from, leg.to, after_s).position;
-      result.push_back({result.back().end_s, begin_s + leg.begin_s + after_s, {at, next}});
-      at = next;
+  for (std::size_t k = 0; k < legs.size(); ++k) {
+    const Straight& leg = legs[k];
+    const double leaves_s = begin_s + leg.begin_s, ends_s = leaves_s + leg.length_s;
+    if (k + 1 == legs.size() && arrival_error_m > 0.0) {
+      result.push_back({time_s, ends_s + delay_s(robot, leg, arrival_error_m), {leg.from, leg.to}});
+    } else {
+      result.push_back({time_s, leaves_s, {leg.from, leg.from}});
+      add_pieces(result, robot, leg, leaves_s);
     }
     time_s = result.back().end_s;
   }
-  result.push_back({time_s, no_end_s, {waypoints.back(), waypoints.back()}});
+  result.push_back(standing(waypoints.back(), time_s));
   return result;
 }
 
@@ -129,7 +152,7 @@ std::optional<std::vector<MemberTimes>> schedule_team(const FiringMap& firing_ma
   for (const TeamMember& member : team) {
     const Vec2 start = member.problem.start.position;
     admitted.clocks.emplace_back(member.problem, firing_map, member.plan);
-    admitted.present.push_back({{0.0, no_end_s, {start, start}}});
+    admitted.present.push_back({standing(start, 0.0)});
   }
   if (!TeamScheduler(team, gap_m).finish(admitted)) return std::nullopt;
   return admitted.times;

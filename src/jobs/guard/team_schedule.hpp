@@ -17,10 +17,14 @@ struct Presence {
   Segment within;
 };
 
+/// Returns that a robot stands at a place for ever.
+Presence standing(Vec2 place, double begin_s);
+
 /// Returns where a robot is during a drive from rest, in pieces of at most 0.25 s, and that it stands at the
-/// end for ever after.
+/// end for ever after. If the drive may end up to `arrival_error_m` beside the last waypoint, the last leg is
+/// one piece, long enough for every such drive, and the robot is that near to it.
 std::vector<Presence> presences(const RobotModel& robot, double heading_rad,
-                                const std::vector<Vec2>& waypoints, double begin_s);
+                                const std::vector<Vec2>& waypoints, double begin_s, double arrival_error_m);
 
 /// Returns false if the two may come nearer than `gap_m` at some time. Both lists are in the order of time.
 /// It is conservative: at one time, any two points of the segments count.

@@ -157,7 +157,7 @@ TEST(KeepApart, IsSafeAndNotFarTooCareful) {
       const TimedDrive drive{rng.uniform(0.0, 4.0), {start.position, place(), place(), place()}};
       robots.push_back({start, {drive}});
       present.push_back({{0.0, drive.begin_s, {start.position, start.position}}});
-      const auto driven = presences(robot, start.heading_rad, drive.waypoints, drive.begin_s);
+      const auto driven = presences(robot, start.heading_rad, drive.waypoints, drive.begin_s, 0.0);
       present.back().insert(present.back().end(), driven.begin(), driven.end());
       EXPECT_NEAR(driven.back().begin_s,
                   drive.begin_s + drive_cost(robot, start.heading_rad, drive.waypoints).time_s, 1e-9);
