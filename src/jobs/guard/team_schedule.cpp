@@ -7,6 +7,7 @@
 
 #include "assemble.hpp"
 #include "outrider/jobs/guard/passing.hpp"
+#include "outrider/motion/profile.hpp"
 
 namespace outrider {
 namespace {
@@ -16,23 +17,36 @@ constexpr double piece_s = 0.25;        // longest piece of a drive that is comp
 constexpr double wait_step_s = 0.25;    // waits that are tried
 constexpr int most_admissions = 2'000;  // drives that are admitted, those taken back included
 
-/// How much longer the turn to a leg and the leg take at most if it ends so far beside its end.
-double delay_s(const RobotModel& robot, const Straight& leg, double error_m) {
+/// Bounds on what a drive may be off its leg if it ends beside the end of the leg.
+struct LegError {
+  double shift_s = 0.0;  // the turn to the leg takes so much more or less
+  double delay_s = 0.0;  // the drive is so much later at its end, at most
+  double along_m = 0.0;  // at a time after the turn, from its place on the leg
+};
+
+LegError leg_error(const RobotModel& robot, const Straight& leg, double error_m) {
+  if (error_m == 0.0) return {};
   const double length = distance(leg.from, leg.to);
-  const double turn = error_m < length ? std::asin(error_m / length) : pi;
-  return duration(turn, robot.turning()) + duration(length + error_m, robot.straight()) - leg.length_s;
+  const double shift_s = duration(error_m < length ? std::asin(error_m / length) : pi, robot.turning());
+  // The way driven after some time changes by no more than the length, and so does its part of the length.
+  return {shift_s, shift_s + duration(length + error_m, robot.straight()) - leg.length_s, 2.0 * error_m};
 }
 
-/// Adds where a robot is while it drives a leg.
-void add_pieces(std::vector<Presence>& present, const RobotModel& robot, const Straight& leg,
-                double leaves_s) {
+/// Adds where a robot is while it turns to a leg, from `time_s` on, and drives it.
+void add_leg(std::vector<Presence>& present, const RobotModel& robot, const Straight& leg, double time_s,
+             double leaves_s, const LegError& error) {
+  present.push_back({time_s, leaves_s + error.shift_s, {leg.from, leg.from}});
+  const Limits straight = robot.straight();
+  const double length = distance(leg.from, leg.to);
+  const Vec2 ahead = 1.0 / length * (leg.to - leg.from);
   const auto pieces = static_cast<int>(std::ceil(leg.length_s / piece_s));
-  Vec2 at = leg.from;
-  for (int i = 1; i <= pieces; ++i) {
-    const double after_s = leg.length_s * i / pieces;
-    const Vec2 next = i == pieces ? leg.to : platform_on(robot, leg.from, leg.to, after_s).position;
-    present.push_back({present.back().end_s, leaves_s + after_s, {at, next}});
-    at = next;
+  for (int i = 0; i < pieces; ++i) {
+    const double begin_s = leg.length_s * i / pieces, end_s = leg.length_s * (i + 1) / pieces;
+    const double rear = std::max(0.0, covered(length, straight, begin_s) - error.along_m);
+    const double front = std::min(length, covered(length, straight, end_s) + error.along_m);
+    present.push_back({std::max(time_s, leaves_s + begin_s - error.shift_s),
+                       leaves_s + end_s + (i + 1 < pieces ? error.shift_s : error.delay_s),
+                       {leg.from + rear * ahead, i + 1 < pieces ? leg.from + front * ahead : leg.to}});
   }
 }
 
@@ -120,14 +134,9 @@ std::vector<Presence> presences(const RobotModel& robot, double heading_rad,
   const std::vector<Straight> legs = straights(robot, heading_rad, waypoints);
   double time_s = begin_s;
   for (std::size_t k = 0; k < legs.size(); ++k) {
-    const Straight& leg = legs[k];
-    const double leaves_s = begin_s + leg.begin_s, ends_s = leaves_s + leg.length_s;
-    if (k + 1 == legs.size() && arrival_error_m > 0.0) {
-      result.push_back({time_s, ends_s + delay_s(robot, leg, arrival_error_m), {leg.from, leg.to}});
-    } else {
-      result.push_back({time_s, leaves_s, {leg.from, leg.from}});
-      add_pieces(result, robot, leg, leaves_s);
-    }
+    const bool last = k + 1 == legs.size();
+    const LegError error = last ? leg_error(robot, legs[k], arrival_error_m) : LegError{};
+    add_leg(result, robot, legs[k], time_s, begin_s + legs[k].begin_s, error);
     time_s = result.back().end_s;
   }
   result.push_back(standing(waypoints.back(), time_s));

@@ -21,8 +21,9 @@ struct Presence {
 Presence standing(Vec2 place, double begin_s);
 
 /// Returns where a robot is during a drive from rest, in pieces of at most 0.25 s, and that it stands at the
-/// end for ever after. If the drive may end up to `arrival_error_m` beside the last waypoint, the last leg is
-/// one piece, long enough for every such drive, and the robot is that near to it.
+/// end for ever after. If the drive may end up to `arrival_error_m` beside the last waypoint, the pieces of
+/// the last leg are longer in space and time, such that at all times the robot is that near to one of those
+/// that last then. Pieces begin and end in the order of time.
 std::vector<Presence> presences(const RobotModel& robot, double heading_rad,
                                 const std::vector<Vec2>& waypoints, double begin_s, double arrival_error_m);
 

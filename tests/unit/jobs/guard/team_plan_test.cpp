@@ -4,6 +4,8 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "outrider/jobs/guard/bound.hpp"
 #include "outrider/jobs/guard/closest_approach.hpp"
@@ -175,6 +177,83 @@ TEST(KeepApart, IsSafeAndNotFarTooCareful) {
   }
   EXPECT_GT(apart, cases(400) / 8);
   EXPECT_EQ(needless, 0);
+}
+
+TEST(KeepApart, HoldsForDrivesThatEndBesideTheirGoals) {
+  Rng rng(24);
+  const RobotModel robot;
+  const double gap_m = 0.54, error_m = 0.1;
+  int apart = 0;
+  for (int i = 0; i < cases(2000); ++i) {
+    std::vector<TimedDrives> robots;
+    std::vector<std::vector<Presence>> present;
+    for (int r = 0; r < 2; ++r) {
+      const auto place = [&] { return Vec2{rng.uniform(-2.0, 2.0), rng.uniform(-2.0, 2.0)}; };
+      const Pose2 start{place(), rng.uniform(-pi, pi)};
+      TimedDrive drive{rng.uniform(0.0, 4.0), {start.position, place(), place()}};
+      if (i % 4 == 0) drive.waypoints.back() = drive.waypoints[1] + 0.05 * direction(rng.uniform(-pi, pi));
+      present.push_back({{0.0, drive.begin_s, {start.position, start.position}}});
+      const auto driven = presences(robot, start.heading_rad, drive.waypoints, drive.begin_s, error_m);
+      present.back().insert(present.back().end(), driven.begin(), driven.end());
+      drive.waypoints.back() = drive.waypoints.back() + error_m * direction(rng.uniform(-pi, pi));
+      robots.push_back({start, {drive}});
+    }
+    if (!keep_apart(present[0], present[1], gap_m + 2.0 * error_m)) continue;
+    ++apart;
+    const auto nearest = closest_approach(robot, robots);
+    ASSERT_TRUE(nearest.has_value());
+    EXPECT_GE(nearest->distance_m, gap_m - 1e-9);
+  }
+  EXPECT_GT(apart, cases(2000) / 20);
+}
+
+/// Plans with one drive each, across an empty yard.
+struct Drivers {
+  GuardProblem one, other;
+  GuardPlan of_one, of_other;
+  FiringMap firing_map;
+};
+
+Drivers drivers(Vec2 from, Vec2 to, Vec2 other_from, Vec2 other_to) {
+  GuardProblem problem;
+  problem.world.bounds = {{-4, -4}, {4, 4}};
+  problem.world.solids = {testing::floor_at(0)};
+  problem.start = {from, 0.0};
+  GuardProblem other = problem;
+  other.start = {other_from, 0.0};
+  auto firing_map = build_firing_map(problem, testing::quick());
+  GuardPlan of_one, of_other;
+  of_one.stops.push_back({to, {from, to}, {}});
+  of_other.stops.push_back({other_to, {other_from, other_to}, {}});
+  return {problem, other, of_one, of_other, std::move(*firing_map)};
+}
+
+TEST(ScheduleTeam, LetsOneWaitWhereWaysCross) {
+  const Drivers two = drivers({-2, 0}, {2, 0}, {0, -2}, {0, 2});
+  const double gap_m = team_gap_m(two.one);
+  const auto times = schedule_team(two.firing_map, {{two.one, two.of_one}, {two.other, two.of_other}}, gap_m);
+  ASSERT_TRUE(times.has_value());
+  const double one_s = (*times)[0].begins_s[0], other_s = (*times)[1].begins_s[0];
+  EXPECT_EQ(std::min(one_s, other_s), 0.0);
+  EXPECT_GT(std::max(one_s, other_s), 0.0);
+  EXPECT_LT(std::max(one_s, other_s), 2.0);
+  const auto nearest =
+      closest_approach(two.one.robot, {{two.one.start, {{one_s, two.of_one.stops[0].waypoints}}},
+                                       {two.other.start, {{other_s, two.of_other.stops[0].waypoints}}}});
+  ASSERT_TRUE(nearest.has_value());
+  EXPECT_GE(nearest->distance_m, gap_m);
+}
+
+TEST(ScheduleTeam, HasNothingForTwoThatChangePlaces) {
+  const Drivers two = drivers({-2, 0}, {2, 0}, {2, 0}, {-2, 0});
+  EXPECT_FALSE(schedule_team(two.firing_map, {{two.one, two.of_one}, {two.other, two.of_other}}, 0.8));
+}
+
+TEST(ScheduleTeam, LetsOneLeaveBeforeTheOtherComes) {
+  const Drivers two = drivers({-2, 0}, {2, 0}, {2, 0}, {2, 3});
+  const auto times = schedule_team(two.firing_map, {{two.one, two.of_one}, {two.other, two.of_other}}, 0.8);
+  ASSERT_TRUE(times.has_value());
+  EXPECT_EQ((*times)[1].begins_s[0], 0.0);
 }
 
 /// Bound of a team by trying all partitions of the targets with the bound of one robot.
