@@ -87,7 +87,7 @@ class TeamRunner {
     if (const auto* drive = std::get_if<FollowWaypoints>(&*command)) {
       auto own = presences(member.problem.robot, seen.odometry.heading_rad, drive->waypoints, seen.time_s,
                            problem_.errors.position_m);
-      if (!apart_from_others(member, own)) return refuse(member, seen.time_s);
+      if (!apart_from_others(member, own)) return refuse(member, std::move(tried), *drive, seen.time_s);
       admit(member, std::move(own), seen.time_s);
       member.driven.drives.push_back({seen.time_s, drive->waypoints});
     }
@@ -109,24 +109,36 @@ class TeamRunner {
     member.present.insert(member.present.end(), own.begin(), own.end());
   }
 
-  /// Lets a robot wait, or give its present stop up if waiting does not help any more.
-  void refuse(TeamRobot& member, double time_s) {
+  /// Lets a robot wait, or give its present stop up if waiting does not help any more. `tried` are its tasks
+  /// as if it had begun the drive.
+  void refuse(TeamRobot& member, StopTasks tried, const FollowWaypoints& drive, double time_s) {
     member.refused = true;
     const bool stuck = std::ranges::all_of(team_, [&](const auto& other) {
       return (other->done || other->refused) && other->present.back().begin_s <= time_s;
     });
-    if (stuck) return give_up_stop(member, time_s);
+    if (stuck) {
+      member.tasks = std::move(tried);
+      give_up_stop(member, drive, time_s);
+      return;
+    }
     member.robot->act(Wait{time_s + team_wait_s});
     run_.waited_s += team_wait_s;
   }
 
-  static void give_up_stop(TeamRobot& member, double time_s) {
-    StopTask& task = member.tasks.queue.front();
-    task.targets.insert(task.targets.end(), task.passing.begin(), task.passing.end());
-    for (const std::size_t target : task.targets)
-      settle(member.tasks.records[target], TargetStatus::failed, "another robot stood in the way", time_s);
-    member.tasks.queue.pop_front();
-    member.tasks.arrived = member.tasks.aimed = false;
+  /// Fails the targets of the present stop and of the drive to it, whose shots are not fired.
+  void give_up_stop(TeamRobot& member, const FollowWaypoints& drive, double time_s) {
+    ++run_.given_up;
+    StopTasks& tasks = member.tasks;
+    std::vector<std::size_t> targets = std::move(tasks.queue.front().targets);
+    for (const FireInPassing& shot : drive.shots) {
+      --tasks.records[shot.target].shots;
+      std::erase_if(tasks.flying, [&](const FlyingBall& ball) { return ball.target == shot.target; });
+      targets.push_back(shot.target);
+    }
+    for (const std::size_t target : targets)
+      settle(tasks.records[target], TargetStatus::failed, "another robot stood in the way", time_s);
+    tasks.queue.pop_front();
+    tasks.arrived = tasks.aimed = false;
     member.refused = false;
   }
 

@@ -25,6 +25,7 @@ struct TeamRun {
   std::vector<Log> logs;              ///< by robot, as that of a single one
   double mission_s = 0.0;             ///< the last robot is done
   double waited_s = 0.0;              ///< sum of the waits for other robots
+  std::size_t given_up = 0;           ///< stops that another robot kept from being made
   bool ended_early = false;           ///< by the stop token
 };
 

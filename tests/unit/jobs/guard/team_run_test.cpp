@@ -72,5 +72,33 @@ TEST(RunTeam, EndsWithoutErrorsWhenItsPlanDoes) {
   EXPECT_GE(run.mission_s, plan->lower_bound_s);
 }
 
+/// A robot without targets stands where the other one has to go.
+TEST(RunTeam, GivesAStopUpThatNobodyLeaves) {
+  Rng rng(91);
+  std::size_t given_up = 0, ran = 0;
+  for (int i = 0; i < cases(6); ++i) {
+    auto problem = testing::random_guard_problem(rng, 4, 3, 4.0);
+    problem.gun.muzzle_speed_mps = 5.0;  // it has to go near
+    problem.errors.heading_rad = 0.0;
+    const auto firing_map = build_firing_map(problem, testing::quick());
+    ASSERT_TRUE(firing_map.has_value());
+    auto plan = plan_team(problem, *firing_map, {problem.start}, testing::quick(), {});
+    ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
+    if (plan->parts[0].plan.stops.empty()) continue;
+    const Vec2 stop = plan->parts[0].plan.stops.back().position;
+    if (distance(stop, problem.start.position) < team_gap_m(problem)) continue;
+    plan->parts.push_back({{stop, 0.0}, {}, {}, 0.0});
+    const TeamRun run = run_team(problem, *firing_map, *plan, 3);
+    const auto nearest = closest_approach(problem.robot, run.driven);
+    ASSERT_TRUE(nearest.has_value()) << nearest.error().sentence;
+    EXPECT_GE(nearest->distance_m, 2.0 * problem.robot.radius_m);
+    for (const TargetRecord& record : run.records) EXPECT_NE(record.status, TargetStatus::waiting);
+    given_up += run.given_up;
+    ++ran;
+  }
+  EXPECT_GT(ran, 0U);
+  EXPECT_GT(given_up, 0U);
+}
+
 }  // namespace
 }  // namespace outrider
