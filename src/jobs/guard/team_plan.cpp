@@ -76,6 +76,11 @@ class TeamPlanner {
     for (std::size_t r = 1; r < problems_.size(); ++r) others.push_back(problems_[r].start.position);
     auto stops = precompute_stops(problems_.front(), firing_map_, alone, ArrivalOptions{}, budget_, others);
     if (!stops) return pass_on(stops);
+    if (alone.on_the_move) {  // most balls are not waited for
+      for (auto& services : stops->table.services) {
+        for (Service& service : services) service.duration_s = 0.0;
+      }
+    }
     std::vector<SplitStart> starts{{0, problems_.front().start.heading_rad}};
     for (std::size_t r = 1; r < problems_.size(); ++r)
       starts.push_back({stops->stops.size() - problems_.size() + r, problems_[r].start.heading_rad});
