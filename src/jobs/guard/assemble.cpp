@@ -37,31 +37,34 @@ GuardPlan begin_plan(const GuardProblem& problem, const FiringMap& firing_map, c
   return plan;
 }
 
-double mission_time(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan) {
-  double time = 0.0;
-  double heading = problem.start.heading_rad;
-  GunState gun;
-  double gun_free = 0.0;  // since when the gun may turn to the next shot
-  double landed = 0.0;    // the last ball
-  for (const PlannedStop& stop : plan.stops) {
-    const DriveCost drive = drive_cost(problem.robot, heading, stop.waypoints, firing_map.ground.terrain());
-    if (!stop.passing.empty()) gun_free = time + stop.passing.back().leaves_s;
-    landed = std::max(landed, time + last_landing_s(stop.passing));
-    gun = gun_after(stop.waypoints, stop.passing, gun);
-    time += drive.time_s;
-    heading = drive.heading_rad;
-    const double forward = heading_on(stance_at(firing_map.rules, stop.position), heading);
-    for (const PlannedHit& hit : stop.hits) {
-      const GunState to{hit.shot.gun.yaw_rad - forward, hit.shot.gun.pitch_rad};
-      const double aim = aim_time(problem.gun, to.yaw_rad - gun.yaw_rad, to.pitch_rad - gun.pitch_rad);
-      gun = to;
-      time = plan.on_the_move ? std::max(time, gun_free + aim) : time + aim;
-      landed = std::max(landed, time + hit.shot.flight_s);
-      if (!is_left_flying(plan, hit.shot)) time += hit.shot.flight_s;
-      gun_free = time;
-    }
+void PlanClock::make_stop(double begin_s) {
+  const PlannedStop& stop = plan_.stops[stops_made_++];
+  time_s_ = std::max(time_s_, begin_s);
+  const DriveCost drive =
+      drive_cost(problem_.robot, heading_rad_, stop.waypoints, firing_map_.ground.terrain());
+  if (!stop.passing.empty()) gun_free_s_ = time_s_ + stop.passing.back().leaves_s;
+  landed_s_ = std::max(landed_s_, time_s_ + last_landing_s(stop.passing));
+  gun_ = gun_after(stop.waypoints, stop.passing, gun_);
+  time_s_ += drive.time_s;
+  heading_rad_ = drive.heading_rad;
+  const double forward = heading_on(stance_at(firing_map_.rules, stop.position), heading_rad_);
+  for (const PlannedHit& hit : stop.hits) {
+    const GunState to{hit.shot.gun.yaw_rad - forward, hit.shot.gun.pitch_rad};
+    const double aim = aim_time(problem_.gun, to.yaw_rad - gun_.yaw_rad, to.pitch_rad - gun_.pitch_rad);
+    gun_ = to;
+    time_s_ = plan_.on_the_move ? std::max(time_s_, gun_free_s_ + aim) : time_s_ + aim;
+    landed_s_ = std::max(landed_s_, time_s_ + hit.shot.flight_s);
+    if (!is_left_flying(plan_, hit.shot)) time_s_ += hit.shot.flight_s;
+    gun_free_s_ = time_s_;
   }
-  return std::max(time, landed);
+}
+
+double PlanClock::end_s() const { return std::max(time_s_, landed_s_); }
+
+double mission_time(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan) {
+  PlanClock clock(problem, firing_map, plan);
+  while (!clock.done()) clock.make_stop();
+  return clock.end_s();
 }
 
 Status finish_plan(const GuardProblem& problem, const FiringMap& firing_map, const Budget& budget,

@@ -55,6 +55,16 @@ std::uint16_t sum(std::uint32_t a, std::uint32_t b) {
 
 std::size_t without(std::size_t set, std::size_t bit) { return set & ~(std::size_t{1} << bit); }
 
+/// The cell whose centre is nearest to a place, and its distance.
+std::pair<std::size_t, double> nearest_cell(const GridFrame& frame, Vec2 place) {
+  std::pair<std::size_t, double> nearest{0, std::numeric_limits<double>::infinity()};
+  for (std::size_t c = 0; c < frame.size(); ++c) {
+    const double way = distance(frame.centre(frame.cell(c)), place);
+    if (way < nearest.second) nearest = {c, way};
+  }
+  return nearest;
+}
+
 /// The mission without turns, aims and halts at bends, over the targets chosen so far. Times are in units.
 /// On the move, drives have no halts and no ball is waited for.
 class Relaxed {
@@ -68,6 +78,8 @@ class Relaxed {
   [[nodiscard]] std::optional<std::size_t> hardest() const;
   [[nodiscard]] double bound_s() const;
   [[nodiscard]] const std::vector<std::size_t>& chosen() const { return chosen_; }
+  /// By set of chosen targets, the least time to hit all of them from another start.
+  [[nodiscard]] std::vector<double> values_from(Vec2 start) const;
   /// The same targets on the move, but the mission ends at the start.
   [[nodiscard]] Relaxed homeward(const std::stop_token& stop) const;
   /// By set of chosen targets, the cells where a robot on the move may have these left to hit if the mission
@@ -78,7 +90,8 @@ class Relaxed {
   [[nodiscard]] Field arrived(std::size_t set) const;
   void drive(Field& value) const;
   [[nodiscard]] std::vector<std::size_t> stops() const;
-  [[nodiscard]] double value_s(std::size_t set) const;
+  [[nodiscard]] double value_s(std::size_t set) const { return value_s(set, home_, to_home_s_); }
+  [[nodiscard]] double value_s(std::size_t set, std::size_t home, double to_home_s) const;
   [[nodiscard]] double on_the_move_s(double driven_s) const;
   [[nodiscard]] bool is_chosen(std::size_t index) const {
     return std::find(chosen_.begin(), chosen_.end(), index) != chosen_.end();
@@ -113,12 +126,8 @@ Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
   overhead_ = static_cast<std::uint32_t>(
       std::min<double>(endless, straight_.speed / straight_.acceleration / unit_s_));
   const auto place = [&](std::size_t c) { return firing_map.frame.centre(firing_map.frame.cell(c)); };
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t c = 0; c < firing_map.frame.size(); ++c) {
-    const double way = distance(place(c), problem.start.position);
-    if (way < nearest) home_ = c;
-    nearest = std::min(nearest, way);
-  }
+  const auto [home, nearest] = nearest_cell(frame_, problem.start.position);
+  home_ = home;
   to_home_s_ = 2.0 * nearest / straight_.speed;
   parallel_for(targets.size(), [&](std::size_t i) {
     const std::size_t t = targets[i];
@@ -186,9 +195,18 @@ bool Relaxed::choose(std::size_t index, BudgetMeter& meter, const std::stop_toke
 
 /// From below, the time to hit a set from the start. On the move, the robot shoots anywhere in a cell rather
 /// than at its centre.
-double Relaxed::value_s(std::size_t set) const {
-  const double time = value_[set][home_] * unit_s_ - to_home_s_;
+double Relaxed::value_s(std::size_t set, std::size_t home, double to_home_s) const {
+  const double time = value_[set][home] * unit_s_ - to_home_s;
   return on_the_move_ ? on_the_move_s(time - std::popcount(set) * aside_s_) : time;
+}
+
+std::vector<double> Relaxed::values_from(Vec2 start) const {
+  const auto [home, nearest] = nearest_cell(frame_, start);
+  std::vector<double> values;
+  for (std::size_t set = 0; set < value_.size(); ++set)
+    values.push_back(std::max(0.0, value_s(set, home, 2.0 * nearest / straight_.speed)));
+  values.front() = 0.0;
+  return values;
 }
 
 /// The time of a drive that takes `driven_s` at full speed, and speeds up once.
@@ -311,23 +329,55 @@ double with_headings(const GuardProblem& problem, const FiringMap& firing_map,
   return bound;
 }
 
+/// Memory that fields of values may take.
+double memory_limit_bytes(const GuardOptions& options) {
+  return 0.5 * static_cast<double>(options.memory_mib) * 1048576.0;
+}
+
+/// The relaxed mission over at most so many targets, each time the hardest, and fewer if memory or budget
+/// end.
+Relaxed with_hardest(const GuardProblem& problem, const FiringMap& firing_map,
+                     const std::vector<std::size_t>& targets, const GuardOptions& options, std::size_t most,
+                     const Budget& budget) {
+  const double field = sizeof(std::uint16_t) * static_cast<double>(firing_map.frame.size());
+  BudgetMeter meter(budget);
+  Relaxed relaxed(problem, firing_map, targets, options.shoot_on_the_move);
+  while (relaxed.chosen().size() < most &&
+         std::ldexp(field, static_cast<int>(relaxed.chosen().size()) + 1) <= memory_limit_bytes(options)) {
+    const auto next = relaxed.hardest();
+    if (!next || !relaxed.choose(*next, meter, budget.stop)) break;
+  }
+  return relaxed;
+}
+
 }  // namespace
 
 double mission_bound(const GuardProblem& problem, const FiringMap& firing_map,
                      const std::vector<std::size_t>& targets, const GuardOptions& options,
                      const Budget& budget) {
-  const double room = 0.5 * static_cast<double>(options.memory_mib) * 1048576.0;
-  const double field = sizeof(std::uint16_t) * static_cast<double>(firing_map.frame.size());
   const std::size_t most = options.prove ? most_chosen : usual_chosen;
-  BudgetMeter meter(budget);
-  Relaxed relaxed(problem, firing_map, targets, options.shoot_on_the_move);
-  while (relaxed.chosen().size() < most &&
-         std::ldexp(field, static_cast<int>(relaxed.chosen().size()) + 1) <= room) {
-    const auto next = relaxed.hardest();
-    if (!next || !relaxed.choose(*next, meter, budget.stop)) break;
-  }
+  const Relaxed relaxed = with_hardest(problem, firing_map, targets, options, most, budget);
   if (!options.shoot_on_the_move || !heading_bound_possible(problem, firing_map)) return relaxed.bound_s();
-  return with_headings(problem, firing_map, targets, relaxed, room, budget.stop);
+  return with_headings(problem, firing_map, targets, relaxed, memory_limit_bytes(options), budget.stop);
+}
+
+double team_bound(const GuardProblem& problem, const FiringMap& firing_map,
+                  const std::vector<std::size_t>& targets, const std::vector<Pose2>& starts,
+                  const GuardOptions& options, const Budget& budget) {
+  const Relaxed relaxed = with_hardest(problem, firing_map, targets, options, usual_chosen, budget);
+  const std::size_t sets = std::size_t{1} << relaxed.chosen().size();
+  std::vector<double> least(sets, std::numeric_limits<double>::infinity());  // of the robots so far, by set
+  least[0] = 0.0;
+  for (const Pose2& start : starts) {
+    const std::vector<double> alone = relaxed.values_from(start.position);
+    std::vector<double> next = least;
+    for (std::size_t set = 1; set < sets; ++set) {
+      for (std::size_t own = set; own != 0; own = (own - 1) & set)
+        next[set] = std::min(next[set], std::max(least[set & ~own], alone[own]));
+    }
+    least = std::move(next);
+  }
+  return least.back();
 }
 
 }  // namespace outrider

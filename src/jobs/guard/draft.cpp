@@ -42,6 +42,7 @@ struct Drafting {
   SureHits hits;
   std::vector<std::size_t> targets;  // by goal
   std::vector<std::size_t> needed;   // cells that are always among the stops
+  std::int64_t exact_goals = 0;      // as in DraftTask
 
   [[nodiscard]] Vec2 place(std::size_t cell) const {
     return firing_map.frame.centre(firing_map.frame.cell(cell));
@@ -183,6 +184,7 @@ Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_
     for (std::size_t j = 0; j < places.size(); ++j) tour.drives.push_back(draft.routes->between(i, j));
   }
   TourOptions tour_options;
+  tour_options.exact_goals = drafting.exact_goals;
   tour_options.iterations = drafting.options.iterations;
   tour_options.gap = 1.0;
   auto solved = solve(tour, tour_options, drafting.budget, teller(drafting, draft, told_s));
@@ -196,6 +198,7 @@ Status search_on(const Drafting& drafting, Draft& draft) {
   std::vector<std::optional<Outcome<Tour>>> found(searches);
   parallel_for(searches, [&](std::size_t i) {
     TourOptions options;
+    options.exact_goals = drafting.exact_goals;
     options.iterations = 16 * drafting.options.iterations;
     options.gap = 1.0;
     options.seed = static_cast<std::int64_t>(i) + 1;
@@ -211,6 +214,7 @@ Status search_on(const Drafting& drafting, Draft& draft) {
 /// Improves the tour once more over the same stops, and bounds or proves it.
 Status settle(const Drafting& drafting, Draft& draft, double& told_s) {
   TourOptions options;
+  options.exact_goals = drafting.exact_goals;
   options.iterations = 4 * drafting.options.iterations;
   options.gap = drafting.options.gap;
   options.expansions = 300'000;
@@ -252,15 +256,22 @@ std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft
 
 }  // namespace
 
-Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_map,
+std::vector<std::size_t> targets_with_region(const FiringMap& firing_map) {
+  std::vector<std::size_t> targets;
+  for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
+    if (firing_map.regions[t].hits > 0) targets.push_back(t);
+  }
+  return targets;
+}
+
+Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_map, const DraftTask& task,
                           const GuardOptions& options, const Budget& budget, ShotBook& book,
                           const DraftObserver& observe) {
-  Drafting drafting{problem, firing_map, options, budget, book, observe, sure_hits(problem, firing_map),
-                    {},      {}};
+  Drafting drafting{
+      problem,      firing_map, options,         budget, book, observe, sure_hits(problem, firing_map),
+      task.targets, {},         task.exact_goals};
+  drafting.hits.keep_only(task.targets);
   double told_s = std::numeric_limits<double>::infinity();
-  for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
-    if (firing_map.regions[t].hits > 0) drafting.targets.push_back(t);
-  }
   const auto wanted = static_cast<std::size_t>(options.stops);
   std::size_t most = std::min(wanted, usual_stops);
   // Among fewer stops a search finds better which parts of the yard to go to; near these it then gets all.

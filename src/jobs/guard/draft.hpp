@@ -30,11 +30,21 @@ struct Draft {
   Tour tour;
 };
 
+/// What a draft is for.
+struct DraftTask {
+  std::vector<std::size_t> targets;  ///< to hit, ascending; each needs a firing region
+  std::int64_t exact_goals =
+      TourOptions{}.exact_goals;  ///< up to so many, each tour is the best of its stops
+};
+
 /// The best tour found by looking at a error_ratio of stops first, then closer around the stops of the best
 /// tour, again and again until that no longer helps. Over the stops looked at last the tour then gets its
 /// bound, and is improved once more where that finds a better one. `book` holds the shot of each hit.
-Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_map,
+Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_map, const DraftTask& task,
                           const GuardOptions& options, const Budget& budget, ShotBook& book,
                           const DraftObserver& observe = {});
+
+/// Returns the targets that have a firing region, ascending.
+std::vector<std::size_t> targets_with_region(const FiringMap& firing_map);
 
 }  // namespace outrider

@@ -6,9 +6,12 @@
 #include "draft.hpp"
 #include "outrider/jobs/guard/bound.hpp"
 #include "outrider/jobs/guard/passing_plan.hpp"
+#include "part_plan.hpp"
 
 namespace outrider {
 namespace {
+
+constexpr std::int64_t exact_goals_of_part = 8;  // more take seconds, and many parts are planned
 
 /// The stops of a draft with their shots, still without ways between them.
 std::vector<PlannedStop> stops_of(const GuardProblem& problem, const FiringMap& firing_map,
@@ -26,6 +29,30 @@ std::vector<PlannedStop> stops_of(const GuardProblem& problem, const FiringMap& 
     stops.push_back(std::move(stop));
   }
   return stops;
+}
+
+/// Shots from a robot that drives are solved for level ground, and tours are proven for shots from rest.
+GuardOptions drafting_options(const FiringMap& firing_map, GuardOptions options) {
+  if (firing_map.rules.terrain || options.prove) options.shoot_on_the_move = false;
+  return options;
+}
+
+/// Drafts a tour that hits the targets, and gives its stops to the plan, with the ways and the cost.
+Outcome<Draft> add_tour(const GuardProblem& problem, const FiringMap& firing_map, const DraftTask& task,
+                        const GuardOptions& drafting, const Budget& budget, GuardPlan& plan,
+                        const DraftObserver& observe) {
+  ShotBook book;
+  auto draft = draft_tour(problem, firing_map, task, drafting, budget, book, observe);
+  if (!draft) return draft;
+  for (const std::size_t t : task.targets) {
+    if (std::ranges::find(draft->targets, t) != draft->targets.end()) continue;
+    plan.unreachable.push_back({t, "its only shots keep the margin by less than the contact tolerance"});
+  }
+  plan.stops = stops_of(problem, firing_map, *draft, book);
+  plan.tour_proven = draft->tour.proven_optimal;
+  plan.stops_offered = draft->cells.size() - 1;
+  if (auto ok = finish_plan(problem, firing_map, budget, plan); !ok) return pass_on(ok);
+  return draft;
 }
 
 }  // namespace
@@ -47,22 +74,10 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firi
   GuardPlan plan = begin_plan(problem, firing_map, options);
   if (plan.unreachable.size() == problem.targets.size()) return plan;
 
-  GuardOptions drafting = options;
-  // Shots from a robot that drives are solved for level ground, and tours are proven for shots from rest.
-  if (firing_map.rules.terrain || options.prove) drafting.shoot_on_the_move = false;
-  ShotBook book;
-  const auto draft = draft_tour(problem, firing_map, drafting, budget, book, observe);
+  const GuardOptions drafting = drafting_options(firing_map, options);
+  const auto draft =
+      add_tour(problem, firing_map, {targets_with_region(firing_map)}, drafting, budget, plan, observe);
   if (!draft) return tl::unexpected(draft.error());
-  for (std::size_t t = 0; t < problem.targets.size(); ++t) {
-    const auto& planned = draft->targets;
-    if (firing_map.regions[t].hits == 0 || std::find(planned.begin(), planned.end(), t) != planned.end())
-      continue;
-    plan.unreachable.push_back({t, "its only shots keep the margin by less than the contact tolerance"});
-  }
-  plan.stops = stops_of(problem, firing_map, *draft, book);
-  plan.tour_proven = draft->tour.proven_optimal;
-  plan.stops_offered = draft->cells.size() - 1;
-  if (auto ok = finish_plan(problem, firing_map, budget, plan); !ok) return pass_on(ok);
   const double anywhere_s = mission_bound(problem, firing_map, draft->targets, drafting, budget);
   if (drafting.shoot_on_the_move) {
     plan = shoot_in_passing(problem, firing_map, plan, budget.stop);
@@ -73,6 +88,21 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firi
   plan.expected_s = draft->tour.cost_s;
   plan.lower_bound_s =
       std::max(draft->tour.lower_bound_s, std::min(plan.anywhere_lower_bound_s, plan.cost_s));
+  return plan;
+}
+
+Outcome<GuardPlan> plan_part(const GuardProblem& problem, const FiringMap& firing_map,
+                             const std::vector<std::size_t>& targets, const GuardOptions& options,
+                             const Budget& budget) {
+  GuardPlan plan;
+  if (targets.empty()) return plan;
+  GuardOptions drafting = drafting_options(firing_map, options);
+  drafting.gap = 1.0;  // no bound
+  const auto draft =
+      add_tour(problem, firing_map, {targets, exact_goals_of_part}, drafting, budget, plan, {});
+  if (!draft) return tl::unexpected(draft.error());
+  if (drafting.shoot_on_the_move) return shoot_in_passing(problem, firing_map, plan, budget.stop);
+  plan.expected_s = draft->tour.cost_s;
   return plan;
 }
 

@@ -130,6 +130,12 @@ std::vector<std::size_t> sure_cells(const GuardProblem& problem, const FiringMap
   return sure.empty() ? possible : sure;
 }
 
+void SureHits::keep_only(const std::vector<std::size_t>& kept) {
+  std::vector<std::uint64_t> mask(words, 0);
+  for (const std::size_t target : kept) mask[target / 64] |= std::uint64_t{1} << (target % 64);
+  for (std::size_t i = 0; i < targets.size(); ++i) targets[i] &= mask[i % words];
+}
+
 SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map) {
   SureHits hits;
   hits.words = std::max<std::size_t>(1, (problem.targets.size() + 63) / 64);

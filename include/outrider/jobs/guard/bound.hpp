@@ -40,4 +40,12 @@ double mission_bound(const GuardProblem& problem, const FiringMap& firing_map,
                      const std::vector<std::size_t>& targets, const GuardOptions& options,
                      const Budget& budget);
 
+/// Returns a bound on the makespan of a team of robots with these starts, s: no team that hits the same
+/// targets, as above, has its last hit sooner. Each chosen target belongs to one robot. So the bound is the
+/// least, over all partitions of the chosen targets, of the largest value of a robot from its own start. At
+/// most 8 targets take part; turns and halts at bends are never counted. O(robots * 3^chosen) in addition.
+double team_bound(const GuardProblem& problem, const FiringMap& firing_map,
+                  const std::vector<std::size_t>& targets, const std::vector<Pose2>& starts,
+                  const GuardOptions& options, const Budget& budget);
+
 }  // namespace outrider

@@ -36,6 +36,8 @@ struct SureHits {
   [[nodiscard]] bool has(std::size_t cell, std::size_t target) const {
     return (targets[cell * words + target / 64] >> (target % 64) & 1U) != 0;
   }
+  /// Removes the hits of all other targets.
+  void keep_only(const std::vector<std::size_t>& kept);
 };
 
 /// Computes the sure hits of all cells.

@@ -24,7 +24,8 @@ std::optional<Drafted> drafted(const GuardProblem& problem, const GuardOptions& 
   auto firing_map = build_firing_map(problem, options);
   EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
   Drafted made{std::move(*firing_map), {}, {}};
-  auto draft = draft_tour(problem, made.firing_map, options, {}, made.book);
+  auto draft =
+      draft_tour(problem, made.firing_map, {targets_with_region(made.firing_map)}, options, {}, made.book);
   if (!draft) return std::nullopt;
   made.draft = std::move(*draft);
   return made;

@@ -1,0 +1,191 @@
+#include "outrider/jobs/guard/team_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "outrider/jobs/guard/bound.hpp"
+#include "outrider/jobs/guard/precomputed_stops.hpp"
+#include "part_plan.hpp"
+#include "team_schedule.hpp"
+#include "team_split.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double spare_m = 0.02;
+constexpr int most_splits = 3;  // that are planned
+
+/// The targets in the order in which a plan hits them.
+std::vector<std::size_t> order_of(const GuardPlan& plan) {
+  std::vector<std::size_t> order;
+  for (const PlannedStop& stop : plan.stops) {
+    for (const PassingHit& hit : stop.passing) order.push_back(hit.target);
+    for (const PlannedHit& hit : stop.hits) order.push_back(hit.target);
+  }
+  return order;
+}
+
+/// The targets by their bearing from the first start, from behind the robot on, counter-clockwise.
+std::vector<std::size_t> by_bearing(const GuardProblem& problem, std::vector<std::size_t> targets) {
+  const auto bearing = [&](std::size_t t) {
+    return wrap_angle(heading_of(xy(problem.targets[t].base) - problem.start.position) -
+                      problem.start.heading_rad);
+  };
+  std::ranges::stable_sort(targets, {}, bearing);
+  return targets;
+}
+
+/// Plans a team, split after split.
+class TeamPlanner {
+ public:
+  TeamPlanner(const GuardProblem& problem, const FiringMap& firing_map, const std::vector<Pose2>& starts,
+              const GuardOptions& options, const Budget& budget)
+      : firing_map_(firing_map),
+        options_(options),
+        budget_(budget),
+        problems_(starts.size(), problem),
+        planned_(starts.size()) {
+    for (std::size_t r = 0; r < starts.size(); ++r) problems_[r].start = starts[r];
+  }
+
+  Outcome<TeamPlan> run() {
+    auto alone = plan_guard(problems_.front(), firing_map_, options_, budget_);
+    if (!alone) return pass_on(alone);
+    best_.alone_s = alone->cost_s;
+    best_.unreachable = alone->unreachable;
+    const std::vector<std::size_t> order = order_of(*alone);
+    std::vector<GuardPlan> plans(problems_.size());
+    plans.front() = *alone;
+    keep_if_sooner(plans);
+    if (auto ok = try_splits(*alone, order); !ok) return pass_on(ok);
+    if (best_.parts.empty())
+      return fault(FaultCode::no_path,
+                   "the robots stand in each other's way in every order of their drives that was tried; give "
+                   "other starts or fewer robots");
+    std::vector<Pose2> starts;
+    for (const GuardProblem& problem : problems_) starts.push_back(problem.start);
+    best_.lower_bound_s = team_bound(problems_.front(), firing_map_, order, starts, options_, budget_);
+    return std::move(best_);
+  }
+
+ private:
+  Status try_splits(const GuardPlan& alone, const std::vector<std::size_t>& order) {
+    std::vector<Vec2> others;
+    for (std::size_t r = 1; r < problems_.size(); ++r) others.push_back(problems_[r].start.position);
+    auto stops = precompute_stops(problems_.front(), firing_map_, alone, ArrivalOptions{}, budget_, others);
+    if (!stops) return pass_on(stops);
+    if (alone.on_the_move) {  // most balls are not waited for
+      for (auto& services : stops->table.services) {
+        for (Service& service : services) service.duration_s = 0.0;
+      }
+    }
+    std::vector<SplitStart> starts{{0, problems_.front().start.heading_rad}};
+    for (std::size_t r = 1; r < problems_.size(); ++r)
+      starts.push_back({stops->stops.size() - problems_.size() + r, problems_[r].start.heading_rad});
+    SplitSearch search(*stops, std::move(starts), budget_);
+    const std::vector<std::vector<std::size_t>> orders{order, by_bearing(problems_.front(), order)};
+    for (int i = 0; i < most_splits; ++i) {
+      if (budget_.stop.stop_requested())
+        return fault(FaultCode::cancelled, "it was cancelled while it split the targets");
+      TargetSplit split = search.improve(search.cut(orders.front()));
+      TargetSplit other = search.improve(search.cut(orders.back()));
+      if (search.makespan_s(other) < search.makespan_s(split)) split = std::move(other);
+      auto changed = plan_split(split);
+      if (!changed) return pass_on(changed);
+      if (!*changed) break;
+      for (std::size_t r = 0; r < split.size(); ++r) {
+        const double estimate_s = search.estimate_s(r, split[r]);
+        if (estimate_s > 0.0) search.set_factor(r, planned_[r].cost_s / estimate_s);
+      }
+    }
+    return {};
+  }
+
+  /// Plans the parts of a split, and keeps the team if it is the soonest. Returns false if that split was
+  /// planned before.
+  Outcome<bool> plan_split(const TargetSplit& split) {
+    bool changed = false;
+    for (std::size_t r = 0; r < split.size(); ++r) {
+      std::vector<std::size_t> targets = split[r];
+      std::ranges::sort(targets);
+      if (targets == targets_of_[r]) continue;
+      auto plan = plan_part(problems_[r], firing_map_, targets, options_, budget_);
+      if (!plan) return pass_on(plan);
+      planned_[r] = std::move(*plan);
+      targets_of_[r] = std::move(targets);
+      changed = true;
+    }
+    const bool whole =
+        std::ranges::all_of(planned_, [](const GuardPlan& p) { return p.unreachable.empty(); });
+    if (changed && whole) keep_if_sooner(planned_);
+    return changed;
+  }
+
+  /// Puts the plans in time, and keeps them if the team is sooner than the best so far.
+  void keep_if_sooner(const std::vector<GuardPlan>& plans) {
+    std::vector<TeamMember> team;
+    for (std::size_t r = 0; r < plans.size(); ++r) team.push_back({problems_[r], plans[r]});
+    auto times = schedule_team(firing_map_, team, team_gap_m(problems_.front()));
+    if (!times) return;
+    double makespan_s = 0.0;
+    for (const MemberTimes& of_robot : *times) makespan_s = std::max(makespan_s, of_robot.end_s);
+    if (!best_.parts.empty() && makespan_s >= best_.makespan_s) return;
+    best_.makespan_s = makespan_s;
+    best_.parts.clear();
+    for (std::size_t r = 0; r < plans.size(); ++r)
+      best_.parts.push_back(
+          {problems_[r].start, plans[r], std::move((*times)[r].begins_s), (*times)[r].end_s});
+  }
+
+  const FiringMap& firing_map_;
+  const GuardOptions& options_;
+  const Budget& budget_;
+  std::vector<GuardProblem> problems_;  // by robot
+  std::vector<GuardPlan> planned_;      // by robot, of the last split
+  TargetSplit targets_of_ = TargetSplit(planned_.size());
+  TeamPlan best_;
+};
+
+}  // namespace
+
+double team_gap_m(const GuardProblem& problem) {
+  return 2.0 * (problem.robot.radius_m + problem.errors.position_m) + spare_m;
+}
+
+Status check_starts(const GuardProblem& problem, const FiringMap& firing_map,
+                    const std::vector<Pose2>& starts) {
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const auto& [place, heading] = starts[i];
+    if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(heading))
+      return bad_input(fmt::format("the start of robot {} has a number that is not finite", i + 1));
+    const Cell cell = firing_map.frame.cell_at(place);
+    const bool reached = firing_map.frame.contains(cell) &&
+                         firing_map.ground.clearance(place, 1.0) >= problem.robot.radius_m - 1e-9 &&
+                         firing_map.reachable[firing_map.frame.index(cell)] != 0;
+    if (i > 0 && !reached)
+      return bad_input(
+          fmt::format("robot {} at {:.2f},{:.2f} is not on free ground that is connected with "
+                      "the start of robot 1; give another start",
+                      i + 1, place.x, place.y));
+    for (std::size_t k = 0; k < i; ++k) {
+      const double apart_m = distance(place, starts[k].position);
+      if (apart_m >= team_gap_m(problem)) continue;
+      return bad_input(
+          fmt::format("robots {} and {} start {:.2f} m apart; give starts at least {:.2f} m apart", k + 1,
+                      i + 1, apart_m, team_gap_m(problem)));
+    }
+  }
+  return {};
+}
+
+Outcome<TeamPlan> plan_team(const GuardProblem& problem, const FiringMap& firing_map,
+                            const std::vector<Pose2>& starts, const GuardOptions& options,
+                            const Budget& budget) {
+  if (starts.empty()) return bad_input("a team needs at least one robot");
+  if (auto ok = check_starts(problem, firing_map, starts); !ok) return pass_on(ok);
+  return TeamPlanner(problem, firing_map, starts, options, budget).run();
+}
+
+}  // namespace outrider
