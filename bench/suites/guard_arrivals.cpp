@@ -41,9 +41,11 @@ Outcome<Yard> prepared(const std::string& path, std::int64_t seeds) {
   if (!scenario.arrivals.any()) return bad_input("nobody comes; give arrivals.count", path);
   auto firing_map = build_firing_map(scenario.problem, scenario.options);
   if (!firing_map) return pass_on(firing_map);
-  scenario.options.shoot_on_the_move = false;  // the policies shoot from rest
+  // The stops are those of a robot that stands when it shoots; the policies shoot on the move if they may.
+  const bool on_the_move = std::exchange(scenario.options.shoot_on_the_move, false);
   auto plan = plan_guard(scenario.problem, *firing_map, scenario.options, {});
   if (!plan) return pass_on(plan);
+  plan->on_the_move = on_the_move;
   auto precomputed = precompute_stops(scenario.problem, *firing_map, *plan, scenario.arrivals, {});
   if (!precomputed) return pass_on(precomputed);
   Yard yard{std::move(scenario), std::move(*firing_map), std::move(*precomputed), {}};
@@ -82,8 +84,8 @@ Sample sample_of(const Yard& yard, std::size_t i, const ReplanPolicy& policy, Ar
           inside < metric(report, "intruder_seconds_bound") || makespan < metric(report, "makespan_bound_s")};
 }
 
-Sample bound_of(const ArrivalYard& watch) {
-  const ArrivalBound bound = arrival_bound(watch);
+Sample bound_of(const ArrivalYard& watch, bool on_the_move) {
+  const ArrivalBound bound = arrival_bound(watch, on_the_move);
   const auto count =
       std::ranges::count_if(watch.firing_map.regions, [](const auto& r) { return r.hits > 0; });
   Sample sample;
@@ -143,7 +145,9 @@ Outcome<std::vector<ArrivalsRow>> measure_arrivals(const std::string& scenario_p
                    [&](std::size_t i) { samples[i] = sample_of(*yard, i, policy, objective); });
       rows.push_back(row_of(*yard, std::string(policy.name), name, samples));
     }
-    parallel_for(samples.size(), [&](std::size_t i) { samples[i] = bound_of(yard->watches[i]); });
+    parallel_for(samples.size(), [&](std::size_t i) {
+      samples[i] = bound_of(yard->watches[i], yard->precomputed.on_the_move);
+    });
     rows.push_back(row_of(*yard, bound_name, name, samples));
   }
   return rows;

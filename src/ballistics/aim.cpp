@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "outrider/ballistics/sight.hpp"
+#include "outrider/ballistics/stance.hpp"
 
 namespace outrider {
 namespace {
@@ -57,23 +58,42 @@ State runge_kutta(const State& state, const Air& air, double gravity, double h) 
   return {sum(state.place, u1, u2, u3, u4), sum(u1, a1, a2, a3, a4)};
 }
 
+/// Returns the muzzle and its derivatives by speed, yaw and pitch.
+std::array<Vec3, 4> muzzle_change(const ShotRules& rules, const Stance& stance, Vec2 position,
+                                  const Shot& shot) {
+  const auto at = [&](double yaw_rad, double pitch_rad) {
+    return muzzle(rules.gun, stance, position, angles_of(stance, {yaw_rad, pitch_rad, 0.0}));
+  };
+  const double yaw = shot.yaw_rad, pitch = shot.pitch_rad;
+  if (!stance.level()) {
+    constexpr double step = 1e-5;
+    return {at(yaw, pitch),
+            {},
+            0.5 / step * (at(yaw + step, pitch) - at(yaw - step, pitch)),
+            0.5 / step * (at(yaw, pitch + step) - at(yaw, pitch - step))};
+  }
+  const Vec2 along = direction(yaw);
+  const Vec2 aside = perpendicular(along);
+  const Vec2 tip = muzzle(rules.gun, pitch);
+  const double back = rules.gun.pivot_height_m - tip.y;  // d tip.x / d pitch
+  return {
+      at(yaw, pitch), {}, {tip.x * aside.x, tip.x * aside.y, 0.0}, {back * along.x, back * along.y, tip.x}};
+}
+
 /// Returns the state at the muzzle.
 State start(const ShotRules& rules, const Platform& from, const Shot& shot) {
-  const Flight flight = launch(rules.gun, from.position, rules.floor_z_m, shot, rules.gravity_mps2);
+  const Stance stance = stance_at(rules, from.position);
+  const Flight flight = launch(rules.gun, stance, from.position, shot, rules.gravity_mps2);
   const Vec2 along = direction(shot.yaw_rad);
   const Vec2 aside = perpendicular(along);
-  const Vec2 tip = muzzle(rules.gun, shot.pitch_rad);
   const double c = std::cos(shot.pitch_rad);
   const double s = std::sin(shot.pitch_rad);
   const double v = shot.speed_mps;
-  const double back = rules.gun.pivot_height_m - tip.y;  // d tip.x / d pitch
-  const Vec3 platform{from.velocity_mps.x, from.velocity_mps.y, 0.0};
-  return {
-      {flight.muzzle, {}, {tip.x * aside.x, tip.x * aside.y, 0.0}, {back * along.x, back * along.y, tip.x}},
-      {flight.velocity_mps + platform - rules.air.wind(),
-       {c * along.x, c * along.y, s},
-       {v * c * aside.x, v * c * aside.y, 0.0},
-       {-v * s * along.x, -v * s * along.y, v * c}}};
+  return {muzzle_change(rules, stance, from.position, shot),
+          {flight.velocity_mps + from.velocity() - rules.air.wind(),
+           {c * along.x, c * along.y, s},
+           {v * c * aside.x, v * c * aside.y, 0.0},
+           {-v * s * along.x, -v * s * along.y, v * c}}};
 }
 
 /// Returns the parabola of a robot at rest, or the fastest straight shot if there is none.
@@ -81,7 +101,7 @@ Aimed first_guess(const ShotRules& rules, const Platform& from, double pitch, Ve
   const Vec2 sight = xy(point) - from.position;
   const Vec2 tip = muzzle(rules.gun, pitch);
   const double s = std::max(0.01, norm(sight) - tip.x);
-  const double drop = rules.floor_z_m + tip.y + s * std::tan(pitch) - point.z;
+  const double drop = stance_at(rules, from.position).ground_z_m + tip.y + s * std::tan(pitch) - point.z;
   const double most = 1.5 * rules.gun.muzzle_speed_mps;
   const double speed = drop > 0.0 ? std::sqrt(0.5 * rules.gravity_mps2 / drop) * s / std::cos(pitch) : most;
   const double capped = std::min(speed, most);

@@ -218,7 +218,7 @@ std::optional<PlannedShot> first_to_fly(const ShotRules& rules, const FlightSpac
 Flight launch(const ShotRules& rules, const Platform& from, const Target& target, const Shot& shot,
               double accuracy) {
   Flight flight = launch(rules.gun, stance_at(rules, from.position), from.position, shot, rules.gravity_mps2);
-  flight.velocity_mps = flight.velocity_mps + Vec3{from.velocity_mps.x, from.velocity_mps.y, 0.0};
+  flight.velocity_mps = flight.velocity_mps + from.velocity();
   if (rules.air.none()) return flight;
   const double lowest = std::min(rules.floor_z_m, target.base.z) - 1.0;
   flight.in_air = std::make_shared<const AirTrack>(rules.air, flight.muzzle, flight.velocity_mps,

@@ -89,17 +89,19 @@ void SimulatedRobot::turn_gun(const std::vector<Vec2>& waypoints, const FollowWa
                               std::size_t shots_done) {
   gun_motion_.reset();
   if (!devices_.gun) return;
-  const auto heading_to = [&](std::size_t leg) { return heading_of(waypoints[leg] - waypoints[leg - 1]); };
-  GunState to;
-  if (shots_done < command.shots.size()) {
-    const FireInPassing& next = command.shots[shots_done];
-    to = {wrap_angle(next.shot.yaw_rad - heading_to(next.leg)), next.shot.pitch_rad};
-  } else if (command.aim) {
-    to = {wrap_angle(command.aim->yaw_rad - heading_to(waypoints.size() - 1)), command.aim->pitch_rad};
-  } else {
-    return;
-  }
-  gun_motion_ = GunMotion{devices_.gun->state(), to, body<WaypointBody>().time_s()};
+  const auto& body = this->body<WaypointBody>();
+  const bool shoots = shots_done < command.shots.size();
+  if (!shoots && !command.aim) return;
+  const std::size_t leg = shoots ? command.shots[shots_done].leg : waypoints.size() - 1;
+  const Vec2 from = waypoints[leg - 1], to = waypoints[leg];
+  const Shot barrel =
+      shoots ? command.shots[shots_done].shot : Shot{command.aim->yaw_rad, command.aim->pitch_rad, 0.0};
+  const Stance stance =
+      shoots ? body.stance_on(from, to, command.shots[shots_done].after_s) : body.stance_on(to, to, 0.0);
+  const GunAngles angles = angles_of(stance, barrel);
+  const GunState joints{wrap_angle(angles.yaw_rad - heading_on(stance, heading_of(to - from))),
+                        angles.pitch_rad};
+  gun_motion_ = GunMotion{devices_.gun->state(), joints, body.time_s()};
 }
 
 /// Drives the straight that ends at waypoint `leg`, and shoots on the way.
@@ -122,9 +124,9 @@ void SimulatedRobot::drive_straight(WaypointBody& body, const std::vector<Vec2>&
     sample_until(at);
     body.be_on(drive, at);
     sample();
-    const Shot barrel{wrap_angle(body.pose().heading_rad + gun.state().yaw_rad), gun.state().pitch_rad,
-                      shot->shot.speed_mps};
-    shoot({shot->target, barrel}, body.velocity_on(drive, at));
+    Shot barrel = gun.barrel(body.stance(), body.pose().heading_rad);
+    barrel.speed_mps = shot->shot.speed_mps;
+    shoot({shot->target, barrel}, body.platform_on(drive, at));
     turn_gun(waypoints, command, static_cast<std::size_t>(shot - command.shots.begin()) + 1);
     last_shot = at;
   }
@@ -164,9 +166,8 @@ void SimulatedRobot::aim(WaypointBody& body, const AimGun& command) {
   }
 }
 
-/// Throws a ball from where the robot is, at that velocity, unless the gun fires nothing. Time does not go
-/// on.
-std::optional<Impact> SimulatedRobot::shoot(const Fire& command, Vec2 velocity_mps) {
+/// Throws a ball from the robot, unless the gun fires nothing. Time does not go on.
+std::optional<Impact> SimulatedRobot::shoot(const Fire& command, const Platform& platform) {
   const auto& from = body<WaypointBody>();
   SimulatedGun& gun = *devices_.gun;
   if (!gun.pull_trigger(from.time_s())) {
@@ -175,12 +176,11 @@ std::optional<Impact> SimulatedRobot::shoot(const Fire& command, Vec2 velocity_m
                      gun.scene().targets[command.target].name));
     return std::nullopt;
   }
-  const auto& targets = devices_.targets;
+  auto& targets = devices_.targets;
   const std::size_t stand_in = targets ? targets->stand_in(command.target) : command.target;
   const Walk* const walk = targets ? targets->walk(command.target) : nullptr;
   const double time_s = from.time_s();
-  const auto thrown = gun.throw_ball(command.shot, command.target, stand_in, from.pose().position,
-                                     velocity_mps, walk, time_s);
+  const auto thrown = gun.throw_ball(command.shot, command.target, stand_in, platform, walk, time_s);
   const FlightSpace& space = gun.scene().space(stand_in);
   const auto& [flight, impact, muzzle_mps, target] = thrown;
   outrider_msgs::Shot shot = shot_message(flight, impact, space, target, gun.scene().rules.gun.ball_radius_m,
@@ -189,8 +189,8 @@ std::optional<Impact> SimulatedRobot::shoot(const Fire& command, Vec2 velocity_m
   shot.attempt = static_cast<std::uint32_t>(gun.next_attempt(command.target));
   const Shot barrel = gun.barrel(from.stance(), from.pose().heading_rad);
   set_pose(shot, from.pose(), barrel.yaw_rad, barrel.pitch_rad);
-  shot.platform_velocity = point_of(velocity_mps);
-  const double speed = norm(velocity_mps);
+  shot.platform_velocity = point_of(platform.velocity_mps);
+  const double speed = norm(platform.velocity());
   tell(time_s, "shot",
        fmt::format("shoots at {} with {:.2f} m/s{}", target.name, muzzle_mps,
                    speed > 0.0 ? fmt::format(", driving at {:.2f} m/s", speed) : ""));
@@ -200,15 +200,15 @@ std::optional<Impact> SimulatedRobot::shoot(const Fire& command, Vec2 velocity_m
   ++record.shots;
   if (Log* const log = log_now()) log->append(topic::shots, time_s, std::move(shot));
   flights_.push_back({command.target, impact.hit, time_s + impact.time_s});
+  if (impact.hit && targets) targets->hit(command.target, time_s + impact.time_s, queue_);
   return impact;
 }
 
 void SimulatedRobot::fire(WaypointBody& body, const Fire& command) {
-  const std::optional<Impact> impact = shoot(command, {});
+  const std::optional<Impact> impact = shoot(command, {body.pose().position, {}});
   if (!command.until_landed) return;
   body.wait_until(body.time_s() + (impact ? impact->time_s : no_ball_s));
   sample();
-  if (impact && impact->hit && devices_.targets) devices_.targets->hit(command.target, body.time_s(), queue_);
 }
 
 void SimulatedRobot::wait(WaypointBody& body, const Wait& command) {

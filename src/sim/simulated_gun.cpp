@@ -95,13 +95,12 @@ bool SimulatedGun::pull_trigger(double time_s) {
 }
 
 SimulatedGun::Thrown SimulatedGun::throw_ball(const Shot& shot, std::size_t target, std::size_t stand_in,
-                                              Vec2 position, Vec2 velocity_mps, const Walk* walk,
-                                              double fired_s) {
+                                              const Platform& platform, const Walk* walk, double fired_s) {
   const ShotRules& rules = scene_.rules;
   Target box = scene_.targets[stand_in];
   box.name = scene_.targets[target].name;
-  const Shot actual = shot_with_errors(shot, errors_.aim, gun_rng_, stance_at(rules, position));
-  const Flight flight = launch(rules, {position, velocity_mps}, box, actual);
+  const Shot actual = shot_with_errors(shot, errors_.aim, gun_rng_, stance_at(rules, platform.position));
+  const Flight flight = launch(rules, platform, box, actual);
   const FlightSpace& space = scene_.space(stand_in);
   const double radius = rules.gun.ball_radius_m;
   const Impact impact = walk != nullptr ? fly_at(flight, radius, space, box, *walk, fired_s, rules.floor_z_m)

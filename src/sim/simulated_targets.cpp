@@ -11,6 +11,11 @@
 #include "outrider/sim/execution_errors.hpp"
 
 namespace outrider {
+namespace {
+
+constexpr double same_time_s = 1e-9;  // times closer than this are one
+
+}  // namespace
 
 std::size_t elsewhere(std::size_t place, std::size_t places, Rng& rng) {
   const std::size_t other = rng.below(places - 1);
@@ -23,7 +28,7 @@ SimulatedTargets::SimulatedTargets(const std::vector<Target>& targets, TargetSim
       params_(std::move(params)),
       survival_rng_(Rng(seed).child("survival")),
       sight_rng_(Rng(seed).child("sight")),
-      gone_(params_.walks.size(), 0) {
+      gone_s_(params_.walks.size(), std::numeric_limits<double>::infinity()) {
   for (std::size_t i = 0; i < targets.size(); ++i) stands_at_.push_back(i);
 }
 
@@ -42,22 +47,25 @@ TargetReport SimulatedTargets::look(double time_s) {
     const Intruder& one = params_.intruders[told_];
     report.arrivals.push_back({told_, one.settles_s, one.place});
   }
-  report.arrivals.insert(report.arrivals.end(), survived_.begin(), survived_.end());
-  survived_.clear();
+  std::erase_if(survived_, [&](const Survived& one) {
+    const bool known = one.hit_s <= time_s + same_time_s;
+    if (known) report.arrivals.push_back(one.arrival);
+    return known;
+  });
   report.more_to_come = told_ < params_.intruders.size();
   if (params_.walks.empty()) return report;
   for (; static_cast<double>(looks_) * params_.look_s <= time_s; ++looks_) {
     const double when_s = static_cast<double>(looks_) * params_.look_s;
     for (std::size_t who = 0; who < params_.walks.size(); ++who) {
       const Vec2 off = random_in_disk(sight_rng_, params_.sight_m);
-      if (gone_[who] == 0) report.seen.push_back({who, when_s, params_.walks[who].at(when_s) + off});
+      if (when_s < gone_s_[who]) report.seen.push_back({who, when_s, params_.walks[who].at(when_s) + off});
     }
   }
   return report;
 }
 
 void SimulatedTargets::hit(std::size_t who, double time_s, LogQueue& queue) {
-  if (!gone_.empty()) gone_[who] = 1;
+  if (!gone_s_.empty()) gone_s_[who] = time_s;
   const std::size_t first = params_.intruders.size();
   if (who >= first) return;
   if (params_.survival.leave >= 1.0 || survival_rng_.uniform() < params_.survival.leave) return;
@@ -68,7 +76,7 @@ void SimulatedTargets::hit(std::size_t who, double time_s, LogQueue& queue) {
   const Vec2 to = xy(targets_[first + next].base);
   const double walk_mps = params_.survival.walk_mps;
   const double walk_s = walk_mps > 0.0 ? distance(from, to) / walk_mps : 0.0;
-  survived_.push_back({who, time_s + walk_s, next});
+  survived_.push_back({{who, time_s + walk_s, next}, time_s});
   const std::string& name = params_.intruders[who].name;
   queue.note_event(
       time_s, "survive",

@@ -49,16 +49,32 @@ StraightDrive WaypointBody::begin_straight(Vec2 goal, const std::function<void()
 }
 
 void WaypointBody::be_on(const StraightDrive& drive, double after_s) {
-  const HeightField* const terrain = on_.ground.terrain();
   time_s_ = drive.begin_s + after_s;
-  const double way = covered(drive.length_m, robot_.straight(), after_s);
-  pose_.position = terrain != nullptr ? terrain->walked({drive.from, drive.goal}, way)
-                                      : drive.from + way / drive.length_m * (drive.goal - drive.from);
+  pose_.position = point_on(drive, covered(drive.length_m, robot_.straight(), after_s));
 }
 
-Vec2 WaypointBody::velocity_on(const StraightDrive& drive, double after_s) const {
-  const Vec2 along = 1.0 / drive.length_m * (drive.goal - drive.from);
-  return speed_after(drive.length_m, robot_.straight(), after_s) * along;
+Vec2 WaypointBody::point_on(const StraightDrive& drive, double way_m) const {
+  const HeightField* const terrain = on_.ground.terrain();
+  return terrain != nullptr ? terrain->walked({drive.from, drive.goal}, way_m)
+                            : drive.from + way_m / drive.length_m * (drive.goal - drive.from);
+}
+
+Platform WaypointBody::platform_on(const StraightDrive& drive, double after_s) const {
+  const Vec2 at = point_on(drive, covered(drive.length_m, robot_.straight(), after_s));
+  const double speed = speed_after(drive.length_m, robot_.straight(), after_s);
+  const HeightField* const terrain = on_.ground.terrain();
+  if (terrain == nullptr) return {at, speed / drive.length_m * (drive.goal - drive.from)};
+  const Vec2 along = 1.0 / distance(drive.from, drive.goal) * (drive.goal - drive.from);
+  const double slope = dot(terrain->gradient(at), along);
+  const double level = speed / std::hypot(1.0, slope);
+  return {at, level * along, level * slope};
+}
+
+Stance WaypointBody::stance_on(Vec2 from, Vec2 to, double after_s) const {
+  const double length = on_.ground.length({from, to});
+  if (length == 0.0) return stance_at(on_.rules, from);
+  const StraightDrive drive{from, to, length, 0.0, 0.0};
+  return stance_at(on_.rules, point_on(drive, covered(length, robot_.straight(), after_s)));
 }
 
 void WaypointBody::end_straight(const StraightDrive& drive) {

@@ -1,5 +1,5 @@
 // Aiming where no closed formula gives the yaw and the speed of a shot that passes a point: in air, or from a
-// driving robot.
+// driving robot, also on a slope. The pitch is that of the barrel in the world.
 #pragma once
 
 #include <optional>

@@ -45,8 +45,12 @@ struct Shot {
 
 /// The position and velocity of a robot when it fires.
 struct Platform {
-  Vec2 position;      ///< position of the yaw axis
-  Vec2 velocity_mps;  ///< velocity over the ground; it adds to the muzzle velocity of the ball
+  Vec2 position;           ///< position of the yaw axis
+  Vec2 velocity_mps;       ///< horizontal velocity
+  double climb_mps = 0.0;  ///< vertical velocity, on a slope
+
+  /// Returns the velocity, which adds to the muzzle velocity of the ball.
+  [[nodiscard]] Vec3 velocity() const { return {velocity_mps.x, velocity_mps.y, climb_mps}; }
 };
 
 /// Returns the flight of a shot from a robot that stands at `position` on a floor of height `floor_z_m`.

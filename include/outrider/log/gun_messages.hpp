@@ -27,16 +27,16 @@ struct ProfilePiece {
 /// A shot and its flight, logged when the ball leaves the muzzle.
 struct Shot {
   std::string target;
-  std::uint32_t attempt = 1;           ///< 1, 2, ... for this target
-  double flight = 0.0;                 ///< time until the first contact
-  Point2 robot;                        ///< place of the robot
-  double robot_heading = 0.0;          ///< counter-clockwise from +x
-  double gun_yaw = 0.0;                ///< in the map, counter-clockwise from +x
-  double gun_pitch = 0.0;              ///< up from the horizon
-  geometry_msgs::Point muzzle;         ///< centre of the ball as it leaves
-  geometry_msgs::Vector3 velocity;     ///< of the ball as it leaves
-  Point2 platform_velocity;            ///< of the robot at that time, included in `velocity`
-  std::string contact;                 ///< solid that the ball touched first; the name of the target on a hit
+  std::uint32_t attempt = 1;        ///< 1, 2, ... for this target
+  double flight = 0.0;              ///< time until the first contact
+  Point2 robot;                     ///< place of the robot
+  double robot_heading = 0.0;       ///< counter-clockwise from +x
+  double gun_yaw = 0.0;             ///< in the map, counter-clockwise from +x
+  double gun_pitch = 0.0;           ///< up from the horizon
+  geometry_msgs::Point muzzle;      ///< centre of the ball as it leaves
+  geometry_msgs::Vector3 velocity;  ///< of the ball as it leaves
+  Point2 platform_velocity;         ///< horizontal velocity of the robot at that time, included in `velocity`
+  std::string contact;              ///< solid that the ball touched first; the name of the target on a hit
   geometry_msgs::Point contact_point;  ///< centre of the ball at the contact
   bool hit = false;
   bool hit_by_reference_rule = false;      ///< the ball came within 0.5 m of the base of the target

@@ -67,11 +67,10 @@ class SimulatedGun {
     double speed_mps = 0.0;  ///< muzzle speed
     Target target;           ///< the target at the time of the impact
   };
-  /// Simulates a shot at `target`, which is at the place of the target `stand_in` of the scene. The robot is
-  /// at `position` and moves with `velocity_mps` over the ground. If the target walks, `walk` is its motion
-  /// and the ball leaves at `fired_s`.
-  Thrown throw_ball(const Shot& shot, std::size_t target, std::size_t stand_in, Vec2 position,
-                    Vec2 velocity_mps, const Walk* walk, double fired_s);
+  /// Simulates a shot at `target`, which is at the place of the target `stand_in` of the scene. If the target
+  /// walks, `walk` is its motion and the ball leaves at `fired_s`.
+  Thrown throw_ball(const Shot& shot, std::size_t target, std::size_t stand_in, const Platform& platform,
+                    const Walk* walk, double fired_s);
   /// Pulls the trigger. Returns true if a ball leaves the barrel.
   bool pull_trigger(double time_s);
   /// Fills the tank.

@@ -72,7 +72,7 @@ class SimulatedRobot final : public Robot {
   void wait(WaypointBody& body, const Wait& command);
   void fill(WaypointBody& body, const Fill& command);
   void turn_gun(const std::vector<Vec2>& waypoints, const FollowWaypoints& command, std::size_t shots_done);
-  std::optional<Impact> shoot(const Fire& command, Vec2 velocity_mps);
+  std::optional<Impact> shoot(const Fire& command, const Platform& platform);
   Log* log_now();
   void sample();
   void gauge();

@@ -44,7 +44,8 @@ class SimulatedTargets {
   [[nodiscard]] const Walk* walk(std::size_t who) const {
     return params_.walks.empty() ? nullptr : &params_.walks[who];
   }
-  /// Registers a hit at `time_s`. The target leaves, or it survives and moves; the move goes to `queue`.
+  /// Registers a hit at `time_s`, which may be still to come. The target leaves, or it survives and moves;
+  /// the move goes to `queue`, and is reported once that time has come.
   void hit(std::size_t who, double time_s, LogQueue& queue);
 
  private:
@@ -52,11 +53,16 @@ class SimulatedTargets {
   TargetSimParams params_;
   Rng survival_rng_;
   Rng sight_rng_;
-  std::size_t told_ = 0;                 // intruders that have been reported
-  std::vector<std::size_t> stands_at_;   // by target
-  std::vector<TargetArrival> survived_;  // not yet reported
-  std::vector<char> gone_;               // by walking target
-  std::uint64_t looks_ = 0;              // so far
+  std::size_t told_ = 0;                // intruders that have been reported
+  std::vector<std::size_t> stands_at_;  // by target
+  /// A move that is not reported yet.
+  struct Survived {
+    TargetArrival arrival;
+    double hit_s = 0.0;
+  };
+  std::vector<Survived> survived_;
+  std::vector<double> gone_s_;  // by walking target: when it was hit
+  std::uint64_t looks_ = 0;     // so far
 };
 
 }  // namespace outrider

@@ -46,8 +46,8 @@ class WaypointBody {
   StraightDrive begin_straight(Vec2 goal, const std::function<void()>& sample);
   /// Sets the body to its state `after_s` after the beginning of the leg.
   void be_on(const StraightDrive& drive, double after_s);
-  /// Returns the velocity over the ground `after_s` after the beginning of the leg.
-  [[nodiscard]] Vec2 velocity_on(const StraightDrive& drive, double after_s) const;
+  /// Returns the position and the velocity `after_s` after the beginning of the leg.
+  [[nodiscard]] Platform platform_on(const StraightDrive& drive, double after_s) const;
   /// Completes the leg: the robot is at its goal.
   void end_straight(const StraightDrive& drive);
   /// Ends the drive along all waypoints: applies the error of the heading.
@@ -66,6 +66,8 @@ class WaypointBody {
   [[nodiscard]] Twist2 twist() const { return {}; }  ///< at rest between two commands
   [[nodiscard]] double position_error_m() const { return errors_.position_m; }
   [[nodiscard]] Stance stance() const { return stance_at(on_.rules, pose_.position); }
+  /// Returns the stance `after_s` after the beginning of the leg from one place to another.
+  [[nodiscard]] Stance stance_on(Vec2 from, Vec2 to, double after_s) const;
 
  private:
   RobotModel robot_;
@@ -77,6 +79,9 @@ class WaypointBody {
   double heading_error_rad_ = 0.0;  // error at the end of the present drive
   double driven_m_ = 0.0;
   double turned_rad_ = 0.0;
+
+  /// Returns the point that distance along the leg, on the ground.
+  [[nodiscard]] Vec2 point_on(const StraightDrive& drive, double way_m) const;
 };
 
 }  // namespace outrider

@@ -19,6 +19,33 @@ void forget_the_done(ArrivingTargets& targets, const StopTasks& tasks) {
   });
 }
 
+/// Those inside that no ball is on the way to.
+std::vector<TargetArrival> open_targets(const ArrivingTargets& targets, const StopTasks& tasks) {
+  std::vector<TargetArrival> open = targets.inside;
+  std::erase_if(open, [&](const TargetArrival& one) {
+    return std::ranges::count(tasks.flying, one.target, &FlyingBall::target) > 0;
+  });
+  return open;
+}
+
+/// Of those, the ones in their places.
+std::vector<std::size_t> settled(const std::vector<TargetArrival>& open, double time_s) {
+  std::vector<std::size_t> records;
+  for (const TargetArrival& one : open) {
+    if (one.settles_s <= time_s) records.push_back(one.target);
+  }
+  return records;
+}
+
+/// The shots of a drive that has ended before its goal are not fired after that.
+void take_back_shots(StopTasks& tasks, double time_s) {
+  std::erase_if(tasks.flying, [&](const FlyingBall& ball) {
+    const bool unfired = ball.in_passing && ball.leaves_s > time_s;
+    if (unfired) --tasks.records[ball.target].shots;
+    return unfired;
+  });
+}
+
 /// Somebody was hit and goes elsewhere: all begins again for it, with the shots it has had.
 void go_on(ArrivingTargets& targets, StopTasks& tasks, const TargetArrival& arrival,
            const ArrivalYard& yard) {
@@ -93,21 +120,19 @@ bool is_the_still_yard(const ArrivingTargets& targets, const ArrivalPlan& plan,
                      [&](const PendingTarget& w) { return w.settles_s <= time_s; });
 }
 
-/// Plans for the first `count` of those inside and sets the tasks.
-void plan_anew(ArrivingTargets& targets, StopTasks& tasks, const Observation& seen, const ArrivalPlan& plan,
-               std::size_t count) {
+/// Plans for the first `count` of the open ones and sets the tasks.
+void plan_anew(ArrivingTargets& targets, const std::vector<TargetArrival>& open, StopTasks& tasks,
+               const Observation& seen, const ArrivalPlan& plan, std::size_t count) {
   std::vector<PendingTarget> pending;
-  count = std::min({count, targets.inside.size(), most_planned});
-  for (std::size_t i = 0; i < count; ++i) {
-    const TargetArrival& arrival = targets.inside[i];
-    pending.push_back({static_cast<std::uint32_t>(arrival.place), arrival.settles_s});
-  }
+  count = std::min({count, open.size(), most_planned});
+  for (std::size_t i = 0; i < count; ++i)
+    pending.push_back({static_cast<std::uint32_t>(open[i].place), open[i].settles_s});
   const TourProblem& table = plan.stops.table;
   const RobotState from = state_of(tasks, seen, plan, pending);
   const Sequence best = sequence_beside(plan.stops.tour, table, pending, from, plan.objective, plan.beam,
                                         is_the_still_yard(targets, plan, pending, seen.time_s));
   if (best.visits.empty()) {
-    TargetRecord& record = tasks.records[targets.inside.front().target];
+    TargetRecord& record = tasks.records[open.front().target];
     record = {TargetStatus::failed, "no way to a place with a shot", 0, 0, {}, seen.odometry, seen.time_s};
   }
   tasks.queue.clear();
@@ -115,7 +140,7 @@ void plan_anew(ArrivingTargets& targets, StopTasks& tasks, const Observation& se
     StopTask task{plan.stops.stops[visit.stop]};
     for (const std::uint32_t who : visit.goals) {
       const auto service = std::ranges::find(table.services[visit.stop], pending[who].goal, &Service::goal);
-      task.targets.push_back(targets.inside[who].target);
+      task.targets.push_back(open[who].target);
       task.guns.push_back({service->yaw_rad, service->pitch_rad});
     }
     tasks.queue.push_back(std::move(task));
@@ -131,6 +156,7 @@ std::optional<double> to_wait_for(const ArrivingTargets& targets, const StopTask
                                   const Observation& seen) {
   if (tasks.queue.empty() || tasks.queue.front().call) return std::nullopt;
   const StopTask& task = tasks.queue.front();
+  if (task.targets.empty()) return std::nullopt;
   if (!tasks.arrived && distance(seen.odometry.position, task.place) > there_m) return std::nullopt;
   const auto next = std::ranges::find(targets.inside, task.targets.front(), &TargetArrival::target);
   if (next == targets.inside.end() || next->settles_s <= seen.time_s) return std::nullopt;
@@ -149,6 +175,7 @@ StopTasks tasks_of(const ArrivalPlan& plan) {
   tasks.records.resize(plan.yard.intruders.size());
   tasks.last_place = plan.yard.problem.start.position;
   tasks.routes = plan.stops.routes;
+  tasks.on_the_move = plan.stops.on_the_move;
   tasks.more_to_come = true;
   return tasks;
 }
@@ -178,6 +205,7 @@ void note_arrivals(ArrivingTargets& targets, StopTasks& tasks, const Observation
   if (plan.policy.interrupts && !seen.targets->arrivals.empty() && !queue.empty() &&
       distance(seen.odometry.position, queue.front().place) > off) {
     tasks.arrived = false;
+    take_back_shots(tasks, seen.time_s);
   }
 }
 
@@ -185,11 +213,13 @@ std::optional<Command> next_command(ArrivingTargets& targets, StopTasks& tasks, 
                                     const ArrivalPlan& plan) {
   const auto& [problem, firing_map, intruders] = plan.yard;
   while (tasks.more_to_come) {
+    const auto open = open_targets(targets, tasks);
     if (!is_busy(tasks)) {
       const std::size_t count =
-          plan.policy.take({targets.inside.size(), targets.entered, tasks.queue.empty(), plan.group});
-      if (count > 0) plan_anew(targets, tasks, seen, plan, count);
+          plan.policy.take({open.size(), targets.entered, tasks.queue.empty(), plan.group});
+      if (count > 0) plan_anew(targets, open, tasks, seen, plan, count);
     }
+    tasks.by_the_way = settled(open, seen.time_s);
     if (const auto until_s = to_wait_for(targets, tasks, seen)) return Wait{*until_s};
     if (auto command = next_command(tasks, seen, problem, firing_map)) {
       if (auto* follow = std::get_if<FollowWaypoints>(&*command)) {
@@ -202,6 +232,7 @@ std::optional<Command> next_command(ArrivingTargets& targets, StopTasks& tasks, 
     if (seen.targets->more_to_come) return Wait{never_s};
     tasks.more_to_come = false;
   }
+  tasks.by_the_way.clear();
   return next_command(tasks, seen, problem, firing_map);
 }
 

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "assemble.hpp"
+#include "outrider/ballistics/stance.hpp"
+#include "outrider/jobs/guard/supply_plan.hpp"
 
 namespace outrider {
 namespace {
@@ -18,11 +20,19 @@ std::array<Vec2, 4> displacements(double off_m) {
 
 }  // namespace
 
+std::vector<std::size_t>& Choice::passing_beside(std::size_t stop) {
+  const auto before = stops.begin() + static_cast<std::ptrdiff_t>(stop);
+  const auto stations =
+      std::count_if(stops.begin(), before, [](const ChosenStop& s) { return s.call.has_value(); });
+  return passing[static_cast<std::size_t>(stations)];
+}
+
 Choice choice_of(const GuardPlan& plan) {
   Choice choice;
   for (const PlannedStop& stop : plan.stops) {
-    choice.stops.push_back({stop.position});
+    choice.stops.push_back({stop.position, {}, stop.call});
     for (const PlannedHit& hit : stop.hits) choice.stops.back().targets.push_back(hit.target);
+    if (stop.call) choice.passing.emplace_back();
   }
   return choice;
 }
@@ -45,24 +55,36 @@ std::optional<GuardPlan> Assembly::plan_of(const Choice& choice) {
   result.stops.clear();
   Pose2 pose = problem_.start;
   GunState gun;
-  std::vector<std::size_t> left = choice.passing;
-  for (const auto& [place, targets] : choice.stops) {
-    if (targets.empty()) continue;
-    PlannedStop stop{place, way(pose, place), {}};
+  auto segment = choice.passing.begin();
+  std::vector<std::size_t> left = *segment;
+  for (const ChosenStop& chosen : choice.stops) {
+    if (!chosen.made()) continue;
+    const auto& [place, targets, call] = chosen;
+    PlannedStop stop{place, way(pose, place), {}, call};
     if (stop.waypoints.empty()) return std::nullopt;
+    if (call) {  // drives to stations are for the store alone
+      if (!left.empty()) return std::nullopt;
+      left = *++segment;
+      pose = {place, drive(pose, stop.waypoints).heading_rad};
+      gun = {};
+      result.stops.push_back(std::move(stop));
+      continue;
+    }
     stop.passing = passing_.along(pose.heading_rad, stop.waypoints, gun, left);
     for (const PassingHit& hit : stop.passing) std::erase(left, hit.target);
-    gun = gun_after(stop.waypoints, stop.passing, gun);
-    pose = {place, drive_cost(problem_.robot, pose.heading_rad, stop.waypoints).heading_rad};
+    gun = gun_after(stop.passing, gun);
+    pose = {place, drive(pose, stop.waypoints).heading_rad};
+    const double ahead = heading_on(stance_at(firing_map_.rules, place), pose.heading_rad);
     for (const std::size_t target : targets) {
       const auto& shot = shot_from(place, target, gun.pitch_rad);
       if (!shot) return std::nullopt;
       stop.hits.push_back({target, *shot});
-      gun = {wrap_angle(shot->gun.yaw_rad - pose.heading_rad), shot->gun.pitch_rad};
+      gun = {wrap_angle(shot->gun.yaw_rad - ahead), shot->gun.pitch_rad};
     }
     result.stops.push_back(std::move(stop));
   }
   if (!left.empty()) return std::nullopt;
+  if (problem_.supplies.any() && !supplies_suffice(problem_, firing_map_, result)) return std::nullopt;
   result.cost_s = mission_time(problem_, firing_map_, result);
   return result;
 }
@@ -70,13 +92,13 @@ std::optional<GuardPlan> Assembly::plan_of(const Choice& choice) {
 double Assembly::drives_s(const Choice& choice) {
   Pose2 pose = problem_.start;
   double time = 0.0;
-  for (const auto& [place, targets] : choice.stops) {
-    if (targets.empty()) continue;
-    const auto& waypoints = way(pose, place);
+  for (const ChosenStop& stop : choice.stops) {
+    if (!stop.made()) continue;
+    const auto& waypoints = way(pose, stop.place);
     if (waypoints.empty()) return std::numeric_limits<double>::infinity();
-    const DriveCost drive = drive_cost(problem_.robot, pose.heading_rad, waypoints);
-    time += drive.time_s;
-    pose = {place, drive.heading_rad};
+    const DriveCost there = drive(pose, waypoints);
+    time += there.time_s;
+    pose = {stop.place, there.heading_rad};
   }
   return time;
 }
@@ -88,6 +110,7 @@ bool Assembly::may_stop(Vec2 place, const std::vector<std::size_t>& targets) con
   if (firing_map_.reachable[index] == 0) return false;
   const double room_m = problem_.robot.radius_m + problem_.errors.position_m;
   if (firing_map_.ground.clearance(place, room_m) < room_m) return false;
+  if (!firing_map_.ground.segment_free({place, place}, problem_.robot.radius_m)) return false;  // on a slope
   return std::ranges::all_of(targets, [&](std::size_t target) { return sure_.has(index, target); });
 }
 
@@ -95,8 +118,31 @@ double Assembly::expected_s(const GuardPlan& plan) {
   double time = plan.cost_s;
   for (const PlannedStop& stop : plan.stops) {
     for (const PlannedHit& hit : stop.hits) time += expected_wait_s(stop.position, hit);
+    // On a slope, a way beside the planned one leans the robot otherwise.
+    const bool displaced = &stop != plan.stops.data() && firing_map_.rules.terrain != nullptr;
+    for (const PassingHit& hit : stop.passing) {
+      if (displaced && hit.leg == 1) time += expected_loss_s(stop.waypoints, hit);
+    }
   }
   return time;
+}
+
+/// The time that a shot from the first leg adds on average because the leg begins beside the stop before it,
+/// and no shot is found there at about the same time.
+double Assembly::expected_loss_s(const std::vector<Vec2>& waypoints, const PassingHit& hit) const {
+  constexpr double later_s = 0.2;
+  const double off = problem_.errors.position_m;
+  if (off == 0.0) return 0.0;
+  double loss_s = 0.0;
+  for (const Vec2 aside : displacements(off)) {
+    const Straight leg{1, waypoints[0] + aside, waypoints[1], 0.0, 0.0};
+    const auto is_found = [&](int k) {
+      const double after_s = std::max(0.0, hit.after_s + k * later_s);
+      return passing_shot(problem_, firing_map_, hit.target, leg, waypoints.size() == 2, after_s).has_value();
+    };
+    if (!is_found(0) && !is_found(-1) && !is_found(1)) loss_s += lost_shot_s / 4.0;
+  }
+  return loss_s;
 }
 
 /// The time that a shot adds on average because the errors of the drive lead to a place where it has to be
@@ -114,6 +160,10 @@ double Assembly::expected_wait_s(Vec2 place, const PlannedHit& hit) {
     }
   }
   return wait_s;
+}
+
+DriveCost Assembly::drive(const Pose2& from, const std::vector<Vec2>& waypoints) const {
+  return drive_cost(problem_.robot, from.heading_rad, waypoints, firing_map_.ground.terrain());
 }
 
 /// The fastest drive, with the turn before it.

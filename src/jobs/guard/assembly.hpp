@@ -11,16 +11,24 @@
 
 namespace outrider {
 
-/// A stop, anywhere on free ground, and the targets that are hit from there, in order.
+/// A stop, anywhere on free ground, and the targets that are hit from there, in order; or a station.
 struct ChosenStop {
   Vec2 place;
   std::vector<std::size_t> targets = {};
+  std::optional<StationCall> call = {};
+
+  [[nodiscard]] bool made() const { return call || !targets.empty(); }
 };
 
 /// Who is hit from where.
 struct Choice {
-  std::vector<ChosenStop> stops;     ///< in order; those without targets are left out
-  std::vector<std::size_t> passing;  ///< targets that are hit during some drive
+  std::vector<ChosenStop> stops;  ///< in order; only those made() are in the plan
+  /// Targets that are hit during some drive: before the first station, between it and the second, and so on.
+  /// So each tankful serves the same targets whether they are hit from stops or in passing.
+  std::vector<std::vector<std::size_t>> passing{1};
+
+  /// Returns the targets in passing between the stations around a stop.
+  std::vector<std::size_t>& passing_beside(std::size_t stop);
 };
 
 /// Returns the choice that a plan from rest has made.
@@ -42,13 +50,16 @@ class Assembly {
   /// from which all those targets are sure hits (stops.hpp).
   [[nodiscard]] bool may_stop(Vec2 place, const std::vector<std::size_t>& targets) const;
   /// Returns the time of the plan and what the errors of the drives add to it on average: flights that have
-  /// to be waited for, and targets that are lost, from places around the stops.
+  /// to be waited for, and targets that are lost, from places around the stops; on terrain also shots in
+  /// passing that are lost.
   double expected_s(const GuardPlan& plan);
 
  private:
   using Place = std::pair<double, double>;
 
   double expected_wait_s(Vec2 place, const PlannedHit& hit);
+  [[nodiscard]] double expected_loss_s(const std::vector<Vec2>& waypoints, const PassingHit& hit) const;
+  [[nodiscard]] DriveCost drive(const Pose2& from, const std::vector<Vec2>& waypoints) const;
   const std::vector<Vec2>& way(const Pose2& from, Vec2 to);
   const std::optional<PlannedShot>& shot_from(Vec2 place, std::size_t target, double pitch_rad);
 

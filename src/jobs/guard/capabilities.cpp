@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::string_view still_bodies =
     "the physics engine holds targets that stand still and leave when hit";
-constexpr std::string_view planned_once = "shots on the move are planned for targets that stand still";
 constexpr std::string_view who_is_inside = "what stands in the way would change with who is inside";
 constexpr std::string_view unseen = "while the yard is explored nobody may come, move or be missed";
 
@@ -101,19 +100,8 @@ Status check_capabilities(const std::vector<Capability>& asked) {
 }
 
 std::string_view why_from_rest(const std::vector<Capability>& asked) {
-  using enum Capability;
-  constexpr std::pair<Capability, std::string_view> hindrances[] = {
-      {arrivals, planned_once},
-      {survivors, planned_once},
-      {walkers, planned_once},
-      {supplies, "plans with stations shoot from a standstill"},
-      {terrain, "shots from a robot that drives are solved for level ground"},
-      {rigid, "the rigid robot shoots from a standstill"},
-  };
-  for (const auto& [capability, why] : hindrances) {
-    if (std::ranges::count(asked, capability) > 0) return why;
-  }
-  return {};
+  if (std::ranges::count(asked, Capability::rigid) == 0) return {};
+  return "the rigid robot shoots from a standstill";
 }
 
 }  // namespace outrider

@@ -89,7 +89,7 @@ Metrics still_metrics(const GuardPlan& plan, const Tally& tally, const SimRecord
 
 Metrics arrival_metrics(const GuardRun& run, const GuardMission& mission, const Tally& tally,
                         const SimRecord& record, double end_s) {
-  const ArrivalBound bound = arrival_bound(run.arrivals->yard);
+  const ArrivalBound bound = arrival_bound(run.arrivals->yard, run.arrivals->stops.on_the_move);
   const bool makespan = run.arrivals->objective == ArrivalObjective::makespan;
   Metrics metrics = {{"targets", tally.targets},
                      {"reached", tally.reached},
@@ -271,7 +271,7 @@ Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord&
   };
   const Supplies& supplies = true_problem(run).supplies;
   if (supplies.any()) add(supply_metrics(log, supplies, mission.stores));
-  if (run.plan.on_the_move) add(passing_metrics(log));
+  if (mission.tasks.on_the_move) add(passing_metrics(log));
   if (record.rigid) add(rigid_metrics(*record.rigid));
   if (run.faults.any()) add({{"false_reached", falsely_reached(records, targets, log)}});
   Table table = target_table();

@@ -3,6 +3,14 @@
 #include <utility>
 
 namespace outrider {
+namespace {
+
+bool shoots(const Command& command) {
+  const auto* const drive = std::get_if<FollowWaypoints>(&command);
+  return std::holds_alternative<Fire>(command) || (drive != nullptr && !drive->shots.empty());
+}
+
+}  // namespace
 
 GuardMission::GuardMission(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan)
     : tasks(tasks_of(problem, plan)), problem_(&problem), firing_map_(&firing_map) {}
@@ -40,8 +48,8 @@ std::optional<Command> GuardMission::step(const Observation& seen) {
     GuardMission tried = *this;
     auto command = tried.propose(seen);
     const auto store = command ? lacking(*command, tried.tasks, seen, *problem_, *firing_map_) : std::nullopt;
-    const bool shot = command && std::holds_alternative<Fire>(*command);
-    if (!store || !shot) *this = std::move(tried);  // a shot that is put off was not fired
+    // A shot that is put off was not fired.
+    if (!store || !command || !shoots(*command)) *this = std::move(tried);
     if (!store) {
       if (command) note_command(stores, *command);
       return command;

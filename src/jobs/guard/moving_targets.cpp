@@ -18,11 +18,13 @@ constexpr std::size_t futures = 24;       // that a stop is judged by
 constexpr double horizon_s = 60.0;        // of these
 constexpr double flight_horizon_s = 10.0;
 constexpr double worth_moving_s = 1.0;
-constexpr double region_m = 1.1;  // a rest within this distance of a region is taken for one there
+constexpr double no_answer_s = 5.0;  // after the planned landing, a ball without a result
+constexpr double region_m = 1.1;     // a rest within this distance of a region is taken for one there
 constexpr std::size_t no_region = std::numeric_limits<std::size_t>::max();
 
 bool is_wanted(const MovingTargets& targets, const StopTasks& tasks, std::size_t who) {
-  return tasks.records[who].status == TargetStatus::waiting && !targets.tracks[who].empty();
+  return tasks.records[who].status == TargetStatus::waiting && !targets.tracks[who].empty() &&
+         std::ranges::count(tasks.flying, who, &FlyingBall::target) == 0;
 }
 
 void note_seen(MovingTargets& targets, const Observation& seen, const WanderOptions& options) {
@@ -218,7 +220,9 @@ Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const FiringMap& fi
   auto surveyed = build_firing_map(
       regions, coarse, budget, problem.air.none() ? RegionSearch::exhaustive : RegionSearch::centres_only);
   if (!surveyed) return pass_on(surveyed);
-  auto precomputed = precompute_stops(regions, *surveyed, {}, {}, budget);
+  GuardPlan none;
+  none.on_the_move = options.shoot_on_the_move;
+  auto precomputed = precompute_stops(regions, *surveyed, none, {}, budget);
   if (!precomputed) return pass_on(precomputed);
   std::vector<double> longest_m;
   if (!problem.air.none()) {
@@ -237,16 +241,21 @@ MovingTargets begin_moving(const MovingPlan& plan) {
 
 void note_moving(MovingTargets& targets, StopTasks& tasks, const Observation& seen, const MovingPlan& plan) {
   note_seen(targets, seen, plan.options);
-  if (!std::exchange(tasks.fired, false)) return;
-  const ShotResult* const result = result_of(seen, targets.aimed_at);
-  TargetRecord& record = tasks.records[targets.aimed_at];
-  if (result == nullptr) ++record.unanswered;
-  if (result == nullptr || !result->hit) return;
-  targets.last_hit_s = seen.time_s;
-  settle(record, TargetStatus::reached,
-         fmt::format("hit by shot {} from ({:.2f}, {:.2f})", record.shots, record.pose.position.x,
-                     record.pose.position.y),
-         seen.time_s);
+  for (const FlyingBall& ball : std::exchange(tasks.flying, {})) {
+    const ShotResult* const result = result_of(seen, ball.target);
+    TargetRecord& record = tasks.records[ball.target];
+    if (result == nullptr && plan.stops.on_the_move && seen.time_s < ball.lands_s + no_answer_s) {
+      tasks.flying.push_back(ball);
+      continue;
+    }
+    if (result == nullptr) ++record.unanswered;
+    if (result == nullptr || !result->hit) continue;
+    targets.last_hit_s = result->landed_s;
+    settle(record, TargetStatus::reached,
+           fmt::format("hit by shot {} from ({:.2f}, {:.2f})", record.shots, record.pose.position.x,
+                       record.pose.position.y),
+           result->landed_s);
+  }
 }
 
 std::optional<Command> next_command(MovingTargets& targets, StopTasks& tasks, const Observation& seen,
@@ -254,10 +263,10 @@ std::optional<Command> next_command(MovingTargets& targets, StopTasks& tasks, co
   const auto waits = [](const TargetRecord& record) { return record.status == TargetStatus::waiting; };
   if (std::ranges::none_of(tasks.records, waits)) return std::nullopt;
   if (std::exchange(tasks.aimed, false)) {
-    tasks.fired = true;
     TargetRecord& record = tasks.records[targets.aimed_at];
     ++record.shots;
-    return Fire{targets.aimed_at, record.shot->shot};
+    tasks.flying.push_back({targets.aimed_at, seen.time_s + record.shot->flight_s, false, seen.time_s});
+    return Fire{targets.aimed_at, record.shot->shot, !plan.stops.on_the_move};
   }
   if (seen.time_s - targets.last_hit_s > plan.options.patience_s) {
     give_up(tasks, seen.time_s, plan.options);
@@ -271,7 +280,8 @@ std::optional<Command> next_command(MovingTargets& targets, StopTasks& tasks, co
     tasks.aimed = true;
     return AimGun{led->planned.shot.yaw_rad, led->planned.shot.pitch_rad};
   }
-  const std::size_t stop = best_stop(targets, tasks, seen, plan, rng.child("stop"));
+  const std::size_t stop = tasks.flying.empty() ? best_stop(targets, tasks, seen, plan, rng.child("stop"))
+                                                : targets.stop;  // who is missed may be hit from here
   if (stop != targets.stop) {
     auto way = plan.stops.routes.waypoints(targets.stop, stop);
     if (way.size() > 1) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "outrider/ballistics/aim.hpp"
+#include "outrider/ballistics/stance.hpp"
 
 namespace outrider {
 namespace {
@@ -14,8 +15,8 @@ constexpr double passing_ratio = 0.7;  // largest error_ratio
 constexpr std::size_t most_flown = 4;  // shots that a moment is given up after
 
 /// Where the robot may be instead when it shoots, under the extreme errors of the moment and the way.
-std::vector<Platform> displaced_platforms(const GuardProblem& problem, const Straight& straight, bool last,
-                                          double after_s) {
+std::vector<Platform> displaced_platforms(const GuardProblem& problem, const HeightField* terrain,
+                                          const Straight& straight, bool last, double after_s) {
   std::vector<Vec2> ends{straight.to};
   const double off = problem.errors.position_m;
   if (last && off > 0.0) {
@@ -27,23 +28,26 @@ std::vector<Platform> displaced_platforms(const GuardProblem& problem, const Str
   std::vector<Platform> platforms;
   for (const Vec2 end : ends) {
     for (const double late : {-problem.errors.timing_s, problem.errors.timing_s}) {
-      platforms.push_back(platform_on(problem.robot, straight.from, end, after_s + late));
+      platforms.push_back(platform_on(problem.robot, straight.from, end, after_s + late, terrain));
     }
   }
   return platforms;
 }
 
-Shot off_by_corner(const Shot& shot, const AimErrors& errors, unsigned corner) {
+Shot off_by_corner(const Stance& stance, const Shot& shot, const AimErrors& errors, unsigned corner) {
   const auto sign = [corner](unsigned bit) { return (corner >> bit & 1U) != 0 ? 1.0 : -1.0; };
-  return {shot.yaw_rad + sign(0) * errors.gun_rad, shot.pitch_rad + sign(1) * errors.gun_rad,
-          shot.speed_mps * (1.0 + sign(2) * errors.speed_ratio)};
+  Shot off = off_by(stance, shot, sign(0) * errors.gun_rad, sign(1) * errors.gun_rad);
+  off.speed_mps = shot.speed_mps * (1.0 + sign(2) * errors.speed_ratio);
+  return off;
 }
 
 bool survives(const ShotRules& rules, const FlightSpace& space, const Target& target, const Shot& shot,
               const std::vector<Platform>& platforms) {
   for (const Platform& platform : platforms) {
+    const Stance stance = stance_at(rules, platform.position);
     for (unsigned corner = 0; corner < 8; ++corner) {
-      const Flight flight = launch(rules, platform, target, off_by_corner(shot, rules.errors, corner));
+      const Flight flight =
+          launch(rules, platform, target, off_by_corner(stance, shot, rules.errors, corner));
       if (!fly(flight, rules.gun.ball_radius_m, space, target, rules.floor_z_m).hit) return false;
     }
   }
@@ -55,15 +59,22 @@ struct Candidate {
   double error_ratio = 0.0;
 };
 
+/// Whether the joints let the barrel point that way, on a slope too.
+bool can_point(const ShotRules& rules, const Stance& stance, const Shot& shot) {
+  const double pitch = angles_of(stance, shot).pitch_rad;
+  return stance.level() || (pitch >= rules.gun.pitch_low_rad && pitch <= rules.gun.pitch_high_rad);
+}
+
 /// The shots at the target's centre that forgive enough, the soonest there first.
 std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, const Platform& platform) {
+  const Stance stance = stance_at(rules, platform.position);
   std::vector<Candidate> found;
   std::optional<Aimed> before;
   for (const double pitch : pitch_lattice(rules)) {
     auto aimed = aim_through(rules, platform, pitch, target.centre(), before ? &*before : nullptr);
     if (!aimed && before) aimed = aim_through(rules, platform, pitch, target.centre());
     before = aimed;
-    if (!aimed) continue;
+    if (!aimed || !can_point(rules, stance, aimed->shot)) continue;
     const double off = error_ratio(rules, target, *aimed);
     if (off <= passing_ratio) found.push_back({*aimed, off});
   }
@@ -83,7 +94,7 @@ std::optional<PlannedShot> flown(const ShotRules& rules, const FlightSpace& spac
   const auto touch = contact_time(flight, radius, solid_of(target), 0.0, end);
   if (!touch || space.first_contact(flight, radius + rules.margin_m, *touch)) return std::nullopt;
   return PlannedShot{shot,
-                     {shot.yaw_rad, shot.pitch_rad},
+                     angles_of(stance_at(rules, platform.position), shot),
                      *touch,
                      flight.position(*touch),
                      space.clearance(flight, radius, *touch, 1.0).distance_m,
@@ -95,7 +106,7 @@ std::optional<PlannedShot> flown(const ShotRules& rules, const FlightSpace& spac
 }  // namespace
 
 std::vector<Straight> straights(const RobotModel& robot, double heading_rad,
-                                const std::vector<Vec2>& waypoints) {
+                                const std::vector<Vec2>& waypoints, const HeightField* terrain) {
   std::vector<Straight> result;
   double time = 0.0;
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
@@ -103,19 +114,31 @@ std::vector<Straight> straights(const RobotModel& robot, double heading_rad,
     if (norm(leg) == 0.0) continue;
     time += duration(std::abs(wrap_angle(heading_of(leg) - heading_rad)), robot.turning());
     heading_rad = heading_of(leg);
-    const double length_s = duration(norm(leg), robot.straight());
+    const double length_m =
+        terrain != nullptr ? terrain->length({waypoints[i - 1], waypoints[i]}) : norm(leg);
+    const double length_s = duration(length_m, robot.straight());
     result.push_back({i, waypoints[i - 1], waypoints[i], time, length_s});
     time += length_s;
   }
   return result;
 }
 
-Platform platform_on(const RobotModel& robot, Vec2 from, Vec2 to, double after_s) {
-  const double length = distance(from, to);
-  if (length == 0.0) return {from, {}};
-  const Vec2 along = 1.0 / length * (to - from);
-  return {from + covered(length, robot.straight(), after_s) * along,
-          speed_after(length, robot.straight(), after_s) * along};
+Platform platform_on(const RobotModel& robot, Vec2 from, Vec2 to, double after_s,
+                     const HeightField* terrain) {
+  const double level_m = distance(from, to);
+  if (level_m == 0.0) return {from, {}};
+  const Vec2 along = 1.0 / level_m * (to - from);
+  if (terrain == nullptr) {
+    return {from + covered(level_m, robot.straight(), after_s) * along,
+            speed_after(level_m, robot.straight(), after_s) * along};
+  }
+  const double length_m = terrain->length({from, to});
+  const Vec2 at = terrain->walked({from, to}, covered(length_m, robot.straight(), after_s));
+  const double speed = speed_after(length_m, robot.straight(), after_s);
+  const double slope = dot(terrain->gradient(at), along);
+  const Vec3 uphill{along.x, along.y, slope};
+  const Vec3 velocity = speed / norm(uphill) * uphill;
+  return {at, xy(velocity), velocity.z};
 }
 
 double last_landing_s(const std::vector<PassingHit>& passing) {
@@ -124,19 +147,16 @@ double last_landing_s(const std::vector<PassingHit>& passing) {
   return last;
 }
 
-GunState gun_after(const std::vector<Vec2>& waypoints, const std::vector<PassingHit>& passing,
-                   GunState before) {
-  if (passing.empty()) return before;
-  const PassingHit& last = passing.back();
-  const double heading = heading_of(waypoints[last.leg] - waypoints[last.leg - 1]);
-  return {wrap_angle(last.shot.gun.yaw_rad - heading), last.shot.gun.pitch_rad};
+GunState gun_after(const std::vector<PassingHit>& passing, GunState before) {
+  return passing.empty() ? before : passing.back().gun;
 }
 
 std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const FiringMap& firing_map,
                                         std::size_t target, const Straight& straight, bool last,
                                         double after_s) {
   const Target& aim = problem.targets[target];
-  const Platform platform = platform_on(problem.robot, straight.from, straight.to, after_s);
+  const HeightField* const terrain = firing_map.ground.terrain();
+  const Platform platform = platform_on(problem.robot, straight.from, straight.to, after_s, terrain);
   const Cell cell = firing_map.frame.cell_at(platform.position);
   if (!firing_map.frame.contains(cell) || !clear_of(firing_map.rules, aim, platform.position))
     return std::nullopt;
@@ -144,7 +164,7 @@ std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const Firin
     return std::nullopt;
 
   const FlightSpace& space = firing_map.space(target);
-  const auto shot_with_errors = displaced_platforms(problem, straight, last, after_s);
+  const auto shot_with_errors = displaced_platforms(problem, terrain, straight, last, after_s);
   const auto shots = candidates(firing_map.rules, aim, platform);
   for (std::size_t i = 0; i < std::min(shots.size(), most_flown); ++i) {
     const auto shot = flown(firing_map.rules, space, aim, platform, shots[i]);
@@ -159,7 +179,13 @@ const std::vector<PassingShots::LegShot>& PassingShots::from_leg(const Straight&
   const auto [entry, added] = solved_.try_emplace(leg);
   for (int k = 1; added && k * moment_s < straight.length_s; ++k) {
     const auto shot = passing_shot(problem_, firing_map_, target, straight, last, k * moment_s);
-    if (shot) entry->second.push_back({k, *shot});
+    if (!shot) continue;
+    const Vec2 at =
+        platform_on(problem_.robot, straight.from, straight.to, k * moment_s, firing_map_.ground.terrain())
+            .position;
+    const double ahead =
+        heading_on(stance_at(firing_map_.rules, at), heading_of(straight.to - straight.from));
+    entry->second.push_back({k, *shot, {wrap_angle(shot->gun.yaw_rad - ahead), shot->gun.pitch_rad}});
   }
   return entry->second;
 }
@@ -169,7 +195,7 @@ PassingShots::Way& PassingShots::way_along(double heading_rad, const std::vector
   for (const Vec2 point : waypoints) key.insert(key.end(), {point.x, point.y});
   const auto [entry, added] = ways_.try_emplace(std::move(key));
   if (added) {
-    entry->second = {straights(problem_.robot, heading_rad, waypoints), {}};
+    entry->second = {straights(problem_.robot, heading_rad, waypoints, firing_map_.ground.terrain()), {}};
     entry->second.offers.resize(problem_.targets.size());
   }
   return entry->second;
@@ -199,11 +225,10 @@ std::vector<PassingHit> PassingShots::along(double heading_rad, const std::vecto
   double free_s = 0.0;  // since when the gun may turn to the next shot
   for (std::size_t j = 0; j < way.straights.size() && !offered.empty(); ++j) {
     const Straight& straight = way.straights[j];
-    const double heading = heading_of(straight.to - straight.from);
     const auto in_time = [&](const Offer& offer) {
-      const GunAngles& to = offer.of->shot.gun;
+      const GunState& to = offer.of->gun;
       return free_s + settle_s +
-                 aim_time(problem_.gun, to.yaw_rad - heading - gun.yaw_rad, to.pitch_rad - gun.pitch_rad) <=
+                 aim_time(problem_.gun, to.yaw_rad - gun.yaw_rad, to.pitch_rad - gun.pitch_rad) <=
              offer.leaves_s;
     };
     for (int k = 1; k * moment_s < straight.length_s; ++k) {
@@ -217,8 +242,9 @@ std::vector<PassingHit> PassingShots::along(double heading_rad, const std::vecto
         if (in_time(offer)) urgent = &one, now = &offer;
       }
       if (urgent == nullptr) continue;
-      chosen.push_back({urgent->target, straight.leg, k * moment_s, now->leaves_s, now->of->shot});
-      gun = gun_after(waypoints, chosen, gun);
+      chosen.push_back(
+          {urgent->target, straight.leg, k * moment_s, now->leaves_s, now->of->shot, now->of->gun});
+      gun = now->of->gun;
       free_s = now->leaves_s;
       urgent->left = {};
     }

@@ -21,12 +21,13 @@ std::vector<Choice> lighter(const Choice& choice, std::size_t stop) {
   const auto& targets = choice.stops[stop].targets;
   if (targets.size() > 1) {
     Choice& next = result.emplace_back(choice);
-    next.passing.insert(next.passing.end(), targets.begin(), targets.end());
+    auto& passing = next.passing_beside(stop);
+    passing.insert(passing.end(), targets.begin(), targets.end());
     next.stops[stop].targets.clear();
   }
   for (std::size_t k = 0; k < targets.size(); ++k) {
     Choice& next = result.emplace_back(choice);
-    next.passing.push_back(targets[k]);
+    next.passing_beside(stop).push_back(targets[k]);
     auto& left = next.stops[stop].targets;
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(k));
   }
@@ -121,19 +122,16 @@ const GuardPlan& sooner(const GuardPlan& standing, const GuardPlan& passing) {
 GuardPlan shoot_in_passing(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
                            const std::stop_token& stop) {
   GuardPlan best = plan;
-  bool fills = false, shoots = false;
-  for (const PlannedStop& planned : plan.stops) {
-    fills = fills || planned.call;
-    shoots = shoots || !planned.hits.empty();
-  }
+  const bool shoots =
+      std::ranges::any_of(plan.stops, [](const PlannedStop& stop) { return !stop.hits.empty(); });
   best.expected_s.reset();
   best.lower_bound_s = best.anywhere_lower_bound_s = 0.0;
   best.tour_proven = false;
   best.stops_offered = 0;
-  best.on_the_move = !fills && !firing_map.rules.terrain;
+  best.on_the_move = true;
   best.cost_s = mission_time(problem, firing_map, best);
   const GuardPlan standing = best;
-  if (!shoots || fills || firing_map.rules.terrain || !standing.routes) return best;
+  if (!shoots || !standing.routes) return best;
 
   Assembly assembly(problem, firing_map, standing);
   Choice choice = choice_of(plan);

@@ -31,9 +31,9 @@ std::vector<PlannedStop> stops_of(const GuardProblem& problem, const FiringMap& 
   return stops;
 }
 
-/// Shots from a robot that drives are solved for level ground, and tours are proven for shots from rest.
-GuardOptions drafting_options(const FiringMap& firing_map, GuardOptions options) {
-  if (firing_map.rules.terrain || options.prove) options.shoot_on_the_move = false;
+/// Tours are proven for shots from rest.
+GuardOptions drafting_options(GuardOptions options) {
+  if (options.prove) options.shoot_on_the_move = false;
   return options;
 }
 
@@ -74,7 +74,7 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firi
   GuardPlan plan = begin_plan(problem, firing_map, options);
   if (plan.unreachable.size() == problem.targets.size()) return plan;
 
-  const GuardOptions drafting = drafting_options(firing_map, options);
+  const GuardOptions drafting = drafting_options(options);
   const auto draft =
       add_tour(problem, firing_map, {targets_with_region(firing_map)}, drafting, budget, plan, observe);
   if (!draft) return tl::unexpected(draft.error());
@@ -96,7 +96,7 @@ Outcome<GuardPlan> plan_part(const GuardProblem& problem, const FiringMap& firin
                              const Budget& budget) {
   GuardPlan plan;
   if (targets.empty()) return plan;
-  GuardOptions drafting = drafting_options(firing_map, options);
+  GuardOptions drafting = drafting_options(options);
   drafting.gap = 1.0;  // no bound
   const auto draft =
       add_tour(problem, firing_map, {targets, exact_goals_of_part}, drafting, budget, plan, {});

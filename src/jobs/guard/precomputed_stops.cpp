@@ -72,9 +72,10 @@ void take(const std::vector<Offer>& offers, PrecomputedStops& precomputed) {
     if (!planned && good[offer.target] != 0 && offer.shot->hit_rate < good_rate) continue;
     if (!std::isfinite(precomputed.table.drives[offer.stop].time_s)) continue;  // from the start
     const PlannedShot& shot = *offer.shot;
-    precomputed.table.services[offer.stop].push_back({static_cast<std::uint32_t>(offer.target),
-                                                      shot.gun.yaw_rad, shot.gun.pitch_rad,
-                                                      shot.flight_s / std::max(shot.hit_rate, least_rate)});
+    const bool awaited = !precomputed.on_the_move || !shot.survives;
+    const double wait_s = awaited ? shot.flight_s / std::max(shot.hit_rate, least_rate) : 0.0;
+    precomputed.table.services[offer.stop].push_back(
+        {static_cast<std::uint32_t>(offer.target), shot.gun.yaw_rad, shot.gun.pitch_rad, wait_s});
     precomputed.reachable[offer.target] = 1;
   }
 }
@@ -84,7 +85,7 @@ void take(const std::vector<Offer>& offers, PrecomputedStops& precomputed) {
 Outcome<PrecomputedStops> precompute_stops(const GuardProblem& problem, const FiringMap& firing_map,
                                            const GuardPlan& plan, const ArrivalOptions& options,
                                            const Budget& budget, const std::vector<Vec2>& besides) {
-  PrecomputedStops precomputed{{problem.start.position}, {}, Routes(nullptr), {}, {}};
+  PrecomputedStops precomputed{{problem.start.position}, {}, Routes(nullptr), {}, {}, plan.on_the_move};
   std::vector<Offer> offers;
   offer_plan(plan, precomputed, offers);
   const auto most = static_cast<std::size_t>(options.stops);

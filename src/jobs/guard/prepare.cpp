@@ -91,10 +91,15 @@ Outcome<GuardPlan> plan_targets(const GuardScenario& scenario, const GuardProble
   auto planner = find_guard_planner(scenario.options.planner);
   if (!planner) return pass_on(planner);
   GuardOptions options = scenario.options;
-  if (!why_from_rest(asked_of(scenario)).empty()) options.shoot_on_the_move = false;
+  const bool on_the_move = options.shoot_on_the_move && why_from_rest(asked_of(scenario)).empty();
+  const bool anew = scenario.arrivals.any() || scenario.arrivals.leave < 1.0;  // stops are planned anew
+  const bool supplied = problem.supplies.any();
+  options.shoot_on_the_move = on_the_move && !anew && !supplied;
   auto plan = planner->plan(problem, firing_map, options, budget, observe);
-  if (!plan || scenario.arrivals.any() || scenario.arrivals.leave < 1.0) return plan;
-  return supply_plan(problem, firing_map, std::move(*plan), budget);
+  if (plan && anew) plan->on_the_move = on_the_move;
+  if (!plan || anew) return plan;
+  options.shoot_on_the_move = on_the_move;
+  return supply_plan(problem, firing_map, std::move(*plan), options, budget);
 }
 
 Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const Budget& budget) {

@@ -4,30 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "flying_balls.hpp"
+#include "outrider/ballistics/stance.hpp"
 #include "outrider/jobs/guard/stops.hpp"
 
 namespace outrider {
 namespace {
-
-constexpr double lost_s = 5.0;  // after the planned landing, a ball without a result
-
-/// The nearest of some cells, at least `apart_m` from here.
-std::optional<Vec2> nearest_place(const FiringMap& firing_map, const std::vector<std::size_t>& cells,
-                                  Vec2 here, double apart_m) {
-  std::optional<Vec2> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::size_t cell : cells) {
-    const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(cell));
-    const double away = distance(here, place);
-    if (away < apart_m || away >= least) continue;
-    least = away;
-    best = place;
-  }
-  return best;
-}
 
 std::optional<Vec2> another_place(const GuardProblem& problem, const FiringMap& firing_map,
                                   std::size_t target, Vec2 here, double apart_m) {
@@ -67,16 +51,6 @@ void note_failure(StopTasks& tasks, std::size_t target, const GuardProblem& prob
   drop_target(tasks);
 }
 
-/// What a target that was never hit has to say. Tries without a shot are no misses.
-std::string missed(const TargetRecord& record) {
-  if (record.unanswered > 0) {
-    return fmt::format(
-        "no hit by {} shot{}, of which {} had no result: is the gun jammed, or its tank empty?", record.shots,
-        record.shots == 1 ? "" : "s", record.unanswered);
-  }
-  return fmt::format("missed {} time{}", record.shots, record.shots == 1 ? "" : "s");
-}
-
 void note_result(StopTasks& tasks, bool hit, const Observation& seen, const GuardProblem& problem) {
   const std::size_t target = tasks.queue.front().targets.front();
   TargetRecord& record = tasks.records[target];
@@ -104,91 +78,6 @@ void look_elsewhere(StopTasks& tasks, const Observation& seen, const GuardProble
                                    problem.errors.position_m);
   // Behind the rest of this stop, before the next one.
   tasks.queue.insert(tasks.queue.begin() + 1, StopTask{place.value_or(tasks.last_place), {target}});
-}
-
-/// Shoots at a target from the first of the stops to come from which it is a sure hit; without any, from the
-/// nearest place, after the present task.
-void stop_for(StopTasks& tasks, std::size_t target, const GuardProblem& problem,
-              const FiringMap& firing_map) {
-  const std::vector<std::size_t> sure = sure_cells(problem, firing_map, target);
-  const auto serves = [&](const StopTask& task) {
-    const Cell cell = firing_map.frame.cell_at(task.place);
-    return !task.call && firing_map.frame.contains(cell) &&
-           std::ranges::binary_search(sure, firing_map.frame.index(cell));
-  };
-  if (const auto task = std::ranges::find_if(tasks.queue, serves); task != tasks.queue.end()) {
-    task->targets.push_back(target);
-    return;
-  }
-  const bool idle = tasks.queue.empty();
-  const Vec2 end = idle ? tasks.last_place : tasks.queue.front().place;
-  const auto place = nearest_place(firing_map, sure, end, 0.0);
-  tasks.queue.insert(tasks.queue.begin() + (idle ? 0 : 1), StopTask{place.value_or(end), {target}});
-  if (idle) tasks.arrived = false;
-}
-
-/// The shots of the present task in passing on that way. Who cannot be hit from it gets a stop.
-std::vector<FireInPassing> shots_in_passing(StopTasks& tasks, const std::vector<Vec2>& way,
-                                            const Observation& seen, const GuardProblem& problem,
-                                            const FiringMap& firing_map) {
-  auto targets = std::exchange(tasks.queue.front().passing, {});
-  std::vector<FireInPassing> shots;
-  if (targets.empty()) return shots;
-  PassingShots solver(problem, firing_map);
-  const auto hits =
-      solver.along(seen.odometry.heading_rad, way, {seen.gun->yaw_rad, seen.gun->pitch_rad}, targets);
-  for (const PassingHit& hit : hits) {
-    const Vec2 from = way[hit.leg - 1];
-    const Vec2 to = way[hit.leg];
-    TargetRecord& record = tasks.records[hit.target];
-    ++record.shots;
-    record.shot = hit.shot;
-    record.pose = {platform_on(problem.robot, from, to, hit.after_s).position, heading_of(to - from)};
-    tasks.flying.push_back({hit.target, seen.time_s + hit.leaves_s + hit.shot.flight_s, true});
-    shots.push_back({hit.target, hit.leg, hit.after_s, hit.shot.shot});
-    std::erase(targets, hit.target);
-  }
-  for (const std::size_t target : targets) stop_for(tasks, target, problem, firing_map);
-  return shots;
-}
-
-/// What has become of the balls that nobody waited for.
-void note_flying(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
-                 const FiringMap& firing_map) {
-  for (const FlyingBall& ball : std::exchange(tasks.flying, {})) {
-    TargetRecord& record = tasks.records[ball.target];
-    const ShotResult* const result = result_of(seen, ball.target);
-    if (result == nullptr && seen.time_s < ball.lands_s + lost_s) {
-      tasks.flying.push_back(ball);
-      continue;
-    }
-    if (result == nullptr) ++record.unanswered;
-    if (result != nullptr && result->hit) {
-      settle(
-          record, TargetStatus::reached,
-          fmt::format("hit by shot {}{} from ({:.2f}, {:.2f})", record.shots,
-                      ball.in_passing ? " in passing" : "", record.pose.position.x, record.pose.position.y),
-          result->landed_s);
-    } else if (++record.tries < problem.tries) {
-      stop_for(tasks, ball.target, problem, firing_map);
-    } else {
-      settle(record, TargetStatus::failed, missed(record), seen.time_s);
-    }
-  }
-}
-
-/// Waits until the balls in the air have landed, and a little longer for results that are late. If time does
-/// not go on meanwhile, their results count as lost.
-std::optional<Wait> wait_for_balls(StopTasks& tasks, double time_s) {
-  constexpr double late_s = 0.1;
-  if (tasks.waited_s == time_s) {
-    for (FlyingBall& ball : tasks.flying) ball.lands_s = time_s - lost_s;
-    return std::nullopt;
-  }
-  tasks.waited_s = time_s;
-  double until_s = time_s + late_s;
-  for (const FlyingBall& ball : tasks.flying) until_s = std::max(until_s, ball.lands_s);
-  return Wait{until_s};
 }
 
 /// Returns true if the second pass leaves a failed target out, and says so in its reason: a hit from that
@@ -255,6 +144,17 @@ std::vector<Vec2> way_to(const StopTasks& tasks, const Observation& seen, const 
   return {here};
 }
 
+/// The direction of the barrel of a robot there, for these joint angles.
+AimGun barrel(const FiringMap& firing_map, Vec2 place, const GunAngles& joints) {
+  const Shot along = shot_of(stance_at(firing_map.rules, place), joints, 0.0);
+  return {along.yaw_rad, along.pitch_rad};
+}
+
+AimGun gun_at_rest(const FiringMap& firing_map, const Pose2& robot) {
+  const Stance stance = stance_at(firing_map.rules, robot.position);
+  return barrel(firing_map, robot.position, {heading_on(stance, robot.heading_rad), 0.0});
+}
+
 /// Off to the place of the present task, shooting in passing; nothing when the robot stands there.
 std::optional<FollowWaypoints> set_off(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
                                        const FiringMap& firing_map) {
@@ -265,8 +165,13 @@ std::optional<FollowWaypoints> set_off(StopTasks& tasks, const Observation& seen
   tasks.last_place = place;
   if (distance(seen.odometry.position, place) <= there_m) return std::nullopt;
   FollowWaypoints drive{std::move(way), false, std::move(shots)};
-  const auto& guns = tasks.queue.front().guns;
-  if (tasks.on_the_move && !guns.empty()) drive.aim = AimGun{guns.front().yaw_rad, guns.front().pitch_rad};
+  const StopTask& task = tasks.queue.front();
+  const auto& along = drive.waypoints;
+  if (tasks.on_the_move && !task.guns.empty()) {
+    drive.aim = barrel(firing_map, place, task.guns.front());
+  } else if (tasks.on_the_move && task.call) {
+    drive.aim = gun_at_rest(firing_map, {place, heading_of(along.back() - along[along.size() - 2])});
+  }
   return drive;
 }
 
@@ -299,7 +204,7 @@ Fire fire(StopTasks& tasks, double time_s) {
   if (awaited) {
     tasks.fired = true;
   } else {
-    tasks.flying.push_back({target, time_s + shot.flight_s});
+    tasks.flying.push_back({target, time_s + shot.flight_s, false, time_s});
     drop_target(tasks);
   }
   return {target, shot.shot, awaited};
@@ -385,7 +290,7 @@ std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, c
       continue;
     }
     if (task.call) {
-      if (!std::exchange(tasks.aimed, true)) return AimGun{seen.odometry.heading_rad, 0.0};
+      if (!std::exchange(tasks.aimed, true)) return gun_at_rest(firing_map, seen.odometry);
       return fill(tasks);
     }
     if (!tasks.aimed) {

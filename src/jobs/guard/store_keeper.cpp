@@ -58,14 +58,16 @@ double longest_shot_s(const GuardProblem& problem) {
   return aim + 2.0 * problem.gun.muzzle_speed_mps / problem.world.gravity_mps2;
 }
 
-/// The charge that aim and shot take, once the robot stands there.
-double shot_charge_j(const Command& command, const StopTasks& tasks, const GuardProblem& problem) {
-  double time_s = longest_shot_s(problem);
+/// The charge that shots during a drive take, and aim and shot once the robot stands there.
+double shots_charge_j(const Command& command, const StopTasks& tasks, const GuardProblem& problem) {
+  double time_s = longest_shot_s(problem), shots = 1.0;
   if (const auto* fire = std::get_if<Fire>(&command)) {
     const TargetRecord& record = tasks.records[fire->target];
-    time_s = record.shot ? record.shot->flight_s : 0.0;
+    time_s = record.shot && fire->until_landed ? record.shot->flight_s : 0.0;
+  } else if (const auto* drive = std::get_if<FollowWaypoints>(&command)) {
+    shots += static_cast<double>(drive->shots.size());
   }
-  return problem.supplies.charge_of(time_s, 0.0) + problem.supplies.shot_j;
+  return problem.supplies.charge_of(time_s, 0.0) + shots * problem.supplies.shot_j;
 }
 
 /// A wait ends while a shot from here and the way to a charger are still possible.
@@ -130,6 +132,9 @@ std::optional<Store> lacking(Command& command, const StopTasks& tasks, const Obs
   const Supplies& supplies = problem.supplies;
   const bool at_station = !tasks.queue.empty() && tasks.queue.front().call;
   if (std::holds_alternative<Fill>(command)) return std::nullopt;
+  // All is done but for balls in the air, and nothing else is to come.
+  if (std::holds_alternative<Wait>(command) && tasks.queue.empty() && !tasks.more_to_come)
+    return std::nullopt;
   if (at_station && std::holds_alternative<AimGun>(command)) return std::nullopt;
   const auto* follow = std::get_if<FollowWaypoints>(&command);
   const Way way = follow != nullptr
@@ -147,7 +152,7 @@ std::optional<Store> lacking(Command& command, const StopTasks& tasks, const Obs
   if (!supplies.ends(Store::charge)) return std::nullopt;
   const double home_j = charge_home(way.end, tasks, problem, firing_map);
   const double spare_j =
-      seen.stores->charge_j - way.charge_j - shot_charge_j(command, tasks, problem) - home_j;
+      seen.stores->charge_j - way.charge_j - shots_charge_j(command, tasks, problem) - home_j;
   if (wait != nullptr) return lacking_for(*wait, spare_j, seen, supplies);
   return spare_j < 0.0 ? std::optional(Store::charge) : std::nullopt;
 }

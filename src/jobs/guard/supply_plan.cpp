@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "assemble.hpp"
+#include "outrider/jobs/guard/bound.hpp"
+#include "outrider/jobs/guard/passing_plan.hpp"
 
 namespace outrider {
 namespace {
@@ -76,10 +78,24 @@ std::vector<PlannedStop> stops_of(const GuardProblem& problem, const FiringMap& 
   return stops;
 }
 
+/// The plan with shots in passing. Its bound is that of missions with unlimited supplies.
+GuardPlan on_the_move(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
+                      const GuardOptions& options, const Budget& budget) {
+  GuardPlan result = shoot_in_passing(problem, firing_map, plan, budget.stop);
+  if (!plan.unsupplied.empty()) return result;
+  std::vector<std::size_t> targets;
+  for (const PlannedStop& stop : plan.stops) {
+    for (const PlannedHit& hit : stop.hits) targets.push_back(hit.target);
+  }
+  result.lower_bound_s = result.anywhere_lower_bound_s =
+      mission_bound(problem, firing_map, targets, options, budget);
+  return result;
+}
+
 }  // namespace
 
 Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const FiringMap& firing_map, GuardPlan plan,
-                               const Budget& budget) {
+                               const GuardOptions& options, const Budget& budget) {
   if (!problem.supplies.any()) return plan;
   auto table = supply_table(problem, firing_map, plan, other_stops, budget);
   if (!table) return pass_on(table);
@@ -95,51 +111,29 @@ Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const FiringMap& fir
   if (!plan.unsupplied.empty())
     plan.lower_bound_s = plan.anywhere_lower_bound_s = 0.0;  // for hitting them all
   if (auto ok = finish_plan(problem, firing_map, budget, plan); !ok) return pass_on(ok);
-  const auto after = planned_levels(problem, firing_map, plan);
-  plan.cost_s = after.empty() ? 0.0 : after.back().time_s;
   plan.expected_s.reset();
   plan.lower_bound_s = std::min(plan.lower_bound_s, plan.cost_s);
-  return plan;
+  return options.shoot_on_the_move ? on_the_move(problem, firing_map, plan, options, budget) : plan;
 }
 
 std::vector<SupplyLevel> planned_levels(const GuardProblem& problem, const FiringMap& firing_map,
                                         const GuardPlan& plan) {
-  const Supplies& supplies = problem.supplies;
-  SupplyLevel now{0.0, supplies.full(Store::water), supplies.full(Store::charge), 0.0};
   std::vector<SupplyLevel> after;
-  const auto pass = [&](double seconds, double metres) {
-    now.time_s += seconds;
-    now.charge -= supplies.charge_of(seconds, metres);
-  };
-  double heading = problem.start.heading_rad;
-  double yaw = 0.0;  // of the gun, relative to the body
-  double pitch = 0.0;
-  for (const PlannedStop& stop : plan.stops) {
-    const DriveCost drive = drive_cost(problem.robot, heading, stop.waypoints, firing_map.ground.terrain());
-    pass(drive.time_s, drive.driven_m);
-    heading = drive.heading_rad;
-    now.filling_s = 0.0;
-    for (const PlannedHit& hit : stop.hits) {
-      const double relative = hit.shot.gun.yaw_rad - heading;
-      pass(aim_time(problem.gun, relative - yaw, hit.shot.gun.pitch_rad - pitch) + hit.shot.flight_s, 0.0);
-      now.water -= supplies.shot_water;
-      now.charge -= supplies.shot_j;
-      yaw = relative;
-      pitch = hit.shot.gun.pitch_rad;
-    }
-    if (stop.call) {
-      pass(aim_time(problem.gun, -yaw, -pitch), 0.0);
-      yaw = 0.0;
-      pitch = 0.0;
-      double& level = stop.call->store == Store::water ? now.water : now.charge;
-      const double full = supplies.full(stop.call->store);
-      now.filling_s = supplies.filling_s(stop.call->store, full - level);
-      now.time_s += now.filling_s;
-      level = full;
-    }
-    after.push_back(now);
+  PlanClock clock(problem, firing_map, plan);
+  while (!clock.done()) {
+    clock.make_stop();
+    after.push_back(clock.level());
   }
   return after;
+}
+
+bool supplies_suffice(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan) {
+  constexpr double rounding = 1e-9;
+  const Supplies& supplies = problem.supplies;
+  const double spare = supplies.ends(Store::charge) ? supplies.reserve * supplies.full(Store::charge) : 0.0;
+  return std::ranges::all_of(planned_levels(problem, firing_map, plan), [&](const SupplyLevel& level) {
+    return level.water >= -rounding && level.charge >= spare - rounding;
+  });
 }
 
 }  // namespace outrider

@@ -3,7 +3,7 @@
 // The robot follows the path as drive_cost() (motion/robot_model.hpp) counts it: it turns in place, then
 // drives straight from rest to rest. Meanwhile the gun turns to the next shot, from the beginning of the path
 // or from the previous shot on. The velocity of the ball is its muzzle velocity plus the velocity of the
-// robot. Nobody waits for a ball to land. Level ground only, with or without air.
+// robot. Nobody waits for a ball to land. On level ground, with or without air, and on terrain.
 //
 // Frames and units: world, metres, seconds, radians; `after_s` counts from the beginning of a leg.
 #pragma once
@@ -29,12 +29,14 @@ struct Straight {
   double length_s = 0.0;  ///< duration
 };
 
-/// Returns the legs of a path in order. Equal consecutive waypoints make no leg. O(waypoints).
+/// Returns the legs of a path in order. Equal consecutive waypoints make no leg. `terrain` is null on flat
+/// ground. O(waypoints).
 std::vector<Straight> straights(const RobotModel& robot, double heading_rad,
-                                const std::vector<Vec2>& waypoints);
+                                const std::vector<Vec2>& waypoints, const HeightField* terrain = nullptr);
 
 /// Returns position and velocity of the robot `after_s` after the beginning of a leg.
-Platform platform_on(const RobotModel& robot, Vec2 from, Vec2 to, double after_s);
+Platform platform_on(const RobotModel& robot, Vec2 from, Vec2 to, double after_s,
+                     const HeightField* terrain = nullptr);
 
 /// A planned shot in passing.
 struct PassingHit {
@@ -43,14 +45,14 @@ struct PassingHit {
   double after_s = 0.0;   ///< firing time, counted from the beginning of the leg
   double leaves_s = 0.0;  ///< firing time, counted from the beginning of the path
   PlannedShot shot;
+  GunState gun;  ///< joints of the gun at that time
 };
 
 /// Returns the time at which the last ball lands, counted from the beginning of the path; 0 if there is none.
 double last_landing_s(const std::vector<PassingHit>& passing);
 
 /// Returns the state of the gun after the last shot along the path; `before` if there is no shot.
-GunState gun_after(const std::vector<Vec2>& waypoints, const std::vector<PassingHit>& passing,
-                   GunState before);
+GunState gun_after(const std::vector<PassingHit>& passing, GunState before);
 
 /// Finds shots in passing and caches the solved ones. Thread rule: use each object from one thread.
 class PassingShots {
@@ -71,6 +73,7 @@ class PassingShots {
   struct LegShot {
     int moment = 0;  ///< number of the firing time
     PlannedShot shot;
+    GunState gun;  ///< joints of the gun
   };
   /// The same on a path.
   struct Offer {

@@ -17,12 +17,14 @@ struct PrecomputedStops {
   Routes routes;                ///< between the stops
   std::vector<Visit> tour;      ///< the tour of the plan for still targets
   std::vector<char> reachable;  ///< by target: at least one stop has a shot at it
+  bool on_the_move = false;     ///< as the plan (GuardPlan): services with sure shots take no time
 };
 
 /// Computes the stops. They are the stops of `plan`, a plan for still targets, and up to `options.stops`
 /// further ones by choose_stops() (stops.hpp). The time of a service is the flight time divided by the hit
-/// rate. Shots that often miss are used only for targets that have no other shots. The places `besides` are
-/// added at the end, without shots. Faults: those of routes_between().
+/// rate; if `plan` is on the move, 0 for shots that hit for sure. Shots that often miss are used only for
+/// targets that have no other shots. The places `besides` are added at the end, without shots. Faults: those
+/// of routes_between().
 Outcome<PrecomputedStops> precompute_stops(const GuardProblem& problem, const FiringMap& firing_map,
                                            const GuardPlan& plan, const ArrivalOptions& options,
                                            const Budget& budget, const std::vector<Vec2>& besides = {});

@@ -60,6 +60,7 @@ struct FlyingBall {
   std::size_t target = 0;
   double lands_s = 0.0;     ///< as planned
   bool in_passing = false;  ///< fired during a drive
+  double leaves_s = 0.0;    ///< when it is fired, as planned
 };
 
 /// The remaining stops and the records of all targets.
@@ -71,6 +72,8 @@ struct StopTasks {
   bool fired = false;                   ///< the last command was a shot
   bool on_the_move = false;             ///< as the plan (GuardPlan)
   std::vector<FlyingBall> flying = {};  ///< balls whose results are not known yet
+  /// Records that may be hit during any drive, although a stop is to hit them; used on the move only.
+  std::vector<std::size_t> by_the_way = {};
   std::optional<double> waited_s = {};  ///< time at which the robot last waited for such a ball
   bool second_pass = false;             ///< the second pass has begun
   bool more_to_come = false;            ///< delays the second pass, because more intruders may enter

@@ -28,15 +28,20 @@ std::vector<Station> stations_in_reach(const GuardProblem& problem, const Firing
 Outcome<SupplyTable> supply_table(const GuardProblem& problem, const FiringMap& firing_map,
                                   const GuardPlan& plan, std::size_t stops, const Budget& budget);
 
-/// Returns the plan with the station stops that the limited supplies require; `plan` itself if no store is
-/// limited. Targets for which the supplies do not suffice are in `unsupplied`, each with a reason. The lower
-/// bound of `plan` also holds for the result. Faults: those of supply_table().
+/// Returns the plan with the station stops that the limited supplies require; `plan` itself, which is from
+/// rest, if no store is limited. Targets for which the supplies do not suffice are in `unsupplied`, each with
+/// a reason. With `options.shoot_on_the_move` shots are then moved to drives between the stations
+/// (passing_plan.hpp). The lower bounds of `plan` also hold for the result from rest; on the move they are
+/// those of mission_bound(). Faults: those of supply_table().
 Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const FiringMap& firing_map, GuardPlan plan,
-                               const Budget& budget);
+                               const GuardOptions& options, const Budget& budget);
 
 /// Returns the levels after each stop of a plan if every shot hits, computed from its waypoints and shots.
 /// The reserve is not included.
 std::vector<SupplyLevel> planned_levels(const GuardProblem& problem, const FiringMap& firing_map,
                                         const GuardPlan& plan);
+
+/// Returns true if no store is below zero after any stop, and the charge not below its reserve.
+bool supplies_suffice(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan);
 
 }  // namespace outrider

@@ -80,13 +80,10 @@ TEST(Capabilities, ARefusalNamesBothKeysAndTheReason) {
 
 TEST(Capabilities, WhatHindersShotsOnTheMoveSaysWhy) {
   EXPECT_TRUE(why_from_rest({}).empty());
-  for (const Capability capability : {Capability::air, Capability::unknown, Capability::blocking}) {
-    EXPECT_TRUE(why_from_rest({capability}).empty());
-    EXPECT_FALSE(why_from_rest({capability, Capability::terrain}).empty());
-  }
-  for (const Capability capability : {Capability::arrivals, Capability::survivors, Capability::walkers,
-                                      Capability::supplies, Capability::terrain, Capability::rigid}) {
-    EXPECT_FALSE(why_from_rest({capability}).empty());
+  for (const CapabilityRow& row : capabilities()) {
+    const bool hinders = row.capability == Capability::rigid;
+    EXPECT_EQ(why_from_rest({row.capability}).empty(), !hinders) << row.noun;
+    EXPECT_FALSE(why_from_rest({row.capability, Capability::rigid}).empty());
   }
 }
 

@@ -293,7 +293,7 @@ Outcome<Run> explore_and_guard(const GuardProblem& problem, std::uint64_t seed) 
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
   yard->found.problem.supplies.stations = stations_in_reach(yard->found.problem, *firing_map);
   auto plan = plan_guard(yard->found.problem, *firing_map, coarse(), {});
-  if (plan) plan = supply_plan(yard->found.problem, *firing_map, std::move(*plan), {});
+  if (plan) plan = supply_plan(yard->found.problem, *firing_map, std::move(*plan), coarse(), {});
   if (!plan) return tl::unexpected<Fault>(plan.error());
   auto report = run_guard_on_map(problem, *yard, *firing_map, *plan, coarse(), seed, run.log);
   if (!report) return pass_on(report);

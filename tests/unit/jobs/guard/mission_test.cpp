@@ -249,9 +249,9 @@ TEST(MissionStep, WithoutAHitForLongTheRestIsGivenUp) {
   hit.shots = {{0, true, 2.9}};
   EXPECT_TRUE(mission.step(hit).has_value());
   EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
-  EXPECT_EQ(mission.moving.last_hit_s, 3.0);
-  EXPECT_TRUE(mission.step(seen_at(22.9, yard.problem.start, {}, false)).has_value());
-  EXPECT_FALSE(mission.step(seen_at(23.1, yard.problem.start, {}, false)).has_value());
+  EXPECT_EQ(mission.moving.last_hit_s, 2.9);
+  EXPECT_TRUE(mission.step(seen_at(22.8, yard.problem.start, {}, false)).has_value());
+  EXPECT_FALSE(mission.step(seen_at(23.0, yard.problem.start, {}, false)).has_value());
   EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
   EXPECT_EQ(mission.tasks.records[1].status, TargetStatus::failed);
   EXPECT_NE(mission.tasks.records[1].reason.find("nobody was hit for 20 s"), std::string::npos);

@@ -121,6 +121,34 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
   EXPECT_GT(passed, 3.0);
 }
 
+/// Intruders in their places: who can be hit from a drive needs no stop, and all are hit sooner than from
+/// rest.
+TEST(PassingRun, IntrudersAreHitByTheWay) {
+  const Planned p = planned(street());
+  GuardOptions from_rest = on_the_move();
+  from_rest.shoot_on_the_move = false;
+  auto plan = plan_guard(p.problem, p.firing_map, from_rest, {});
+  ASSERT_TRUE(plan.has_value());
+  const auto watch = arrival_yard(p.problem, p.firing_map, settled_intruders(p.problem));
+  ASSERT_TRUE(watch.has_value());
+  double last_s = 0.0;
+  for (const bool moving : {false, true}) {
+    plan->on_the_move = moving;
+    const auto stops = precompute_stops(p.problem, p.firing_map, *plan, {}, {});
+    ASSERT_TRUE(stops.has_value());
+    const ArrivalPlan arrivals{*watch, *stops, *find_replan_policy("each_arrival"),
+                               ArrivalObjective::makespan};
+    const auto run = testing::run_arrivals(arrivals, from_rest, 1);
+    EXPECT_EQ(run.report.status, "done") << run.report.reason;
+    EXPECT_GE(metric(run, "makespan_s"), metric(run, "makespan_bound_s"));
+    if (moving) {
+      EXPECT_GE(metric(run, "hits_in_passing"), 1.0);
+      EXPECT_LT(metric(run, "makespan_s"), 0.95 * last_s);
+    }
+    last_s = metric(run, "makespan_s");
+  }
+}
+
 TEST(PassingRun, WhoIsMissedInPassingIsShotAtFromRest) {
   const Planned p = planned(street());
   GuardProblem shaky = p.problem;  // worse than planned for

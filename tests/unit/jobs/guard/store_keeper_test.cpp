@@ -43,11 +43,13 @@ struct Mission {
   GuardPlan plan;
 };
 
-Outcome<Mission> planned(GuardProblem problem) {
+Outcome<Mission> planned(GuardProblem problem, bool on_the_move = false) {
   auto firing_map = build_firing_map(problem, coarse());
   if (!firing_map) return pass_on(firing_map);
   auto plan = plan_guard(problem, *firing_map, coarse(), {});
-  if (plan) plan = supply_plan(problem, *firing_map, std::move(*plan), {});
+  GuardOptions options = coarse();
+  options.shoot_on_the_move = on_the_move;
+  if (plan) plan = supply_plan(problem, *firing_map, std::move(*plan), options, {});
   if (!plan) return pass_on(plan);
   return Mission{std::move(problem), std::move(*firing_map), std::move(*plan)};
 }
@@ -73,12 +75,15 @@ void expect_sound_levels(const Run& run) {
 }
 
 TEST(SupplyRun, WithoutErrorsTakesWhatItsPlanSays) {
-  int fills = 0;
-  for (int i = 0; i < testing::cases(4); ++i) {
-    GuardProblem problem = yard(static_cast<std::uint64_t>(i));
-    problem.errors = {0.0, 0.0, {0.0, 0.0}};
-    const auto mission = planned(std::move(problem));
+  int fills = 0, passing = 0;
+  for (int i = 0; i < testing::cases(8); ++i) {
+    GuardProblem problem = yard(static_cast<std::uint64_t>(i / 2));
+    problem.errors = {0.0, 0.0, {0.0, 0.0}, 0.0};
+    const bool on_the_move = i % 2 != 0;
+    const auto mission = planned(std::move(problem), on_the_move);
     if (!mission) continue;  // a station stands in an obstacle
+    ASSERT_EQ(mission->plan.on_the_move, on_the_move);
+    EXPECT_TRUE(supplies_suffice(mission->problem, mission->firing_map, mission->plan));
     const auto run = testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), 1);
     expect_sound_levels(run);
     EXPECT_NEAR(metric(run, "mission_s"), mission->plan.cost_s, 1e-6) << i;
@@ -86,18 +91,22 @@ TEST(SupplyRun, WithoutErrorsTakesWhatItsPlanSays) {
     const auto after = planned_levels(mission->problem, mission->firing_map, mission->plan);
     if (!after.empty()) {
       const auto* last = run.log.latest<outrider_msgs::StoreLevels>(topic::stores);
-      EXPECT_NEAR(last->charge, after.back().charge, 1e-6);
+      const double waited_s = metric(run, "mission_s") - after.back().time_s;  // for the last ball
+      EXPECT_NEAR(last->charge, after.back().charge - mission->problem.supplies.charge_of(waited_s, 0.0),
+                  1e-6);
       EXPECT_NEAR(last->water, after.back().water, 1e-9);
     }
     fills += static_cast<int>(metric(run, "fills"));
+    if (on_the_move) passing += static_cast<int>(metric(run, "hits_in_passing"));
   }
   EXPECT_GT(fills, 0);
+  EXPECT_GT(passing, 0);
 }
 
 TEST(SupplyRun, WithErrorsNeverRunsDryAndIsTheSameTwice) {
   int missions = 0;
-  for (int i = 0; i < testing::cases(3); ++i) {
-    const auto mission = planned(yard(static_cast<std::uint64_t>(100 + i)));
+  for (int i = 0; i < testing::cases(6); ++i) {
+    const auto mission = planned(yard(static_cast<std::uint64_t>(100 + i / 2)), i % 2 != 0);
     if (!mission) continue;
     ++missions;
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
@@ -110,7 +119,7 @@ TEST(SupplyRun, WithErrorsNeverRunsDryAndIsTheSameTwice) {
       EXPECT_EQ(recorder.finish(), test::bytes_of_log(run.log));
     }
   }
-  EXPECT_GE(missions, 2);
+  EXPECT_GE(missions, 4);
 }
 
 TEST(SupplyRun, SaysWhatTheSuppliesDoNotSufficeFor) {
@@ -156,7 +165,7 @@ TEST(SupplyPlan, WithoutEndIsThePlanItself) {
   ASSERT_TRUE(firing_map);
   const auto plan = plan_guard(problem, *firing_map, coarse(), {});
   ASSERT_TRUE(plan);
-  const auto same = supply_plan(problem, *firing_map, *plan, {});
+  const auto same = supply_plan(problem, *firing_map, *plan, {}, {});
   ASSERT_TRUE(same);
   EXPECT_EQ(same->cost_s, plan->cost_s);
   EXPECT_EQ(same->stops.size(), plan->stops.size());

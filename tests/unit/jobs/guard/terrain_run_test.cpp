@@ -30,12 +30,14 @@ struct Mission {
   Run run;
 };
 
-Mission run_of(const GuardProblem& problem, std::uint64_t seed) {
-  auto firing_map = build_firing_map(problem, on_terrain());
+Mission run_of(const GuardProblem& problem, std::uint64_t seed, bool on_the_move = false) {
+  GuardOptions options = on_terrain();
+  options.shoot_on_the_move = on_the_move;
+  auto firing_map = build_firing_map(problem, options);
   EXPECT_TRUE(firing_map) << firing_map.error().sentence;
-  auto plan = plan_guard(problem, *firing_map, on_terrain(), {});
+  auto plan = plan_guard(problem, *firing_map, options, {});
   EXPECT_TRUE(plan);
-  auto run = testing::run_still(problem, *firing_map, *plan, on_terrain(), seed);
+  auto run = testing::run_still(problem, *firing_map, *plan, options, seed);
   return {std::move(*firing_map), std::move(*plan), std::move(run)};
 }
 
@@ -119,6 +121,68 @@ TEST(TerrainRun, OnHillsTheBoundHoldsShotsHitAndDrivesAreOnTheSurface) {
     EXPECT_NEAR(relief->heights.back(), field.height(last), 1e-9);
   }
   EXPECT_GE(reached, targets - 1.0);
+}
+
+/// The place on a leg after some time, by small steps over the surface.
+Vec3 own_place(const RobotModel& robot, const HeightField& field, const Segment& leg, double after_s) {
+  const double way_m = covered(field.length(leg), robot.straight(), after_s);
+  constexpr int steps = 20'000;
+  const auto at = [&](int i) {
+    const Vec2 p = leg.a + static_cast<double>(i) / steps * (leg.b - leg.a);
+    return Vec3{p.x, p.y, field.height(p)};
+  };
+  double done_m = 0.0;
+  for (int i = 1; i <= steps; ++i) {
+    const double step_m = norm(at(i) - at(i - 1));
+    if (done_m + step_m >= way_m) return at(i - 1) + (way_m - done_m) / step_m * (at(i) - at(i - 1));
+    done_m += step_m;
+  }
+  return at(steps);
+}
+
+/// Shots from a robot that climbs and leans: each hits with the velocity that the surface gives it, by small
+/// steps; the mission takes what the plan says; the bound holds; and it is shorter than from rest.
+TEST(TerrainRun, OnHillsShotsInPassingHit) {
+  Rng rng(5);
+  std::size_t passed = 0, climbing = 0;
+  double from_rest_s = 0.0, on_the_move_s = 0.0;
+  for (int i = 0; i < cases(4); ++i) {
+    const HeightField field = hill(4.5, 0.5, rng.uniform(0.3, 0.8), 3.0);
+    GuardProblem problem = lifted(testing::random_guard_problem(rng, 3, 5, 3.0), field);
+    problem.errors = {0.0, 0.0, {0.0, 0.0}, 0.0};
+    const Mission mission = run_of(problem, 1, true);
+    ASSERT_TRUE(mission.plan.on_the_move);
+    EXPECT_LE(mission.plan.lower_bound_s, mission.plan.cost_s + 1e-6);
+    EXPECT_NEAR(metric(mission.run, "mission_s"), mission.plan.cost_s, 1e-6);
+    EXPECT_EQ(metric(mission.run, "reached"),
+              metric(mission.run, "targets") - metric(mission.run, "unreachable"));
+    EXPECT_EQ(metric(mission.run, "hits_in_passing"), metric(mission.run, "shots_in_passing"));
+    from_rest_s += run_of(problem, 1).plan.cost_s;
+    on_the_move_s += mission.plan.cost_s;
+    for (const PlannedStop& stop : mission.plan.stops) {
+      for (const PassingHit& hit : stop.passing) {
+        ++passed;
+        const Segment leg{stop.waypoints[hit.leg - 1], stop.waypoints[hit.leg]};
+        const Vec3 at = own_place(problem.robot, field, leg, hit.after_s);
+        constexpr double moment_s = 1e-3;
+        const Vec3 velocity = 1.0 / moment_s *
+                              (own_place(problem.robot, field, leg, hit.after_s + 0.5 * moment_s) -
+                               own_place(problem.robot, field, leg, hit.after_s - 0.5 * moment_s));
+        if (std::abs(velocity.z) > 0.02) ++climbing;
+        const Stance stance = stance_at(mission.firing_map.rules, xy(at));
+        Flight flight = launch(problem.gun, stance, xy(at), hit.shot.shot, problem.world.gravity_mps2);
+        flight.velocity_mps = flight.velocity_mps + velocity;
+        EXPECT_TRUE(fly(flight, problem.gun.ball_radius_m, mission.firing_map.space(hit.target),
+                        problem.targets[hit.target], problem.world.floor_z_m)
+                        .hit);
+        EXPECT_GE(hit.shot.gun.pitch_rad, problem.gun.pitch_low_rad - 1e-9);
+        EXPECT_LE(hit.shot.gun.pitch_rad, problem.gun.pitch_high_rad + 1e-9);
+      }
+    }
+  }
+  EXPECT_GT(passed, 4U);
+  EXPECT_GT(climbing, 1U);
+  EXPECT_LT(on_the_move_s, 0.9 * from_rest_s);
 }
 
 TEST(TerrainSurvey, ALongerWayUphillTakesLonger) {
