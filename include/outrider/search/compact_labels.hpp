@@ -7,15 +7,14 @@
 // labels take memory only in the pages that searches have reached. All other operations are O(1).
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "outrider/search/labels.hpp"
+#include "outrider/search/paged_words.hpp"
 #include "outrider/search/queue.hpp"
-#include "outrider/search/zeroed_array.hpp"
 
 namespace outrider {
 
@@ -28,18 +27,11 @@ class CompactLabels {
  public:
   static constexpr std::size_t most_states = std::size_t{1} << 30U;
 
-  /// Clears all labels. O(pages between the lowest and the highest that the last search has reached), and 1
-  /// KiB to clear for each reached one.
+  /// Clears all labels, at the cost of those that the last search has written.
   void begin(std::size_t states) {
-    clear();
+    words_.begin(states);
     slots_.clear();
     free_ = none;
-    if (states <= states_) return;
-    states_ = states;
-    touched_ = {};
-    touched_.grow(states / page_size + 1);
-    words_ = {};
-    words_.grow(states);
   }
   [[nodiscard]] bool known(State s) const { return word(s) != 0; }
   [[nodiscard]] bool closed(State s) const { return (word(s) & closed_bit) != 0; }
@@ -68,7 +60,7 @@ class CompactLabels {
     std::uint32_t& w = words_[s];
     if (w == 0) {
       w = slot_bit | take_slot();
-      touch(s / page_size);
+      words_.touch(s);
     }
     Slot& slot = slots_[w & number];
     slot.g = g;
@@ -104,7 +96,6 @@ class CompactLabels {
   static constexpr std::uint32_t slot_bit = 1U << 30U;  // the rest is the number of a slot, else the parent
   static constexpr std::uint32_t number = slot_bit - 1;
   static constexpr std::uint32_t none = slot_bit;
-  static constexpr std::uint32_t page_size = 256;  // labels
 
   struct Slot {
     Cost g{};
@@ -113,25 +104,6 @@ class CompactLabels {
   };
 
   [[nodiscard]] std::uint32_t word(State s) const { return words_[s]; }
-
-  void touch(std::uint32_t page) {
-    if (touched_[page] != 0) return;
-    touched_[page] = 1;
-    lowest_ = std::min(lowest_, page);
-    highest_ = std::max(highest_, page);
-  }
-
-  /// Clears the pages that the last search has touched.
-  void clear() {
-    for (std::uint32_t page = lowest_; page <= highest_ && page < touched_.size(); ++page) {
-      if (touched_[page] == 0) continue;
-      touched_[page] = 0;
-      const std::size_t first = std::size_t{page} * page_size;
-      std::fill_n(&words_[first], std::min<std::size_t>(page_size, words_.size() - first), 0U);
-    }
-    lowest_ = none;
-    highest_ = 0;
-  }
 
   std::uint32_t take_slot() {
     const std::uint32_t slot = free_;
@@ -149,13 +121,10 @@ class CompactLabels {
     slots_[slot].parent = std::exchange(free_, slot);
   }
 
-  ZeroedArray<std::uint32_t> words_;           // by state
-  ZeroedArray<std::uint8_t> touched_;          // by page, 1 if this search has written a label there
-  std::uint32_t lowest_ = none, highest_ = 0;  // of those pages
+  PagedWords<256> words_;  // by state
   std::vector<Slot> slots_;
   std::uint32_t free_ = none;  // the first free slot; its parent is the next one
   Cost last_{};                // of the last state that was closed
-  std::size_t states_ = 0;
 };
 
 /// The memory of best_first() with compact labels.

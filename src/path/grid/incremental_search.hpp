@@ -20,6 +20,7 @@
 #include <memory>
 #include <vector>
 
+#include "incremental_vertices.hpp"
 #include "octile.hpp"
 #include "outrider/core/budget.hpp"
 #include "outrider/core/trace.hpp"
@@ -45,11 +46,6 @@ class IncrementalSearch {
   [[nodiscard]] std::uint64_t generated() const { return generated_; }
 
  private:
-  struct Vertex {
-    Octile g, rhs;
-    State parent = 0;         // neighbour over which rhs leads
-    std::uint32_t stamp = 0;  // search that reached it
-  };
   struct Entry {
     double f = 0.0;
     double least = 0.0;  // min(g, rhs)
@@ -63,26 +59,24 @@ class IncrementalSearch {
   void look_around(Cell changed);
   void look_again(State s);
   void expand(State s);
-  void lower(State s);
-  void raise(State s);
-  void enqueue(State s);
+  void lower(State s, IncrementalVertex vertex);
+  void raise(State s, IncrementalVertex vertex);
+  void set(State s, const IncrementalVertex& vertex);
   void push(const Entry& entry);
   void pop();
   void drop_stale_entries();
   [[nodiscard]] bool settled() const;
-  [[nodiscard]] Entry entry_of(State s) const;
-  [[nodiscard]] Vertex& reach(State s);
-  [[nodiscard]] bool reached(State s) const { return vertices_[s].stamp == stamp_; }
+  [[nodiscard]] Entry entry_of(State s, const IncrementalVertex& vertex) const;
   [[nodiscard]] bool passable(State s) const;
   [[nodiscard]] State neighbour(State s, unsigned move) const;
+  [[nodiscard]] State parent(State s) const;
 
   std::shared_ptr<const GridMap> ground_;
   State root_ = 0, target_ = 0;
   Cell target_cell_;
   Octile shift_;
-  std::vector<Vertex> vertices_;  // by GridMap::index()
-  std::uint32_t stamp_ = 0;
-  std::vector<Entry> queue_;  // a heap; may hold entries of vertices that have changed since
+  IncrementalVertices vertices_;  // by GridMap::index()
+  std::vector<Entry> queue_;      // a heap; may hold entries of vertices that have changed since
   std::uint64_t generated_ = 0;
   Trace* trace_ = nullptr;
 };

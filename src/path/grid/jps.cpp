@@ -124,7 +124,7 @@ class Expansion {
 
 /// Numbers the query, and forgets the jump points that are known if they take too much memory.
 void begin_query(Memory& memory) {
-  constexpr std::size_t most_bytes = std::size_t{64} << 20U;
+  constexpr std::size_t most_bytes = std::size_t{16} << 20U;
   if (memory.lists.bytes() > most_bytes || ++memory.query == 0) {
     memory.lists.clear();
     memory.query = 1;
