@@ -13,6 +13,7 @@ namespace outrider {
 /// 1994.
 class CellAt {
  public:
+  CellAt() = default;
   explicit CellAt(const GridMap& ground)
       : stride_(ground.stride),
         shift_(32 + static_cast<unsigned>(std::bit_width(ground.stride - 1))),
@@ -25,9 +26,9 @@ class CellAt {
   }
 
  private:
-  std::uint32_t stride_;
-  unsigned shift_;
-  std::uint64_t factor_;
+  std::uint32_t stride_ = 1;
+  unsigned shift_ = 0;
+  std::uint64_t factor_ = 1;
 };
 
 }  // namespace outrider

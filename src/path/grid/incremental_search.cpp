@@ -1,6 +1,5 @@
 #include "incremental_search.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <optional>
 
@@ -24,20 +23,12 @@ std::optional<std::vector<Cell>> changes_between(const std::shared_ptr<const Gri
 
 }  // namespace
 
-struct IncrementalSearch::After {
-  bool operator()(const Entry& a, const Entry& b) const {
-    if (a.f != b.f) return a.f > b.f;
-    if (a.raised != b.raised) return b.raised;
-    if (a.least != b.least) return a.least < b.least;
-    return a.state > b.state;
-  }
-};
-
 void IncrementalSearch::prepare(const std::shared_ptr<const GridMap>& ground, Cell root, Cell target,
                                 bool anew) {
   const bool kept = !anew && ground_ != nullptr && ground_->contains(root) && ground_->index(root) == root_;
   const auto changed = kept ? changes_between(ground_, ground) : std::nullopt;
   ground_ = ground;
+  cell_at_ = CellAt(*ground);
   root_ = ground->index(root);
   generated_ = 0;
   trace_ = nullptr;
@@ -102,10 +93,10 @@ Status IncrementalSearch::run(BudgetMeter& meter, Trace* trace) {
     if (queue_.empty()) return fault(FaultCode::no_path, "nothing joins the start and the goal");
     if (!meter.spend()) return meter.refusal();
     const Entry first = queue_.front();
-    pop();
+    queue_.pop();
     if (trace_ != nullptr) {
-      const double h = octile_distance(ground_->at(first.state), target_cell_).value();
-      trace_->record({first.state, parent(first.state), first.f, first.least, h});
+      const double h = octile_distance(cell_at_(first.state), target_cell_).value();
+      trace_->record({first.state, parent(first.state), first.f, first.least(), h});
     }
     expand(first.state);
   }
@@ -151,24 +142,16 @@ void IncrementalSearch::raise(State s, IncrementalVertex vertex) {
 IncrementalSearch::Entry IncrementalSearch::entry_of(State s, const IncrementalVertex& vertex) const {
   const bool raised = vertex.g < vertex.rhs;
   const Octile least = raised ? vertex.g : vertex.rhs;
-  const Octile f = least + octile_distance(ground_->at(s), target_cell_) + shift_;
-  return {f.value(), least.value(), s, raised};
+  const Octile f = least + octile_distance(cell_at_(s), target_cell_) + shift_;
+  const std::uint64_t lowered = raised ? 0 : std::uint64_t{1} << 63U;
+  return {f.value(), lowered | (~std::bit_cast<std::uint64_t>(least.value()) & ~(std::uint64_t{1} << 63U)),
+          s};
 }
 
 /// Writes a vertex, and puts it into the queue unless it is consistent.
 void IncrementalSearch::set(State s, const IncrementalVertex& vertex) {
   vertices_.set(s, vertex);
-  if (!vertex.consistent()) push(entry_of(s, vertex));
-}
-
-void IncrementalSearch::push(const Entry& entry) {
-  queue_.push_back(entry);
-  std::push_heap(queue_.begin(), queue_.end(), After{});
-}
-
-void IncrementalSearch::pop() {
-  std::pop_heap(queue_.begin(), queue_.end(), After{});
-  queue_.pop_back();
+  if (!vertex.consistent()) queue_.push(entry_of(s, vertex));
 }
 
 /// Makes the first entry one that holds: drops those of vertices that have changed, and renews smaller keys.
@@ -177,10 +160,10 @@ void IncrementalSearch::drop_stale_entries() {
     const Entry first = queue_.front();
     const IncrementalVertex vertex = vertices_[first.state];
     const Entry now = entry_of(first.state, vertex);
-    const bool holds = !vertex.consistent() && first.raised == now.raised && first.least == now.least;
+    const bool holds = !vertex.consistent() && first.order == now.order;
     if (holds && first.f == now.f) return;
-    pop();
-    if (holds) push(now);
+    queue_.pop();
+    if (holds) queue_.push(now);
   }
 }
 
@@ -191,7 +174,7 @@ bool IncrementalSearch::settled() const {
   if (queue_.empty()) return true;
   const double cost = (target.g + shift_).value();
   const Entry& first = queue_.front();
-  return first.f > cost || (first.f == cost && !first.raised);
+  return first.f > cost || (first.f == cost && !first.raised());
 }
 
 /// Returns true if a path may go on from the vertex: only its ends may be pinches.
@@ -214,7 +197,7 @@ std::vector<Cell> IncrementalSearch::path() const {
   std::vector<Cell> cells{target_cell_};
   for (State s = target_; s != root_;) {
     s = parent(s);
-    cells.push_back(ground_->at(s));
+    cells.push_back(cell_at_(s));
   }
   return cells;
 }

@@ -17,15 +17,19 @@
 // at most twice.
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "cell_at.hpp"
 #include "incremental_vertices.hpp"
 #include "octile.hpp"
 #include "outrider/core/budget.hpp"
 #include "outrider/core/trace.hpp"
 #include "outrider/path/grid/grid_map.hpp"
 #include "outrider/search/labels.hpp"
+#include "quad_heap.hpp"
 
 namespace outrider {
 
@@ -46,13 +50,20 @@ class IncrementalSearch {
   [[nodiscard]] std::uint64_t generated() const { return generated_; }
 
  private:
+  /// An entry of the queue, with its order in numbers.
   struct Entry {
     double f = 0.0;
-    double least = 0.0;  // min(g, rhs)
+    std::uint64_t order = 0;  // of equal f: raised before lowered, then the largest min(g, rhs)
     State state = 0;
-    bool raised = false;
+
+    [[nodiscard]] bool raised() const { return order >> 63U == 0; }
+    [[nodiscard]] double least() const { return std::bit_cast<double>(~order & ~(std::uint64_t{1} << 63U)); }
+    friend bool before(const Entry& a, const Entry& b) {
+      const bool same = a.f == b.f;
+      return ((a.f < b.f) | (same & (a.order < b.order)) |
+              (same & (a.order == b.order) & (a.state < b.state))) != 0;
+    }
   };
-  struct After;
 
   void begin();
   void move_target(Cell target);
@@ -62,8 +73,6 @@ class IncrementalSearch {
   void lower(State s, IncrementalVertex vertex);
   void raise(State s, IncrementalVertex vertex);
   void set(State s, const IncrementalVertex& vertex);
-  void push(const Entry& entry);
-  void pop();
   void drop_stale_entries();
   [[nodiscard]] bool settled() const;
   [[nodiscard]] Entry entry_of(State s, const IncrementalVertex& vertex) const;
@@ -72,11 +81,12 @@ class IncrementalSearch {
   [[nodiscard]] State parent(State s) const;
 
   std::shared_ptr<const GridMap> ground_;
+  CellAt cell_at_;
   State root_ = 0, target_ = 0;
   Cell target_cell_;
   Octile shift_;
   IncrementalVertices vertices_;  // by GridMap::index()
-  std::vector<Entry> queue_;      // a heap; may hold entries of vertices that have changed since
+  QuadHeap<Entry> queue_;         // may hold entries of vertices that have changed since
   std::uint64_t generated_ = 0;
   Trace* trace_ = nullptr;
 };
