@@ -11,11 +11,8 @@ int gap(int low, int high, int other_low, int other_high) {
 }  // namespace
 
 void AreaRoute::next_query(std::size_t areas) {
-  marks_.resize(areas);
-  if (++query_ == 0) {  // all numbers are used up
-    marks_.assign(areas, {});
-    query_ = 1;
-  }
+  for (const Exit& exit : exits_) places_[exit.area] = DeadEnds::none;
+  places_.resize(areas, DeadEnds::none);
   exits_.clear();
   back_.clear();
 }
@@ -23,18 +20,21 @@ void AreaRoute::next_query(std::size_t areas) {
 bool AreaRoute::begin(const DeadEnds& ends, std::uint32_t start, std::uint32_t goal, Cell goal_cell) {
   next_query(ends.areas.size());
   goal_ = goal_cell;
-  std::uint32_t a = ends.labels[start] >> 1U, b = ends.labels[goal] >> 1U;
+  std::uint32_t a = ends.label(start) >> 1U, b = ends.label(goal) >> 1U;
   back_.push_back({b, goal_, goal_, {}});
-  while (a != b) {  // climb from the deeper one, until both meet
-    const DeadEnds::Area& from_start = ends.areas[a];
-    const DeadEnds::Area& from_goal = ends.areas[b];
-    if (from_start.depth >= from_goal.depth) {
-      if (from_start.parent == DeadEnds::none) return false;
-      exits_.push_back({a, from_start.low, from_start.high, {}});
-      a = from_start.parent;
+  while (a != b) {  // climb from the later one, which is not above the other, until both meet
+    const DeadEnds::Area& last = ends.areas[std::max(a, b)];
+    if (last.parent() == DeadEnds::none) {
+      exits_.clear();
+      return false;
+    }
+    const Cell low = last.low(ends.stride), high = last.high(ends.stride);
+    if (a > b) {
+      exits_.push_back({a, low, high, {}});
+      a = last.parent();
     } else {
-      b = from_goal.parent;
-      back_.push_back({b, from_goal.low, from_goal.high, {}});
+      b = last.parent();
+      back_.push_back({b, low, high, {}});
     }
   }
   exits_.insert(exits_.end(), back_.rbegin(), back_.rend());
@@ -46,7 +46,7 @@ bool AreaRoute::begin(const DeadEnds& ends, std::uint32_t start, std::uint32_t g
 void AreaRoute::add_up() {
   for (std::size_t i = exits_.size(); i-- > 0;) {
     Exit& exit = exits_[i];
-    marks_[exit.area] = {query_, static_cast<std::uint32_t>(i)};
+    places_[exit.area] = static_cast<std::uint32_t>(i);
     if (i + 1 == exits_.size()) continue;
     const Exit& next = exits_[i + 1];
     const Cell apart{gap(exit.low.x, exit.high.x, next.low.x, next.high.x),

@@ -24,9 +24,9 @@ class AreaRoute {
 
   /// Returns false if a free cell lies in a dead end, otherwise sets the lower bound. O(1).
   bool bound(const DeadEnds& ends, std::uint32_t index, Cell c, Octile& remaining) const {
-    const std::uint32_t label = ends.labels[index];
+    const std::uint32_t label = ends.label(index);
     std::uint32_t place = place_of(label >> 1U);
-    if ((label & 1U) != 0) place = std::min(place, place_of(ends.areas[label >> 1U].parent));
+    if ((label & 1U) != 0) place = std::min(place, place_of(ends.areas[label >> 1U].parent()));
     if (place == DeadEnds::none) return false;
     const Exit& exit = exits_[place];
     const Octile by_gate = octile_distance(c, nearest(exit, c)) + exit.remaining;
@@ -42,14 +42,8 @@ class AreaRoute {
     Cell low, high;
     Octile remaining;  ///< lower bound of the length from there
   };
-  struct Mark {
-    std::uint32_t query = 0;  ///< the last one whose way led through the area
-    std::uint32_t place = 0;  ///< of the area on that way
-  };
 
-  [[nodiscard]] std::uint32_t place_of(std::uint32_t area) const {
-    return marks_[area].query == query_ ? marks_[area].place : DeadEnds::none;
-  }
+  [[nodiscard]] std::uint32_t place_of(std::uint32_t area) const { return places_[area]; }
   static Cell nearest(const Exit& exit, Cell c) {
     return {std::clamp(c.x, exit.low.x, exit.high.x), std::clamp(c.y, exit.low.y, exit.high.y)};
   }
@@ -57,10 +51,9 @@ class AreaRoute {
   void add_up();
 
   Cell goal_;
-  std::uint32_t query_ = 0;
-  std::vector<Mark> marks_;  // by area
-  std::vector<Exit> exits_;  // of the areas from start to goal
-  std::vector<Exit> back_;   // from the goal, while they are found
+  std::vector<std::uint32_t> places_;  // by area, of those on the way; else none
+  std::vector<Exit> exits_;            // of the areas from start to goal
+  std::vector<Exit> back_;             // from the goal, while they are found
 };
 
 }  // namespace outrider
