@@ -136,7 +136,7 @@ std::vector<PathPlanner> planners_on_terrain() {
        .paper = "Akiba, Iwata and Yoshida, Fast exact shortest-path distance queries on large networks by "
                 "pruned landmark labeling, 2013",
        .guarantee = cheapest_along_moves(),
-       .configure = with_options(terrain_labels),
+       .configure = with_options(terrain_labels, save_terrain_labels, load_terrain_labels),
        .models = {GridModel::cells},
        .index = true,
        .tells = TraceKind::lookup,

@@ -43,16 +43,13 @@ std::function<ConfiguredPlanner()> with_options(Planner<Options> planner, ManyPl
 }
 
 template <class Options>
-using SaveIndex = Outcome<std::string> (*)(const std::shared_ptr<const GridMap>&, const Options&,
-                                           const Budget&, Workspace&);
+using SaveIndex = Outcome<std::string> (*)(const IndexedGround&, const Options&, const Budget&, Workspace&);
 template <class Options>
-using LoadIndex = Status (*)(const std::shared_ptr<const GridMap>&, const StoredIndex&, const Options&,
-                             Workspace&);
+using LoadIndex = Status (*)(const IndexedGround&, const StoredIndex&, const Options&, Workspace&);
 
 /// A planner whose index can be kept.
-template <class Options>
-std::function<ConfiguredPlanner()> with_options(Planner<Options> planner, SaveIndex<Options> save,
-                                                LoadIndex<Options> load) {
+template <class Options, class Save = SaveIndex<Options>, class Load = LoadIndex<Options>>
+std::function<ConfiguredPlanner()> with_options(Planner<Options> planner, Save save, Load load) {
   return [planner, save, load] {
     const auto options = std::make_shared<Options>();
     return ConfiguredPlanner{
@@ -61,10 +58,10 @@ std::function<ConfiguredPlanner()> with_options(Planner<Options> planner, SaveIn
                     const Problem& problem, const Budget& budget,
                     Workspace& workspace) { return planner(problem, *options, budget, workspace); },
         .save_index = [save, options](
-                          const std::shared_ptr<const GridMap>& ground, const Budget& budget,
+                          const IndexedGround& ground, const Budget& budget,
                           Workspace& workspace) { return save(ground, *options, budget, workspace); },
         .load_index = [load, options](
-                          const std::shared_ptr<const GridMap>& ground, const StoredIndex& stored,
+                          const IndexedGround& ground, const StoredIndex& stored,
                           Workspace& workspace) { return load(ground, stored, *options, workspace); }};
   };
 }
