@@ -152,7 +152,8 @@ void print(const std::string& map, const PathPlanner& planner, const Measured& m
   if (!m.ended) {
     fmt::print("| {} | `{}` | over {} s | | {} |\n", map, planner.name, most_time.count(), memory);
   } else {
-    fmt::print("| {} | `{}` | {:.3f} | {:.3f} | {} |\n", map, planner.name, m.first_s, m.again_s, memory);
+    const std::string again = std::isnan(m.again_s) ? "" : fmt::format("{:.3f}", m.again_s);
+    fmt::print("| {} | `{}` | {:.3f} | {} | {} |\n", map, planner.name, m.first_s, again, memory);
   }
   std::fflush(stdout);
 }

@@ -43,17 +43,28 @@ class AreaRoute {
     Octile remaining;  ///< lower bound of the length from there
   };
 
-  [[nodiscard]] std::uint32_t place_of(std::uint32_t area) const { return places_[area]; }
+  struct Place {
+    std::uint32_t area = DeadEnds::none;
+    std::uint32_t place = DeadEnds::none;  ///< of the area on the way
+  };
+
+  /// Returns the slot of an area, or the free one in which it would be.
+  [[nodiscard]] std::size_t slot_of(std::uint32_t area) const {
+    std::size_t slot = (area * std::size_t{0x9E3779B97F4A7C15U} >> 32U) & (places_.size() - 1);
+    while (places_[slot].area != area && places_[slot].area != DeadEnds::none)
+      slot = (slot + 1) & (places_.size() - 1);
+    return slot;
+  }
+  [[nodiscard]] std::uint32_t place_of(std::uint32_t area) const { return places_[slot_of(area)].place; }
   static Cell nearest(const Exit& exit, Cell c) {
     return {std::clamp(c.x, exit.low.x, exit.high.x), std::clamp(c.y, exit.low.y, exit.high.y)};
   }
-  void next_query(std::size_t areas);
   void add_up();
 
   Cell goal_;
-  std::vector<std::uint32_t> places_;  // by area, of those on the way; else none
-  std::vector<Exit> exits_;            // of the areas from start to goal
-  std::vector<Exit> back_;             // from the goal, while they are found
+  std::vector<Place> places_;  // of the areas on the way, open addressing; a power of two
+  std::vector<Exit> exits_;    // of the areas from start to goal
+  std::vector<Exit> back_;     // from the goal, while they are found
 };
 
 }  // namespace outrider
