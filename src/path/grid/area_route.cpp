@@ -37,7 +37,7 @@ bool AreaRoute::begin(const DeadEnds& ends, std::uint32_t start, std::uint32_t g
 
 /// Marks the areas on the way, and adds up the lengths between gates from the goal on.
 void AreaRoute::add_up() {
-  places_.assign(std::bit_ceil(2 * exits_.size()), {});
+  places_.assign(std::bit_ceil(4 * exits_.size()), {});
   for (std::size_t i = exits_.size(); i-- > 0;) {
     Exit& exit = exits_[i];
     places_[slot_of(exit.area)] = {exit.area, static_cast<std::uint32_t>(i)};

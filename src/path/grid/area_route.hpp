@@ -22,9 +22,8 @@ class AreaRoute {
   /// counted from the border. Returns false if nothing joins the two. O(areas on the way).
   bool begin(const DeadEnds& ends, std::uint32_t start, std::uint32_t goal, Cell goal_cell);
 
-  /// Returns false if a free cell lies in a dead end, otherwise sets the lower bound. O(1).
-  bool bound(const DeadEnds& ends, std::uint32_t index, Cell c, Octile& remaining) const {
-    const std::uint32_t label = ends.label(index);
+  /// Returns false if a free cell with that label lies in a dead end, otherwise sets the lower bound. O(1).
+  bool bound(const DeadEnds& ends, std::uint32_t label, Cell c, Octile& remaining) const {
     std::uint32_t place = place_of(label >> 1U);
     if ((label & 1U) != 0) place = std::min(place, place_of(ends.areas[label >> 1U].parent()));
     if (place == DeadEnds::none) return false;
@@ -50,7 +49,7 @@ class AreaRoute {
 
   /// Returns the slot of an area, or the free one in which it would be.
   [[nodiscard]] std::size_t slot_of(std::uint32_t area) const {
-    std::size_t slot = (area * std::size_t{0x9E3779B97F4A7C15U} >> 32U) & (places_.size() - 1);
+    std::size_t slot = area & (places_.size() - 1);
     while (places_[slot].area != area && places_[slot].area != DeadEnds::none)
       slot = (slot + 1) & (places_.size() - 1);
     return slot;

@@ -226,14 +226,16 @@ class Builder {
   }
   /// Keeps the labels of the runs of free cells.
   DeadEnds finish() {
-    std::erase(labels_, DeadEnds::none);
-    for (std::uint32_t& label : labels_) {
+    found_.labels.emplace_back();  // of the first run, which is blocked
+    for (std::uint32_t label : labels_) {
+      if (label == DeadEnds::none) continue;
       label = of_gate(label) ? 2 * behind_[label - gate_bit] + 1 : 2 * numbers_[areas_.find(label)];
+      const auto byte = [label](unsigned i) { return static_cast<std::uint8_t>(label >> (8 * i) & 255U); };
+      found_.labels.push_back({byte(0), byte(1), byte(2)});
     }
+    found_.labels.shrink_to_fit();
+    found_.areas.shrink_to_fit();
     found_.runs = RowRuns(size_, [this](std::uint32_t i) { return !blocked(i) && runs_.begins(i); });
-    labels_.insert(labels_.begin(), DeadEnds::none);  // of the first run, which is blocked
-    labels_.shrink_to_fit();
-    found_.labels = std::move(labels_);
     found_.stride = stride_;
     return std::move(found_);
   }

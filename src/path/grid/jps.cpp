@@ -112,7 +112,10 @@ class Expansion {
     if (point.query != memory_.query) {
       if (point.cell == frontier_.start || point.cell == frontier_.goal) return;
       point.query = memory_.query;
+      if (point.label == JumpPoint::none && frontier_.ends != nullptr)
+        point.label = frontier_.ends->label(frontier_.state(point.cell));
       point.node = frontier_.nodes.add({point.cell, JumpNode::none, {}, number});
+      frontier_.nodes[point.node].label = point.label;
     }
     frontier_.reach(id_, point.node, d);
   }
@@ -124,8 +127,8 @@ class Expansion {
   Cell from_;
 };
 
-/// Numbers the query, and forgets the jump points that are known if they take more than two bytes a cell, from
-/// 16 MiB to 64.
+/// Numbers the query, and forgets the jump points that are known if they take more than two bytes a cell,
+/// from 16 MiB to 64.
 void begin_query(Memory& memory, std::size_t cells) {
   const std::size_t most_bytes = std::clamp(2 * cells, std::size_t{16} << 20U, std::size_t{64} << 20U);
   if (memory.lists.bytes() > most_bytes || ++memory.query == 0) {
