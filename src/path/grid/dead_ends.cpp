@@ -45,7 +45,6 @@ class Builder {
         stride_(ground.stride),
         size_(static_cast<std::uint32_t>(ground.marks.size())),
         in_gate_(size_),
-        gate_begins_(size_),
         runs_(size_, [this](std::uint32_t i) { return blocked(i) != blocked(i - 1); }),
         walls_(runs_.count()) {}
 
@@ -131,24 +130,26 @@ class Builder {
       std::uint32_t i = gate.first;
       while (i != after && !in_gate_[i]) i += gate.along;
       if (i != after) continue;
-      for (i = gate.first; i != after; i += gate.along) {
-        in_gate_[i] = true;
-        gate_begins_[i] = i == gate.first || gate.along != 1;
-      }
+      for (i = gate.first; i != after; i += gate.along) in_gate_[i] = true;
       gates_.push_back(gate);
     }
   }
 
   /// Cuts the runs at the gates, and labels those of the gates.
   void cut_runs() {
-    runs_ = RowRuns(size_, [this](std::uint32_t i) {
-      return blocked(i) != blocked(i - 1) || in_gate_[i] != in_gate_[i - 1] || gate_begins_[i];
-    });
+    for (const auto& [first, length, along] : gates_) {  // one along a row is a whole run
+      for (std::uint32_t i = first; along != 1 && i != first + length * along; i += along) {
+        runs_.begin_at(i);
+        runs_.begin_at(i + 1);
+      }
+    }
+    runs_.number();
     labels_.assign(runs_.count(), DeadEnds::none);
     for (std::size_t number = 0; number < gates_.size(); ++number) {
       const auto& [first, length, along] = gates_[number];
       for (std::uint32_t i = first; i != first + length * along; i += along) {
         labels_[runs_.at(i)] = gate_bit + static_cast<std::uint32_t>(number);
+        if (along == 1) break;
       }
     }
   }
@@ -235,7 +236,8 @@ class Builder {
     }
     found_.labels.shrink_to_fit();
     found_.areas.shrink_to_fit();
-    found_.runs = RowRuns(size_, [this](std::uint32_t i) { return !blocked(i) && runs_.begins(i); });
+    runs_.join([this](std::uint32_t i) { return !blocked(i); });
+    found_.runs = std::move(runs_);
     found_.stride = stride_;
     return std::move(found_);
   }
@@ -244,7 +246,6 @@ class Builder {
   std::uint32_t stride_;
   std::uint32_t size_;
   std::vector<bool> in_gate_;          // by cell
-  std::vector<bool> gate_begins_;      // by cell, true where a run of cells of one gate begins
   RowRuns runs_;                       // of blocked and free cells, later cut at gates
   std::vector<std::uint32_t> labels_;  // by run: gates and members of areas_, in the end as in DeadEnds
   Sets walls_;                         // of runs that are not cut

@@ -4,6 +4,7 @@
 // it: a quarter of a byte a cell.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,11 +18,29 @@ class RowRuns {
   /// O(size).
   template <class Begins>
   RowRuns(std::uint32_t size, const Begins& begins) : words_((size + 31) / 32) {
-    for (std::uint32_t i = 0; i < size; ++i) {
-      if (i % 32 == 0) words_[i / 32].before = count_;
-      if (i > 0 && !begins(i)) continue;
-      words_[i / 32].begins |= 1U << (i % 32);
-      ++count_;
+    if (size > 0) words_[0].begins = 1;
+    for (std::uint32_t i = 1; i < size; ++i) words_[i / 32].begins |= (begins(i) ? 1U : 0U) << (i % 32);
+    number();
+  }
+  /// Lets a run begin at a cell; number() has to follow.
+  void begin_at(std::uint32_t i) { words_[i / 32].begins |= 1U << (i % 32); }
+  /// Joins runs with those before them, except the first one and those of which keeps(first cell) is true.
+  template <class Keeps>
+  void join(const Keeps& keeps) {
+    for (std::uint32_t w = 0; w < words_.size(); ++w) {
+      for (std::uint32_t left = words_[w].begins; left != 0; left &= left - 1) {
+        const std::uint32_t i = 32 * w + static_cast<std::uint32_t>(std::countr_zero(left));
+        if (i > 0 && !keeps(i)) words_[w].begins &= ~(1U << (i % 32));
+      }
+    }
+    number();
+  }
+  /// Numbers the runs.
+  void number() {
+    count_ = 0;
+    for (Word& word : words_) {
+      word.before = count_;
+      count_ += ones(word.begins);
     }
   }
   [[nodiscard]] std::uint32_t count() const { return count_; }
