@@ -9,10 +9,10 @@
 //
 // Two blocked cells belong to one wall if a chain of blocked cells that touch, if only at a corner, joins
 // them; no path passes between two of those. All walls that reach the border are one. Short gates are chosen
-// first. Labels are kept by runs of equal ones along the rows: a quarter of a byte a cell and four bytes a
-// run. Sources: Pochter et al., Search space reduction using swamp hierarchies (2010), for the idea that
-// parts of a map are of use only to their own cells; here they come from the walls alone, in one sweep
-// instead of a search.
+// first. Labels are kept by runs of equal ones along the rows: a quarter of a byte a cell, three bytes a
+// run and eight an area. Sources: Pochter et al., Search space reduction using swamp hierarchies (2010), for
+// the idea that parts of a map are of use only to their own cells; here they come from the walls alone, in
+// one sweep instead of a search.
 #pragma once
 
 #include <array>
@@ -48,12 +48,12 @@ struct DeadEnds {
       return number == most ? none : number;
     }
     /// Returns the first cell of the gate, counted from the border around the grid.
-    [[nodiscard]] Cell low(std::uint32_t stride) const {
+    [[nodiscard]] Cell low(std::uint32_t row_length) const {
       const auto first = static_cast<std::uint32_t>(bits_ >> 41U);
-      return {static_cast<int>(first % stride), static_cast<int>(first / stride)};
+      return {static_cast<int>(first % row_length), static_cast<int>(first / row_length)};
     }
-    [[nodiscard]] Cell high(std::uint32_t stride) const {
-      const auto [x, y] = low(stride);
+    [[nodiscard]] Cell high(std::uint32_t row_length) const {
+      const auto [x, y] = low(row_length);
       const int more = static_cast<int>(static_cast<std::uint32_t>(bits_ >> 23U) & most_length) - 1;
       return (bits_ & 1U) != 0 ? Cell{x + more, y} : Cell{x, y + more};
     }

@@ -86,8 +86,8 @@ struct InAnyDirection : TerrainPolicy {
   void expand(State s, Relax& relax) {
     const State parent = labels.parent(s);
     const Cell from = cell_at(parent);
-    const auto [g, parent_g] = labels.g(s);
-    for_each_move(s, [&, g = g, parent_g = parent_g](State neighbour, Cell next, double move) {
+    const double g = labels.g(s).g, parent_g = labels.g(s).parent_g;
+    for_each_move(s, [&](State neighbour, Cell next, double move) {
       if (labels.closed(neighbour)) return;
       const double through = g + move, none_less = parent_g + least * straight_distance(from, next);
       if (labels.known(neighbour) && !(std::min(through, none_less) < labels.g(neighbour).g)) return;

@@ -69,8 +69,8 @@ struct ThetaPolicy : FreeDirectionPolicy<ClosedCosts::dropped> {
     if (!passable(s)) return;
     const State parent = labels.parent(s);
     const Cell from = cell_at(parent);
-    const auto [g, parent_g] = labels.g(s);
-    for_each_move(s, [&, g = g, parent_g = parent_g](State neighbour, Cell next, double move) {
+    const double g = labels.g(s).g, parent_g = labels.g(s).parent_g;
+    for_each_move(s, [&](State neighbour, Cell next, double move) {
       ++counters.generated;
       if (labels.closed(neighbour)) return;
       const double direct = parent_g + straight_distance(from, next);
