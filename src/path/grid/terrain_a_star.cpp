@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "cell_at.hpp"
-#include "leg_cost.hpp"
+#include "cost_over_parent.hpp"
 #include "octile.hpp"
 #include "outrider/path/grid/line_of_sight.hpp"
 #include "outrider/search/best_first.hpp"
@@ -22,7 +22,7 @@ double straight_distance(Cell a, Cell b) { return std::hypot(a.x - b.x, a.y - b.
 
 /// The common part of both searches; lengths are in cells.
 struct TerrainPolicy {
-  using Cost = LegCost;
+  using Cost = CostOverParent;
 
   const GridQuery& query;
   const CellCosts* costs;  // null: a metre costs 1
@@ -37,8 +37,10 @@ struct TerrainPolicy {
   [[nodiscard]] std::size_t states() const { return ground.marks.size(); }
   [[nodiscard]] State start() const { return first; }
   [[nodiscard]] bool is_goal(State s) const { return s == last; }
-  [[nodiscard]] static double value(const LegCost& cost) { return cost.g; }
-  [[nodiscard]] static double priority(const LegCost& cost, const LegCost& h) { return cost.g + h.g; }
+  [[nodiscard]] static double value(const CostOverParent& cost) { return cost.g; }
+  [[nodiscard]] static double priority(const CostOverParent& cost, const CostOverParent& h) {
+    return cost.g + h.g;
+  }
   static void settle(State /*s*/) {}
 
   /// Calls visit(neighbour's state, its vertex, cost of the move) for every legal move from s.
@@ -58,22 +60,24 @@ struct TerrainPolicy {
 };
 
 struct AlongMoves : TerrainPolicy {
-  [[nodiscard]] LegCost estimate(Cell v) const { return {least * octile_distance(v, query.goal).value()}; }
-  [[nodiscard]] LegCost estimate(State s) const { return estimate(cell_at(s)); }
+  [[nodiscard]] CostOverParent estimate(Cell v) const {
+    return {least * octile_distance(v, query.goal).value()};
+  }
+  [[nodiscard]] CostOverParent estimate(State s) const { return estimate(cell_at(s)); }
 
   template <class Relax>
   void expand(State s, Relax& relax) {
     const double g = labels.g(s).g;
     for_each_move(s, [&](State neighbour, Cell next, double move) {
       if (!labels.closed(neighbour))
-        relax(neighbour, s, LegCost{g + move, g}, [&] { return estimate(next); });
+        relax(neighbour, s, CostOverParent{g + move, g}, [&] { return estimate(next); });
     });
   }
 };
 
 struct InAnyDirection : TerrainPolicy {
-  [[nodiscard]] LegCost estimate(Cell v) const { return {least * straight_distance(v, query.goal)}; }
-  [[nodiscard]] LegCost estimate(State s) const { return estimate(cell_at(s)); }
+  [[nodiscard]] CostOverParent estimate(Cell v) const { return {least * straight_distance(v, query.goal)}; }
+  [[nodiscard]] CostOverParent estimate(State s) const { return estimate(cell_at(s)); }
 
   std::uint64_t line_of_sight_checks = 0;
 
@@ -93,9 +97,9 @@ struct InAnyDirection : TerrainPolicy {
       if (labels.known(neighbour) && !(std::min(through, none_less) < labels.g(neighbour).g)) return;
       const double direct = none_less <= through ? parent_g + leg_cost(costs, from, next) : through + 1.0;
       if (direct <= through && sees(from, next)) {
-        relax(neighbour, parent, LegCost{direct, parent_g}, [&] { return estimate(next); });
+        relax(neighbour, parent, CostOverParent{direct, parent_g}, [&] { return estimate(next); });
       } else {
-        relax(neighbour, s, LegCost{through, g}, [&] { return estimate(next); });
+        relax(neighbour, s, CostOverParent{through, g}, [&] { return estimate(next); });
       }
     });
   }
@@ -103,8 +107,8 @@ struct InAnyDirection : TerrainPolicy {
 
 /// Searches by a policy and returns its path.
 template <class Policy>
-Outcome<std::vector<Cell>> search_by(Policy& policy, CompactMemory<LegCost>& memory, BudgetMeter& meter,
-                                     Trace* trace) {
+Outcome<std::vector<Cell>> search_by(Policy& policy, CompactMemory<CostOverParent>& memory,
+                                     BudgetMeter& meter, Trace* trace) {
   auto found = best_first(policy, memory, meter, trace);
   if (!found) return pass_on(found);
   std::vector<Cell> vertices;
@@ -121,7 +125,7 @@ Outcome<Plan> terrain_a_star(const Problem& problem, const TerrainAStarOptions& 
                              const Budget& budget, Workspace& workspace) {
   auto query = terrain_query(problem, "terrain_a_star");
   if (!query) return pass_on(query);
-  auto& memory = workspace.get<CompactMemory<LegCost>>();
+  auto& memory = workspace.get<CompactMemory<CostOverParent>>();
   AlongMoves policy{{*query, problem.costs.get(), memory.labels}};
   BudgetMeter meter(budget);
   auto path = search_by(policy, memory, meter, workspace.trace);
@@ -134,7 +138,7 @@ Outcome<Plan> terrain_theta_star(const Problem& problem, const TerrainThetaStarO
                                  const Budget& budget, Workspace& workspace) {
   auto query = terrain_query(problem, "terrain_theta_star");
   if (!query) return pass_on(query);
-  auto& memory = workspace.get<CompactMemory<LegCost>>();
+  auto& memory = workspace.get<CompactMemory<CostOverParent>>();
   AlongMoves along{{*query, problem.costs.get(), memory.labels}};
   InAnyDirection any{{*query, problem.costs.get(), memory.labels}};
   BudgetMeter meter(budget);

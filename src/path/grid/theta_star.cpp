@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "cell_at.hpp"
-#include "leg_cost.hpp"
+#include "cost_over_parent.hpp"
 #include "outrider/path/grid/line_of_sight.hpp"
 #include "outrider/search/best_first.hpp"
 #include "outrider/search/compact_labels.hpp"
@@ -22,11 +22,11 @@ double straight_distance(Cell a, Cell b) {
 /// The common part of both forms; costs are in cells.
 template <ClosedCosts closed_costs>
 struct FreeDirectionPolicy {
-  using Cost = LegCost;
-  using Memory = CompactMemory<LegCost, closed_costs>;
+  using Cost = CostOverParent;
+  using Memory = CompactMemory<CostOverParent, closed_costs>;
 
   const GridQuery& query;
-  CompactLabels<LegCost, closed_costs>& labels;
+  CompactLabels<CostOverParent, closed_costs>& labels;
   const GridMap& ground = query.ground;
   CellAt cell_at{ground};
   State first = ground.index(query.start);
@@ -36,10 +36,12 @@ struct FreeDirectionPolicy {
   [[nodiscard]] std::size_t states() const { return ground.marks.size(); }
   [[nodiscard]] State start() const { return first; }
   [[nodiscard]] bool is_goal(State s) const { return s == last; }
-  [[nodiscard]] LegCost estimate(Cell v) const { return {straight_distance(v, query.goal)}; }
-  [[nodiscard]] LegCost estimate(State s) const { return estimate(cell_at(s)); }
-  [[nodiscard]] static double value(const LegCost& cost) { return cost.g; }
-  [[nodiscard]] static double priority(const LegCost& cost, const LegCost& h) { return cost.g + h.g; }
+  [[nodiscard]] CostOverParent estimate(Cell v) const { return {straight_distance(v, query.goal)}; }
+  [[nodiscard]] CostOverParent estimate(State s) const { return estimate(cell_at(s)); }
+  [[nodiscard]] static double value(const CostOverParent& cost) { return cost.g; }
+  [[nodiscard]] static double priority(const CostOverParent& cost, const CostOverParent& h) {
+    return cost.g + h.g;
+  }
 
   bool sees(Cell a, Cell b) {
     ++counters.line_of_sight_checks;
@@ -76,9 +78,9 @@ struct ThetaPolicy : FreeDirectionPolicy<ClosedCosts::dropped> {
       const double direct = parent_g + straight_distance(from, next);
       if (labels.known(neighbour) && !(direct < labels.g(neighbour).g)) return;  // nor is the way through s
       if (sees(from, next)) {
-        relax(neighbour, parent, LegCost{direct, parent_g}, [&] { return estimate(next); });
+        relax(neighbour, parent, CostOverParent{direct, parent_g}, [&] { return estimate(next); });
       } else {
-        relax(neighbour, s, LegCost{g + move, g}, [&] { return estimate(next); });
+        relax(neighbour, s, CostOverParent{g + move, g}, [&] { return estimate(next); });
       }
     });
   }
@@ -91,7 +93,7 @@ struct LazyThetaPolicy : FreeDirectionPolicy<ClosedCosts::kept> {
     const State parent = labels.parent(s);
     if (parent == s || sees(cell_at(parent), cell_at(s))) return;
     State best = parent;
-    LegCost least{std::numeric_limits<double>::infinity()};
+    CostOverParent least{std::numeric_limits<double>::infinity()};
     for_each_move(s, [&](State neighbour, Cell /*next*/, double move) {
       if (!labels.closed(neighbour) || !passable(neighbour)) return;
       const double parent_g = labels.g(neighbour).g, g = parent_g + move;
@@ -118,7 +120,7 @@ struct LazyThetaPolicy : FreeDirectionPolicy<ClosedCosts::kept> {
       }
       ++not_closed;
       if (!through) return;
-      const LegCost cost{parent_g + straight_distance(from, next), parent_g};
+      const CostOverParent cost{parent_g + straight_distance(from, next), parent_g};
       relax(neighbour, parent, cost, [&] { return estimate(next); });
     });
     labels.keep_until(s, through ? not_closed : 0);

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "grid/leg_cost.hpp"
+#include "grid/cost_over_parent.hpp"
 #include "outrider/path/grid/a_star.hpp"
 #include "outrider/path/grid/theta_star.hpp"
 #include "outrider/path/mesh/polyanya.hpp"
@@ -283,7 +283,7 @@ TEST(WorkedExamples, FreeDirectionAStar) {
     EXPECT_DOUBLE_EQ(run.plan.cost, std::numbers::sqrt2 + std::sqrt(5.0));
     EXPECT_DOUBLE_EQ(run.plan.cost, shortest(example).cost);
 
-    const auto& labels = run.workspace.get<CompactMemory<LegCost>>().labels;
+    const auto& labels = run.workspace.get<CompactMemory<CostOverParent>>().labels;
     const auto parent = [&](const char* name) {
       return example.name(labels.parent(example.ground->index(vertex(name, 2))));
     };
