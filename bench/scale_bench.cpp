@@ -1,8 +1,9 @@
 // Measures every planner of short paths on large generated maps: making the ground, the first query with all
 // that it builds, the same query again, and memory. Prints the table of docs/benchmarks/path.md.
 //
-//   bench_scale [side ...]     multiples of 32 up to 16384; 4096 unless given
+//   bench_scale [side ...] [rooms] [caves] [planner ...]
 //
+// Sides are multiples of 32 up to 16384, 4096 unless given; all maps and planners unless some are named.
 // Each planner runs in a process of its own, which the clock stops after a minute. The query goes from one
 // corner of the map to the other. Every path is checked, and planners that promise the shortest of the same
 // paths must agree.
@@ -10,13 +11,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "outrider/core/rng.hpp"
 #include "outrider/path/catalog.hpp"
@@ -147,13 +152,24 @@ void print(const std::string& map, const PathPlanner& planner, const Measured& m
   if (!m.ended) {
     fmt::print("| {} | `{}` | over {} s | | {} |\n", map, planner.name, most_time.count(), memory);
   } else {
-    fmt::print("| {} | `{}` | {:.3f} | {:.3f} | {} |\n", map, planner.name, m.first_s, m.again_s, memory);
+    const std::string again = std::isnan(m.again_s) ? "" : fmt::format("{:.3f}", m.again_s);
+    fmt::print("| {} | `{}` | {:.3f} | {} | {} |\n", map, planner.name, m.first_s, again, memory);
   }
   std::fflush(stdout);
 }
 
+/// What is measured.
+struct Selection {
+  std::vector<int> sides;
+  std::vector<std::string> maps, planners;
+
+  static bool holds(const std::vector<std::string>& names, std::string_view name) {
+    return names.empty() || std::ranges::find(names, name) != names.end();
+  }
+};
+
 /// Returns the number of answers that are wrong.
-int run(const std::string& name, const Blocked& grid) {
+int run(const Selection& selection, const std::string& name, const Blocked& grid) {
   int wrong = 0;
   const int side = grid.frame.width;
   for (const GridModel model : {GridModel::cells, GridModel::corners}) {
@@ -167,7 +183,8 @@ int run(const std::string& name, const Blocked& grid) {
     for (const PathPlanner& planner : path_planners()) {
       const bool any_direction = planner.guarantee.among == PathClass::any_direction;
       if (planner.guarantee.measure != Measure::length || planner.steers || !planner.takes(model) ||
-          any_direction != (model == GridModel::corners))
+          any_direction != (model == GridModel::corners) ||
+          !Selection::holds(selection.planners, planner.name))
         continue;
       const Measured measured = measured_apart(planner, problem);
       print(name, planner, measured, static_cast<double>(grid.frame.size()));
@@ -180,28 +197,46 @@ int run(const std::string& name, const Blocked& grid) {
   return wrong;
 }
 
-int run_all(const std::vector<int>& sides) {
+int run_all(const Selection& selection) {
   int wrong = 0;
   fmt::print(
       "| map | planner | first query s | again s | MiB | bytes a cell |\n|:---|:---|---:|---:|---:|---:|\n");
-  for (const int side : sides) {
-    wrong += run(fmt::format("rooms {}", side), rooms(side));
-    wrong += run(fmt::format("caves {}", side), caves(side));
+  for (const int side : selection.sides) {
+    for (const auto& [name, make] : {std::pair{"rooms", &rooms}, std::pair{"caves", &caves}}) {
+      if (Selection::holds(selection.maps, name))
+        wrong += run(selection, fmt::format("{} {}", name, side), make(side));
+    }
   }
   if (wrong > 0) fmt::print(stderr, "{} answers are wrong\n", wrong);
   return wrong == 0 ? 0 : 1;
+}
+
+/// Adds what an argument names; returns false if it names nothing.
+bool add(const std::string& argument, Selection& selection) {
+  if (argument == "rooms" || argument == "caves") {
+    selection.maps.push_back(argument);
+    return true;
+  }
+  if (find_path_planner(argument)) {
+    selection.planners.push_back(argument);
+    return true;
+  }
+  selection.sides.push_back(std::atoi(argument.c_str()));
+  return selection.sides.back() >= 64 && selection.sides.back() <= 16384 && selection.sides.back() % 32 == 0;
 }
 
 }  // namespace
 }  // namespace outrider
 
 int main(int count, char** arguments) {
-  std::vector<int> sides;
+  outrider::Selection selection;
   for (int i = 1; i < count; ++i) {
-    sides.push_back(std::atoi(arguments[i]));
-    if (sides.back() >= 64 && sides.back() <= 16384 && sides.back() % 32 == 0) continue;
-    fmt::print(stderr, "'{}' is not valid; expected a multiple of 32 from 64 to 16384\n", arguments[i]);
+    if (outrider::add(arguments[i], selection)) continue;
+    fmt::print(stderr,
+               "'{}' is not valid; expected a multiple of 32 from 64 to 16384, rooms, caves or a planner\n",
+               arguments[i]);
     return 2;
   }
-  return outrider::run_all(sides.empty() ? std::vector<int>{4096} : sides);
+  if (selection.sides.empty()) selection.sides = {4096};
+  return outrider::run_all(selection);
 }

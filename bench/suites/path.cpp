@@ -131,7 +131,7 @@ Outcome<MapRow> measure(const PathRequest& request, const GridFiles& files, cons
   const std::string kept = index_file(request, row, configured);
   const Stopwatch watch;
   Outcome<bool> loaded = true;
-  if (!kept.empty()) loaded = load_index_file(kept, configured, ground, workspace);
+  if (!kept.empty()) loaded = load_index_file(kept, configured, {ground}, workspace);
   if (!loaded) return pass_on(loaded);
   const double load_us = 1e6 * watch.seconds();
   const double cold_us = load_us + timed(configured, first, workspace).time_us;
@@ -148,7 +148,8 @@ Outcome<MapRow> measure(const PathRequest& request, const GridFiles& files, cons
   const std::size_t after = allocated_bytes();
   row.memory_mib = after > before ? static_cast<double>(after - before) / (1 << 20) : 0.0;
   if (!*loaded) {
-    if (auto saved = save_index_file(kept, configured, ground, {}, workspace); !saved) return pass_on(saved);
+    if (auto saved = save_index_file(kept, configured, {ground}, {}, workspace); !saved)
+      return pass_on(saved);
   }
   std::copy_if(best_us.begin(), best_us.end(), std::back_inserter(row.times_us),
                [](double time) { return !std::isnan(time); });

@@ -16,12 +16,12 @@
 namespace outrider {
 namespace {
 
-Status check_usable(const std::string& path, const ConfiguredPlanner& planner,
-                    const std::shared_ptr<const GridMap>& ground) {
+Status check_usable(const std::string& path, const ConfiguredPlanner& planner, const IndexedGround& ground) {
   if (reading_is_confined()) return bad_input("index files are not available here; leave it out", path);
   if (!planner.load_index || !planner.save_index)
-    return bad_input("the planner has no index that can be kept; take hub_labels or octile_labels", path);
-  if (ground == nullptr) return bad_input("an index is kept for a grid; take a map that is one", path);
+    return bad_input(
+        "the planner has no index that can be kept; take hub_labels, octile_labels or terrain_labels", path);
+  if (ground.grid == nullptr) return bad_input("an index is kept for a grid; take a map that is one", path);
   return {};
 }
 
@@ -46,7 +46,7 @@ Outcome<StoredIndex> mapped(int descriptor, const std::string& path) {
 }  // namespace
 
 Outcome<bool> load_index_file(const std::string& path, const ConfiguredPlanner& planner,
-                              const std::shared_ptr<const GridMap>& ground, Workspace& workspace) {
+                              const IndexedGround& ground, Workspace& workspace) {
   if (auto ok = check_usable(path, planner, ground); !ok) return pass_on(ok);
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
@@ -62,9 +62,8 @@ Outcome<bool> load_index_file(const std::string& path, const ConfiguredPlanner& 
   return true;
 }
 
-Status save_index_file(const std::string& path, const ConfiguredPlanner& planner,
-                       const std::shared_ptr<const GridMap>& ground, const Budget& budget,
-                       Workspace& workspace) {
+Status save_index_file(const std::string& path, const ConfiguredPlanner& planner, const IndexedGround& ground,
+                       const Budget& budget, Workspace& workspace) {
   if (auto ok = check_usable(path, planner, ground); !ok) return ok;
   const auto bytes = planner.save_index(ground, budget, workspace);
   if (!bytes) return tl::unexpected<Fault>(bytes.error());

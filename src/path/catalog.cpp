@@ -93,7 +93,7 @@ std::vector<PathPlanner> planners_along_moves() {
            "2013; Abraham, Delling, Goldberg and Werneck, Hierarchical hub labelings for shortest paths, "
            "2012",
        .guarantee = shortest_along_moves(),
-       .configure = with_options(octile_labels, save_octile_labels, load_octile_labels),
+       .configure = with_index<octile_labels, save_octile_labels, load_octile_labels>(),
        .models = {GridModel::cells},
        .index = true,
        .tells = TraceKind::lookup},
@@ -136,7 +136,7 @@ std::vector<PathPlanner> planners_on_terrain() {
        .paper = "Akiba, Iwata and Yoshida, Fast exact shortest-path distance queries on large networks by "
                 "pruned landmark labeling, 2013",
        .guarantee = cheapest_along_moves(),
-       .configure = with_options(terrain_labels),
+       .configure = with_index<terrain_labels, save_terrain_labels, load_terrain_labels>(),
        .models = {GridModel::cells},
        .index = true,
        .tells = TraceKind::lookup,
@@ -181,7 +181,7 @@ std::vector<PathPlanner> planners_in_any_direction() {
            "queries on one grid.",
        .paper = "Du, Shen and Cheema, Ultrafast Euclidean shortest path computation using hub labeling, 2023",
        .guarantee = complete(PathClass::any_direction, 1.0, "complete; shortest of all paths"),
-       .configure = with_options(hub_labels, save_hub_labels, load_hub_labels),
+       .configure = with_index<hub_labels, save_hub_labels, load_hub_labels>(),
        .models = {GridModel::corners},
        .index = true,
        .tells = TraceKind::lookup},

@@ -42,30 +42,27 @@ std::function<ConfiguredPlanner()> with_options(Planner<Options> planner, ManyPl
   };
 }
 
+/// The options of a planner function.
+template <class Function>
+struct OptionsOf;
 template <class Options>
-using SaveIndex = Outcome<std::string> (*)(const std::shared_ptr<const GridMap>&, const Options&,
-                                           const Budget&, Workspace&);
-template <class Options>
-using LoadIndex = Status (*)(const std::shared_ptr<const GridMap>&, const StoredIndex&, const Options&,
-                             Workspace&);
+struct OptionsOf<Outcome<Plan> (*)(const Problem&, const Options&, const Budget&, Workspace&)> {
+  using type = Options;
+};
 
-/// A planner whose index can be kept.
-template <class Options>
-std::function<ConfiguredPlanner()> with_options(Planner<Options> planner, SaveIndex<Options> save,
-                                                LoadIndex<Options> load) {
-  return [planner, save, load] {
-    const auto options = std::make_shared<Options>();
+/// A planner whose index can be kept, with the functions that save and load it.
+template <auto planner, auto save, auto load>
+std::function<ConfiguredPlanner()> with_index() {
+  return [] {
+    const auto options = std::make_shared<typename OptionsOf<decltype(planner)>::type>();
     return ConfiguredPlanner{
         .options = describe(*options),
-        .plan = [planner, options](
-                    const Problem& problem, const Budget& budget,
-                    Workspace& workspace) { return planner(problem, *options, budget, workspace); },
-        .save_index = [save, options](
-                          const std::shared_ptr<const GridMap>& ground, const Budget& budget,
-                          Workspace& workspace) { return save(ground, *options, budget, workspace); },
-        .load_index = [load, options](
-                          const std::shared_ptr<const GridMap>& ground, const StoredIndex& stored,
-                          Workspace& workspace) { return load(ground, stored, *options, workspace); }};
+        .plan = [options](const Problem& problem, const Budget& budget,
+                          Workspace& workspace) { return planner(problem, *options, budget, workspace); },
+        .save_index = [options](const IndexedGround& ground, const Budget& budget,
+                                Workspace& workspace) { return save(ground, *options, budget, workspace); },
+        .load_index = [options](const IndexedGround& ground, const StoredIndex& stored,
+                                Workspace& workspace) { return load(ground, stored, *options, workspace); }};
   };
 }
 

@@ -1,6 +1,7 @@
 // Content of a stored index behind a header that fits it: it is refused, or read such that no query leaves
 // its memory or never ends. Paths may be wrong, since whoever writes a right checksum can write wrong
 // lengths. The first word of the input names the planner.
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -25,7 +26,8 @@ void ask(const ConfiguredPlanner& planner, const std::shared_ptr<const GridMap>&
   std::vector<std::uint64_t> words((bytes.size() + 7) / 8);
   std::memcpy(words.data(), bytes.data(), bytes.size());
   Workspace workspace;
-  if (!planner.load_index(ground, {std::as_bytes(std::span(words)).first(bytes.size()), nullptr}, workspace))
+  if (!planner.load_index({ground}, {std::as_bytes(std::span(words)).first(bytes.size()), nullptr},
+                          workspace))
     return;
   for (int k = 0; k < 81; ++k) {
     const Vec2 from = ground->point({k % 9, k / 9}), to = ground->point({k * 7 % 9, k * 5 % 9});
@@ -37,9 +39,8 @@ void ask(const ConfiguredPlanner& planner, const std::shared_ptr<const GridMap>&
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 8 || size > 100'000) return 0;
-  const bool any_direction = data[0] % 2 == 0;
-  const auto ground = ground_of(any_direction ? GridModel::corners : GridModel::cells);
-  const char* const name = any_direction ? "hub_labels" : "octile_labels";
+  const char* const name = std::array{"hub_labels", "octile_labels", "terrain_labels"}[data[0] % 3];
+  const auto ground = ground_of(data[0] % 3 == 0 ? GridModel::corners : GridModel::cells);
   outrider::hub_labelling::IndexWriter writer;
   for (std::size_t i = 8; i < size; i += 8) {
     std::uint64_t word = 0;

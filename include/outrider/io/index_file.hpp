@@ -18,12 +18,11 @@ namespace outrider {
 
 /// Puts the index in the file into the workspace. Returns false if there is no such file.
 Outcome<bool> load_index_file(const std::string& path, const ConfiguredPlanner& planner,
-                              const std::shared_ptr<const GridMap>& ground, Workspace& workspace);
+                              const IndexedGround& ground, Workspace& workspace);
 
 /// Writes the index of the ground to the file, under a temporary name until it is whole; builds it if the
 /// workspace has none.
-Status save_index_file(const std::string& path, const ConfiguredPlanner& planner,
-                       const std::shared_ptr<const GridMap>& ground, const Budget& budget,
-                       Workspace& workspace);
+Status save_index_file(const std::string& path, const ConfiguredPlanner& planner, const IndexedGround& ground,
+                       const Budget& budget, Workspace& workspace);
 
 }  // namespace outrider

@@ -66,12 +66,10 @@ struct ConfiguredPlanner {
       plan_many = nullptr;
   /// Returns the index of a ground as bytes; builds it if the workspace has none. Empty if the planner has no
   /// index that can be kept.
-  std::function<Outcome<std::string>(const std::shared_ptr<const GridMap>&, const Budget&, Workspace&)>
-      save_index = nullptr;
+  std::function<Outcome<std::string>(const IndexedGround&, const Budget&, Workspace&)> save_index = nullptr;
   /// Puts such bytes into the workspace. Faults: bad_input with the remedy, for bytes that were made for
   /// another ground, other options or another planner, or are not whole.
-  std::function<Status(const std::shared_ptr<const GridMap>&, const StoredIndex&, Workspace&)> load_index =
-      nullptr;
+  std::function<Status(const IndexedGround&, const StoredIndex&, Workspace&)> load_index = nullptr;
 };
 
 /// Plans from the start of the problem to each of the goals, in one search if the planner has one, otherwise

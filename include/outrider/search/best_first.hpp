@@ -15,7 +15,8 @@
 //     double tie(const Cost& g) const;         // optional: of equal f the largest comes first; else value(g)
 //     static constexpr bool reopens = true;    // optional: opens a closed state again for a smaller g
 //     void settle(State s);                    // may change the label of s just before s is closed
-//     void expand(State s, Relax& relax);      // relax(neighbour, parent, g, h) for each neighbour
+//     void expand(State s, Relax& relax);      // relax(neighbour, parent, g, h) for each neighbour; h may be
+//                                              // a function that returns it, called only when it is needed
 //   };
 //
 // The order of expansion is least f, then largest g (or tie()), then least state, so the result is the same
@@ -25,6 +26,9 @@
 // states reachable from the start are closed; budget_exhausted; cancelled. Sources: Hart, Nilsson and Raphael
 // (1968); Nash et al. (2007) for the choice of parent.
 #pragma once
+
+#include <type_traits>
+#include <vector>
 
 #include "outrider/core/budget.hpp"
 #include "outrider/core/trace.hpp"
@@ -58,19 +62,29 @@ constexpr bool reopens_closed() {
   }
 }
 
-/// Searches a path and returns the goal state. The labels in `memory` hold the path; see path_to().
-template <class Policy>
-Outcome<State> best_first(Policy& policy, SearchMemory<typename Policy::Cost>& memory, BudgetMeter& meter,
-                          Trace* trace = nullptr) {
+/// Returns an estimate, or calls the function that gives it.
+template <class Estimate>
+auto value_of(const Estimate& h) {
+  if constexpr (std::is_invocable_v<const Estimate&>) {
+    return h();
+  } else {
+    return h;
+  }
+}
+
+/// Searches a path and returns the goal state. `memory` is a SearchMemory or a CompactMemory; its labels hold
+/// the path, see path_to().
+template <class Policy, class Memory>
+Outcome<State> best_first(Policy& policy, Memory& memory, BudgetMeter& meter, Trace* trace = nullptr) {
   using Cost = typename Policy::Cost;
-  Labels<Cost>& labels = memory.labels;
+  auto& labels = memory.labels;
   BucketQueue& queue = memory.queue;
-  const auto relax = [&](State s, State parent, const Cost& g, const Cost& h) {
-    const bool known = labels.known(s);
-    if (known && ((!reopens_closed<Policy>() && labels.closed(s)) || !(g < labels.g(s)))) return;
-    if (trace != nullptr && !known) trace->open(s);
-    labels.open(s, parent, g);
-    queue.push(policy.priority(g, h), tie_of(policy, g), s);
+  const auto relax = [&](State s, State parent, const Cost& g, const auto& h) {
+    const auto met = [&] {
+      if (trace != nullptr) trace->open(s);
+    };
+    if (labels.template offer<reopens_closed<Policy>()>(s, parent, g, met))
+      queue.push(policy.priority(g, value_of(h)), tie_of(policy, g), s);
   };
 
   const Cost from_start = policy.estimate(policy.start());
@@ -96,8 +110,8 @@ Outcome<State> best_first(Policy& policy, SearchMemory<typename Policy::Cost>& m
 }
 
 /// Returns the states on the path from the start to `last`, by following the parents.
-template <class Cost>
-std::vector<State> path_to(State last, const Labels<Cost>& labels) {
+template <class AnyLabels>
+std::vector<State> path_to(State last, const AnyLabels& labels) {
   std::vector<State> path{last};
   while (labels.parent(path.back()) != path.back()) path.push_back(labels.parent(path.back()));
   return {path.rbegin(), path.rend()};

@@ -43,6 +43,16 @@ class Labels {
   [[nodiscard]] bool closed(State s) const { return labels_[s].stamp == open_ + 1; }
   [[nodiscard]] const Cost& g(State s) const { return labels_[s].g; }
   [[nodiscard]] State parent(State s) const { return labels_[s].parent; }
+  /// Opens a state, or gives it a smaller cost; a closed one only if `reopen`. Calls met() if the search has
+  /// not met it before. Returns false if nothing changes.
+  template <bool reopen, class Met>
+  bool offer(State s, State parent, const Cost& g, const Met& met) {
+    const bool met_before = known(s);
+    if (met_before && ((!reopen && closed(s)) || !(g < labels_[s].g))) return false;
+    if (!met_before) met();
+    open(s, parent, g);
+    return true;
+  }
   /// Writes the label of a state that is not closed.
   void open(State s, State parent, Cost g) { labels_[s] = {g, parent, open_}; }
   void close(State s) { labels_[s].stamp = open_ + 1; }

@@ -194,9 +194,10 @@ Outcome<std::vector<PlanRow>> rows_of(const ChosenPlanner& planner, const PlanQu
   Workspace fresh;
   Workspace& workspace = tools.workspace != nullptr ? *tools.workspace : fresh;
   const bool keeps = !tools.index_file.empty();
+  const IndexedGround indexed{question.ground->grid, planner.first.weighs ? question.ground->costs : nullptr};
   Outcome<bool> loaded = false;
   if (keeps) {
-    loaded = load_index_file(tools.index_file, planner.second, question.ground->grid, workspace);
+    loaded = load_index_file(tools.index_file, planner.second, indexed, workspace);
     if (!loaded) return pass_on(loaded);
   }
   const Asked asked{planner, question, budget, workspace};
@@ -206,7 +207,7 @@ Outcome<std::vector<PlanRow>> rows_of(const ChosenPlanner& planner, const PlanQu
   workspace.trace = nullptr;
   for (PlanRow& row : rows) row.build_s = build_s;
   if (!keeps || *loaded) return rows;
-  auto saved = save_index_file(tools.index_file, planner.second, question.ground->grid, budget, workspace);
+  auto saved = save_index_file(tools.index_file, planner.second, indexed, budget, workspace);
   if (!saved) return pass_on(saved);
   return rows;
 }

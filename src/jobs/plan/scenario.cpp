@@ -52,7 +52,8 @@ std::vector<Option> describe_grid(PlanScenario& scenario) {
                      &scenario.block});
   options.push_back({"free", "", 0, 0, "cells that are freed after that", &scenario.free});
   options.push_back({"index", "", 0, 0,
-                     "file in which hub_labels or octile_labels keeps its index: read where it exists, else "
+                     "file in which hub_labels, octile_labels or terrain_labels keeps its index: read where "
+                     "it exists, else "
                      "written",
                      &scenario.index});
   options.push_back(file_option("costs",

@@ -60,9 +60,10 @@ Status check_index(const PlanTask& task) {
   if (task.planners.size() != 1)
     return bad_input("it keeps the index of one planner; leave out compare", "index");
   if (task.planners.front().second.save_index) return {};
-  return bad_input(fmt::format("{} has no index that can be kept; take hub_labels or octile_labels",
-                               task.planners.front().first.name),
-                   "index");
+  return bad_input(
+      fmt::format("{} has no index that can be kept; take hub_labels, octile_labels or terrain_labels",
+                  task.planners.front().first.name),
+      "index");
 }
 
 Status set_costs(PlanTask& task) {

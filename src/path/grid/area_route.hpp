@@ -22,11 +22,10 @@ class AreaRoute {
   /// counted from the border. Returns false if nothing joins the two. O(areas on the way).
   bool begin(const DeadEnds& ends, std::uint32_t start, std::uint32_t goal, Cell goal_cell);
 
-  /// Returns false if a free cell lies in a dead end, otherwise sets the lower bound. O(1).
-  bool bound(const DeadEnds& ends, std::uint32_t index, Cell c, Octile& remaining) const {
-    const std::uint32_t label = ends.labels[index];
+  /// Returns false if a free cell with that label lies in a dead end, otherwise sets the lower bound. O(1).
+  bool bound(const DeadEnds& ends, std::uint32_t label, Cell c, Octile& remaining) const {
     std::uint32_t place = place_of(label >> 1U);
-    if ((label & 1U) != 0) place = std::min(place, place_of(ends.areas[label >> 1U].parent));
+    if ((label & 1U) != 0) place = std::min(place, place_of(ends.areas[label >> 1U].parent()));
     if (place == DeadEnds::none) return false;
     const Exit& exit = exits_[place];
     const Octile by_gate = octile_distance(c, nearest(exit, c)) + exit.remaining;
@@ -42,25 +41,29 @@ class AreaRoute {
     Cell low, high;
     Octile remaining;  ///< lower bound of the length from there
   };
-  struct Mark {
-    std::uint32_t query = 0;  ///< the last one whose way led through the area
-    std::uint32_t place = 0;  ///< of the area on that way
+
+  struct Place {
+    std::uint32_t area = DeadEnds::none;
+    std::uint32_t place = DeadEnds::none;  ///< of the area on the way
   };
 
-  [[nodiscard]] std::uint32_t place_of(std::uint32_t area) const {
-    return marks_[area].query == query_ ? marks_[area].place : DeadEnds::none;
+  /// Returns the slot of an area, or the free one in which it would be.
+  [[nodiscard]] std::size_t slot_of(std::uint32_t area) const {
+    std::size_t slot = area & (places_.size() - 1);
+    while (places_[slot].area != area && places_[slot].area != DeadEnds::none)
+      slot = (slot + 1) & (places_.size() - 1);
+    return slot;
   }
+  [[nodiscard]] std::uint32_t place_of(std::uint32_t area) const { return places_[slot_of(area)].place; }
   static Cell nearest(const Exit& exit, Cell c) {
     return {std::clamp(c.x, exit.low.x, exit.high.x), std::clamp(c.y, exit.low.y, exit.high.y)};
   }
-  void next_query(std::size_t areas);
   void add_up();
 
   Cell goal_;
-  std::uint32_t query_ = 0;
-  std::vector<Mark> marks_;  // by area
-  std::vector<Exit> exits_;  // of the areas from start to goal
-  std::vector<Exit> back_;   // from the goal, while they are found
+  std::vector<Place> places_;  // of the areas on the way, open addressing; a power of two
+  std::vector<Exit> exits_;    // of the areas from start to goal
+  std::vector<Exit> back_;     // from the goal, while they are found
 };
 
 }  // namespace outrider

@@ -10,6 +10,8 @@ namespace {
 /// Sets of numbers that are joined.
 class Sets {
  public:
+  Sets() = default;
+  explicit Sets(std::uint32_t size) : parents_(size) { std::iota(parents_.begin(), parents_.end(), 0U); }
   std::uint32_t add() {
     parents_.push_back(static_cast<std::uint32_t>(parents_.size()));
     return parents_.back();
@@ -42,11 +44,14 @@ class Builder {
       : ground_(ground),
         stride_(ground.stride),
         size_(static_cast<std::uint32_t>(ground.marks.size())),
-        labels_(ground.marks.size(), DeadEnds::none) {}
+        in_gate_(size_),
+        runs_(size_, [this](std::uint32_t i) { return blocked(i) != blocked(i - 1); }),
+        walls_(runs_.count()) {}
 
   DeadEnds build() {
     join_walls();
     choose_gates();
+    cut_runs();
     join_areas();
     make_trees();
     return finish();
@@ -56,32 +61,28 @@ class Builder {
   static constexpr std::uint32_t gate_bit = 1U << 31U;  // of a label: it is the number of a gate
 
   [[nodiscard]] bool blocked(std::uint32_t i) const { return (ground_.marks[i] & GridMap::blocked_bit) != 0; }
-  [[nodiscard]] bool in_gate(std::uint32_t i) const {
-    return labels_[i] != DeadEnds::none && labels_[i] >= gate_bit;
-  }
-  [[nodiscard]] std::uint32_t gate_at(std::uint32_t i) const { return labels_[i] - gate_bit; }
 
-  /// Labels each run of blocked cells in a row, and joins runs that touch.
+  /// Joins runs of blocked cells that touch. The border is one, also where it ends a row and begins the next.
   void join_walls() {
-    for (std::uint32_t row = 0; row < size_; row += stride_) {
-      for (std::uint32_t i = row; i < row + stride_; ++i) {
-        if (!blocked(i)) continue;
-        const bool begins = i == row || !blocked(i - 1);
-        labels_[i] = begins ? walls_.add() : labels_[i - 1];
-        if (row > 0) join_below(row, i, begins);
-      }
+    RunCursor here(runs_), below(runs_);
+    for (std::uint32_t i = 0; i < stride_; ++i) here.step(i);
+    for (std::uint32_t i = stride_; i < size_; ++i) {
+      here.step(i);
+      below.step(i - stride_);
+      if (blocked(i)) join_below(i, here.run(), below.run());
     }
   }
 
-  /// Joins the run of a cell with those that it touches in the row below.
-  void join_below(std::uint32_t row, std::uint32_t i, bool begins) {
+  /// Joins the run of a blocked cell with those that it touches in the row below.
+  void join_below(std::uint32_t i, std::uint32_t run, std::uint32_t run_below) {
     const std::uint32_t below = i - stride_;
+    const bool begins = runs_.begins(i);
     if (blocked(below)) {
-      if (begins) walls_.join(labels_[i], labels_[below]);
+      if (begins) walls_.join(run, run_below);
       return;  // the cell after it is of the same run, or free
     }
-    if (begins && i > row && blocked(below - 1)) walls_.join(labels_[i], labels_[below - 1]);
-    if (i + 1 < row + stride_ && blocked(below + 1)) walls_.join(labels_[i], labels_[below + 1]);
+    if (begins && blocked(below - 1)) walls_.join(run, run_below - 1);
+    if (blocked(below + 1)) walls_.join(run, run_below + 1);
   }
 
   /// Adds the runs along rows or columns that are gates and end a stretch of equal ones.
@@ -94,7 +95,8 @@ class Builder {
         const std::uint32_t begin = i;
         while (!blocked(i)) i += along;
         const Gate gate{begin, (i - begin) / along, along};
-        if (walls_.find(labels_[begin - along]) == walls_.find(labels_[i]) && ends_stretch(gate, across)) {
+        if (gate.length <= DeadEnds::Area::most_length &&
+            walls_.find(runs_.at(begin - along)) == walls_.find(runs_.at(i)) && ends_stretch(gate, across)) {
           gates.push_back(gate);
         }
       }
@@ -114,23 +116,41 @@ class Builder {
     return lower > 0 && higher > 0 && !(equal_lower && equal_higher);
   }
 
-  /// Takes the shortest gates that do not cross, and labels their cells.
+  /// Takes the shortest gates that do not cross, and marks their cells.
   void choose_gates() {
     std::vector<Gate> candidates;
     add_candidates(1, stride_, candidates);
     add_candidates(stride_, 1, candidates);
+    walls_ = {};
     std::sort(candidates.begin(), candidates.end(), [](const Gate& a, const Gate& b) {
       return std::tie(a.length, a.along, a.first) < std::tie(b.length, b.along, b.first);
     });
     for (const Gate& gate : candidates) {
       const std::uint32_t after = gate.first + gate.length * gate.along;
       std::uint32_t i = gate.first;
-      while (i != after && labels_[i] == DeadEnds::none) i += gate.along;
+      while (i != after && !in_gate_[i]) i += gate.along;
       if (i != after) continue;
-      for (i = gate.first; i != after; i += gate.along) {
-        labels_[i] = gate_bit + static_cast<std::uint32_t>(gates_.size());
-      }
+      for (i = gate.first; i != after; i += gate.along) in_gate_[i] = true;
       gates_.push_back(gate);
+    }
+  }
+
+  /// Cuts the runs at the gates, and labels those of the gates.
+  void cut_runs() {
+    for (const auto& [first, length, along] : gates_) {  // one along a row is a whole run
+      for (std::uint32_t i = first; along != 1 && i != first + length * along; i += along) {
+        runs_.begin_at(i);
+        runs_.begin_at(i + 1);
+      }
+    }
+    runs_.number();
+    labels_.assign(runs_.count(), DeadEnds::none);
+    for (std::size_t number = 0; number < gates_.size(); ++number) {
+      const auto& [first, length, along] = gates_[number];
+      for (std::uint32_t i = first; i != first + length * along; i += along) {
+        labels_[runs_.at(i)] = gate_bit + static_cast<std::uint32_t>(number);
+        if (along == 1) break;
+      }
     }
   }
 
@@ -141,25 +161,35 @@ class Builder {
   /// Joins the runs of free cells that no gate parts, and with them the sides of the gates that they touch.
   void join_areas() {
     for (std::size_t i = 0; i < 2 * gates_.size(); ++i) areas_.add();
+    RunCursor here(runs_), below(runs_);
+    for (std::uint32_t i = 0; i < stride_; ++i) here.step(i);
     for (std::uint32_t i = stride_; i < size_; ++i) {
+      here.step(i);
+      below.step(i - stride_);
       if (blocked(i)) continue;
-      if (in_gate(i)) {
-        const std::uint32_t before = i - (gates_[gate_at(i)].along == 1 ? stride_ : 1);
-        if (!blocked(before)) areas_.join(lower_side(gate_at(i)), area_towards_higher(before));
-        continue;
-      }
-      const bool begins = blocked(i - 1) || in_gate(i - 1), opens = begins || blocked(i - stride_ - 1);
-      labels_[i] = begins ? areas_.add() : labels_[i - 1];
-      if (begins && !blocked(i - 1)) areas_.join(labels_[i], area_towards_higher(i - 1));
-      const std::uint32_t below = i - stride_;
-      if (!blocked(below) && (opens || in_gate(below) || in_gate(below - 1))) {
-        areas_.join(labels_[i], area_towards_higher(below));
-      }
+      in_gate_[i] ? join_side_of_gate(i, here.run(), below.run()) : join_area(i, here.run(), below.run());
     }
   }
-  /// Returns the area of a cell, as seen from the next higher cell.
-  [[nodiscard]] std::uint32_t area_towards_higher(std::uint32_t i) const {
-    return in_gate(i) ? higher_side(gate_at(i)) : labels_[i];
+  void join_side_of_gate(std::uint32_t i, std::uint32_t run, std::uint32_t run_below) {
+    const std::uint32_t gate = labels_[run] - gate_bit;
+    const bool in_row = gates_[gate].along == 1;
+    if (!blocked(i - (in_row ? stride_ : 1))) {
+      areas_.join(lower_side(gate), area_towards_higher(in_row ? run_below : run - 1));
+    }
+  }
+  void join_area(std::uint32_t i, std::uint32_t run, std::uint32_t run_below) {
+    const bool begins = runs_.begins(i), opens = begins || blocked(i - stride_ - 1);
+    if (begins) labels_[run] = areas_.add();
+    if (begins && !blocked(i - 1)) areas_.join(labels_[run], area_towards_higher(run - 1));
+    const std::uint32_t below = i - stride_;
+    if (!blocked(below) && (opens || in_gate_[below] || in_gate_[below - 1])) {
+      areas_.join(labels_[run], area_towards_higher(run_below));
+    }
+  }
+  [[nodiscard]] static bool of_gate(std::uint32_t label) { return label >= gate_bit; }
+  /// Returns the area of a run of free cells, as seen from the next higher cell.
+  [[nodiscard]] std::uint32_t area_towards_higher(std::uint32_t run) const {
+    return of_gate(labels_[run]) ? higher_side(labels_[run] - gate_bit) : labels_[run];
   }
 
   /// Numbers the areas of each tree from its root on.
@@ -190,31 +220,36 @@ class Builder {
         if (numbers_[other] != DeadEnds::none) continue;
         numbers_[other] = behind_[gate] = static_cast<std::uint32_t>(found_.areas.size());
         const auto& [first, length, along] = gates_[gate];
-        found_.areas.push_back(
-            {number, found_.areas[number].depth + 1, cell(first), cell(first + (length - 1) * along)});
+        found_.areas.emplace_back(number, first, length, along == 1);
         sets.push_back(other);
       }
     }
   }
-  [[nodiscard]] Cell cell(std::uint32_t i) const {
-    return {static_cast<int>(i % stride_), static_cast<int>(i / stride_)};
-  }
-
+  /// Keeps the labels of the runs of free cells.
   DeadEnds finish() {
-    for (std::uint32_t i = 0; i < size_; ++i) {
-      if (blocked(i)) continue;
-      labels_[i] = in_gate(i) ? 2 * behind_[gate_at(i)] + 1 : 2 * numbers_[areas_.find(labels_[i])];
+    found_.labels.emplace_back();  // of the first run, which is blocked
+    for (std::uint32_t label : labels_) {
+      if (label == DeadEnds::none) continue;
+      label = of_gate(label) ? 2 * behind_[label - gate_bit] + 1 : 2 * numbers_[areas_.find(label)];
+      const auto byte = [label](unsigned i) { return static_cast<std::uint8_t>(label >> (8 * i) & 255U); };
+      found_.labels.push_back({byte(0), byte(1), byte(2)});
     }
-    found_.labels = std::move(labels_);
+    found_.labels.shrink_to_fit();
+    found_.areas.shrink_to_fit();
+    runs_.join([this](std::uint32_t i) { return !blocked(i); });
+    found_.runs = std::move(runs_);
+    found_.stride = stride_;
     return std::move(found_);
   }
 
   const GridMap& ground_;
   std::uint32_t stride_;
   std::uint32_t size_;
-  std::vector<std::uint32_t> labels_;  // of walls, gates and members of areas_, in the end as in DeadEnds
-  Sets walls_;
-  Sets areas_;  // of the two sides of each gate and runs of free cells
+  std::vector<bool> in_gate_;          // by cell
+  RowRuns runs_;                       // of blocked and free cells, later cut at gates
+  std::vector<std::uint32_t> labels_;  // by run: gates and members of areas_, in the end as in DeadEnds
+  Sets walls_;                         // of runs that are not cut
+  Sets areas_;                         // of the two sides of each gate and runs of free cells
   std::vector<Gate> gates_;
   std::vector<std::uint32_t> first_, beside_;  // the sides of gates in each set of areas_
   std::vector<std::uint32_t> numbers_;         // of the areas, by set

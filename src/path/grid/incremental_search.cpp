@@ -1,15 +1,15 @@
 #include "incremental_search.hpp"
 
-#include <algorithm>
 #include <bit>
-#include <limits>
 #include <optional>
 
 namespace outrider {
 namespace {
 
-constexpr Octile unreached{1 << 29, 0};  // more than any path, and two of them still fit
-constexpr double most_shift = 4e6;       // keys are exact below 1e7, see octile.hpp
+constexpr Octile unreached = IncrementalVertex::unreached;
+constexpr double most_shift = 4e6;  // keys are exact below 1e7, see octile.hpp
+
+constexpr unsigned opposite(unsigned move) { return move ^ 2U; }
 
 Octile length_of_move(unsigned move) { return move < 4 ? Octile{1, 0} : Octile{0, 1}; }
 
@@ -23,20 +23,12 @@ std::optional<std::vector<Cell>> changes_between(const std::shared_ptr<const Gri
 
 }  // namespace
 
-struct IncrementalSearch::After {
-  bool operator()(const Entry& a, const Entry& b) const {
-    if (a.f != b.f) return a.f > b.f;
-    if (a.raised != b.raised) return b.raised;
-    if (a.least != b.least) return a.least < b.least;
-    return a.state > b.state;
-  }
-};
-
 void IncrementalSearch::prepare(const std::shared_ptr<const GridMap>& ground, Cell root, Cell target,
                                 bool anew) {
   const bool kept = !anew && ground_ != nullptr && ground_->contains(root) && ground_->index(root) == root_;
   const auto changed = kept ? changes_between(ground_, ground) : std::nullopt;
   ground_ = ground;
+  cell_at_ = CellAt(*ground);
   root_ = ground->index(root);
   generated_ = 0;
   trace_ = nullptr;
@@ -49,17 +41,10 @@ void IncrementalSearch::prepare(const std::shared_ptr<const GridMap>& ground, Ce
 }
 
 void IncrementalSearch::begin() {
-  if (stamp_ == std::numeric_limits<std::uint32_t>::max() || vertices_.size() < ground_->marks.size()) {
-    vertices_.assign(ground_->marks.size(), {});
-    stamp_ = 0;
-  }
-  ++stamp_;
+  vertices_.begin(ground_->marks.size());
   shift_ = {};
   queue_.clear();
-  Vertex& root = reach(root_);
-  root.rhs = {};
-  root.parent = root_;
-  enqueue(root_);
+  set(root_, {unreached, {}, IncrementalVertex::no_parent});
 }
 
 void IncrementalSearch::move_target(Cell target) {
@@ -81,23 +66,22 @@ void IncrementalSearch::look_around(Cell changed) {
 void IncrementalSearch::look_again(State s) {
   if (s == root_) return;
   Octile least = unreached;
-  State parent = s;
+  unsigned to_parent = IncrementalVertex::no_parent;
   for (unsigned left = ground_->moves[s]; left != 0; left &= left - 1) {
     const auto move = static_cast<unsigned>(std::countr_zero(left));
     const State from = neighbour(s, move);
     ++generated_;
-    if (!reached(from) || vertices_[from].g == unreached || !passable(from)) continue;
-    const Octile through = vertices_[from].g + length_of_move(move);
+    const Octile g = vertices_[from].g;
+    if (g == unreached || !passable(from)) continue;
+    const Octile through = g + length_of_move(move);
     if (!(through < least)) continue;
     least = through;
-    parent = from;
+    to_parent = move;
   }
-  if (least == unreached && !reached(s)) return;
-  Vertex& vertex = reach(s);
-  vertex.parent = parent;
-  if (vertex.rhs == least) return;
-  vertex.rhs = least;
-  enqueue(s);
+  if (least == unreached && !vertices_.reached(s)) return;
+  const IncrementalVertex vertex = vertices_[s];
+  const IncrementalVertex now{vertex.g, least, to_parent};
+  vertex.rhs == least ? vertices_.set(s, now) : set(s, now);
 }
 
 Status IncrementalSearch::run(BudgetMeter& meter, Trace* trace) {
@@ -109,102 +93,88 @@ Status IncrementalSearch::run(BudgetMeter& meter, Trace* trace) {
     if (queue_.empty()) return fault(FaultCode::no_path, "nothing joins the start and the goal");
     if (!meter.spend()) return meter.refusal();
     const Entry first = queue_.front();
-    pop();
+    queue_.pop();
     if (trace_ != nullptr) {
-      const double h = octile_distance(ground_->at(first.state), target_cell_).value();
-      trace_->record({first.state, vertices_[first.state].parent, first.f, first.least, h});
+      const double h = octile_distance(cell_at_(first.state), target_cell_).value();
+      trace_->record({first.state, parent(first.state), first.f, first.least(), h});
     }
     expand(first.state);
   }
 }
 
 void IncrementalSearch::expand(State s) {
-  if (vertices_[s].rhs < vertices_[s].g) {
-    lower(s);
+  const IncrementalVertex vertex = vertices_[s];
+  if (vertex.rhs < vertex.g) {
+    lower(s, vertex);
   } else {
-    raise(s);
+    raise(s, vertex);
   }
 }
 
 /// Settles a vertex that has become cheaper, and offers its cost to the neighbours.
-void IncrementalSearch::lower(State s) {
-  vertices_[s].g = vertices_[s].rhs;
+void IncrementalSearch::lower(State s, IncrementalVertex vertex) {
+  const Octile g = vertex.g = vertex.rhs;
+  vertices_.set(s, vertex);
   if (!passable(s)) return;
-  const Octile g = vertices_[s].g;
   for (unsigned left = ground_->moves[s]; left != 0; left &= left - 1) {
     const auto move = static_cast<unsigned>(std::countr_zero(left));
     const State next = neighbour(s, move);
     ++generated_;
     const Octile through = g + length_of_move(move);
-    const bool known = reached(next);
-    if (known && !(through < vertices_[next].rhs)) continue;
-    if (trace_ != nullptr && !known) trace_->open(next);
-    Vertex& vertex = reach(next);
-    vertex.rhs = through;
-    vertex.parent = s;
-    enqueue(next);
+    const IncrementalVertex there = vertices_[next];
+    if (!(through < there.rhs)) continue;
+    if (trace_ != nullptr && !vertices_.reached(next)) trace_->open(next);
+    set(next, {there.g, through, opposite(move)});
   }
 }
 
 /// Forgets the cost of a vertex that is too small, and lets the neighbours that relied on it look again.
-void IncrementalSearch::raise(State s) {
-  vertices_[s].g = unreached;
-  enqueue(s);
+void IncrementalSearch::raise(State s, IncrementalVertex vertex) {
+  vertex.g = unreached;
+  set(s, vertex);
   for (unsigned left = ground_->moves[s]; left != 0; left &= left - 1) {
-    const State next = neighbour(s, static_cast<unsigned>(std::countr_zero(left)));
-    if (reached(next) && vertices_[next].parent == s) look_again(next);
+    const auto move = static_cast<unsigned>(std::countr_zero(left));
+    const State next = neighbour(s, move);
+    if (vertices_[next].to_parent == opposite(move)) look_again(next);
   }
 }
 
-IncrementalSearch::Entry IncrementalSearch::entry_of(State s) const {
-  const Vertex& vertex = vertices_[s];
+IncrementalSearch::Entry IncrementalSearch::entry_of(State s, const IncrementalVertex& vertex) const {
   const bool raised = vertex.g < vertex.rhs;
   const Octile least = raised ? vertex.g : vertex.rhs;
-  const Octile f = least + octile_distance(ground_->at(s), target_cell_) + shift_;
-  return {f.value(), least.value(), s, raised};
+  const Octile f = least + octile_distance(cell_at_(s), target_cell_) + shift_;
+  const std::uint64_t lowered = raised ? 0 : std::uint64_t{1} << 63U;
+  return {f.value(), lowered | (~std::bit_cast<std::uint64_t>(least.value()) & ~(std::uint64_t{1} << 63U)),
+          s};
 }
 
-void IncrementalSearch::enqueue(State s) {
-  if (!(vertices_[s].g == vertices_[s].rhs)) push(entry_of(s));
-}
-
-void IncrementalSearch::push(const Entry& entry) {
-  queue_.push_back(entry);
-  std::push_heap(queue_.begin(), queue_.end(), After{});
-}
-
-void IncrementalSearch::pop() {
-  std::pop_heap(queue_.begin(), queue_.end(), After{});
-  queue_.pop_back();
+/// Writes a vertex, and puts it into the queue unless it is consistent.
+void IncrementalSearch::set(State s, const IncrementalVertex& vertex) {
+  vertices_.set(s, vertex);
+  if (!vertex.consistent()) queue_.push(entry_of(s, vertex));
 }
 
 /// Makes the first entry one that holds: drops those of vertices that have changed, and renews smaller keys.
 void IncrementalSearch::drop_stale_entries() {
   while (!queue_.empty()) {
-    const Entry first = queue_.front(), now = entry_of(first.state);
-    const Vertex& vertex = vertices_[first.state];
-    const bool holds = !(vertex.g == vertex.rhs) && first.raised == now.raised && first.least == now.least;
+    const Entry first = queue_.front();
+    const IncrementalVertex vertex = vertices_[first.state];
+    const Entry now = entry_of(first.state, vertex);
+    const bool holds = !vertex.consistent() && first.order == now.order;
     if (holds && first.f == now.f) return;
-    pop();
-    if (holds) push(now);
+    queue_.pop();
+    if (holds) queue_.push(now);
   }
 }
 
 /// Returns true if the cost of the target is proven; see the header.
 bool IncrementalSearch::settled() const {
-  if (!reached(target_)) return false;
-  const Vertex& target = vertices_[target_];
-  if (target.g == unreached || !(target.g == target.rhs)) return false;
+  const IncrementalVertex target = vertices_[target_];
+  if (target.g == unreached || !target.consistent()) return false;
   if (queue_.empty()) return true;
   const double cost = (target.g + shift_).value();
   const Entry& first = queue_.front();
-  return first.f > cost || (first.f == cost && !first.raised);
-}
-
-IncrementalSearch::Vertex& IncrementalSearch::reach(State s) {
-  Vertex& vertex = vertices_[s];
-  if (vertex.stamp != stamp_) vertex = {unreached, unreached, s, stamp_};
-  return vertex;
+  return first.f > cost || (first.f == cost && !first.raised());
 }
 
 /// Returns true if a path may go on from the vertex: only its ends may be pinches.
@@ -217,10 +187,18 @@ State IncrementalSearch::neighbour(State s, unsigned move) const {
   return static_cast<State>(static_cast<std::int64_t>(s) + std::int64_t{y} * ground_->stride + x);
 }
 
+/// Returns the neighbour over which the least cost leads; for the root itself.
+State IncrementalSearch::parent(State s) const {
+  const std::uint32_t move = vertices_[s].to_parent;
+  return move == IncrementalVertex::no_parent ? s : neighbour(s, move);
+}
+
 std::vector<Cell> IncrementalSearch::path() const {
   std::vector<Cell> cells{target_cell_};
-  for (State s = target_; s != root_; s = vertices_[s].parent)
-    cells.push_back(ground_->at(vertices_[s].parent));
+  for (State s = target_; s != root_;) {
+    s = parent(s);
+    cells.push_back(cell_at_(s));
+  }
   return cells;
 }
 

@@ -17,14 +17,19 @@
 // at most twice.
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "cell_at.hpp"
+#include "incremental_vertices.hpp"
 #include "octile.hpp"
 #include "outrider/core/budget.hpp"
 #include "outrider/core/trace.hpp"
 #include "outrider/path/grid/grid_map.hpp"
 #include "outrider/search/labels.hpp"
+#include "quad_heap.hpp"
 
 namespace outrider {
 
@@ -45,44 +50,43 @@ class IncrementalSearch {
   [[nodiscard]] std::uint64_t generated() const { return generated_; }
 
  private:
-  struct Vertex {
-    Octile g, rhs;
-    State parent = 0;         // neighbour over which rhs leads
-    std::uint32_t stamp = 0;  // search that reached it
-  };
+  /// An entry of the queue, with its order in numbers.
   struct Entry {
     double f = 0.0;
-    double least = 0.0;  // min(g, rhs)
+    std::uint64_t order = 0;  // of equal f: raised before lowered, then the largest min(g, rhs)
     State state = 0;
-    bool raised = false;
+
+    [[nodiscard]] bool raised() const { return order >> 63U == 0; }
+    [[nodiscard]] double least() const { return std::bit_cast<double>(~order & ~(std::uint64_t{1} << 63U)); }
+    friend bool before(const Entry& a, const Entry& b) {
+      const bool same = a.f == b.f;
+      return ((a.f < b.f) | (same & (a.order < b.order)) |
+              (same & (a.order == b.order) & (a.state < b.state))) != 0;
+    }
   };
-  struct After;
 
   void begin();
   void move_target(Cell target);
   void look_around(Cell changed);
   void look_again(State s);
   void expand(State s);
-  void lower(State s);
-  void raise(State s);
-  void enqueue(State s);
-  void push(const Entry& entry);
-  void pop();
+  void lower(State s, IncrementalVertex vertex);
+  void raise(State s, IncrementalVertex vertex);
+  void set(State s, const IncrementalVertex& vertex);
   void drop_stale_entries();
   [[nodiscard]] bool settled() const;
-  [[nodiscard]] Entry entry_of(State s) const;
-  [[nodiscard]] Vertex& reach(State s);
-  [[nodiscard]] bool reached(State s) const { return vertices_[s].stamp == stamp_; }
+  [[nodiscard]] Entry entry_of(State s, const IncrementalVertex& vertex) const;
   [[nodiscard]] bool passable(State s) const;
   [[nodiscard]] State neighbour(State s, unsigned move) const;
+  [[nodiscard]] State parent(State s) const;
 
   std::shared_ptr<const GridMap> ground_;
+  CellAt cell_at_;
   State root_ = 0, target_ = 0;
   Cell target_cell_;
   Octile shift_;
-  std::vector<Vertex> vertices_;  // by GridMap::index()
-  std::uint32_t stamp_ = 0;
-  std::vector<Entry> queue_;  // a heap; may hold entries of vertices that have changed since
+  IncrementalVertices vertices_;  // by GridMap::index()
+  QuadHeap<Entry> queue_;         // may hold entries of vertices that have changed since
   std::uint64_t generated_ = 0;
   Trace* trace_ = nullptr;
 };

@@ -1,5 +1,7 @@
 #include "outrider/path/grid/jps.hpp"
 
+#include <algorithm>
+
 #include "grid_follow.hpp"
 #include "jps_index.hpp"
 #include "jps_map.hpp"
@@ -110,7 +112,10 @@ class Expansion {
     if (point.query != memory_.query) {
       if (point.cell == frontier_.start || point.cell == frontier_.goal) return;
       point.query = memory_.query;
+      if (point.label == JumpPoint::none && frontier_.ends != nullptr)
+        point.label = frontier_.ends->label(frontier_.state(point.cell));
       point.node = frontier_.nodes.add({point.cell, JumpNode::none, {}, number});
+      frontier_.nodes[point.node].label = point.label;
     }
     frontier_.reach(id_, point.node, d);
   }
@@ -122,9 +127,10 @@ class Expansion {
   Cell from_;
 };
 
-/// Numbers the query, and forgets the jump points that are known if they take too much memory.
-void begin_query(Memory& memory) {
-  constexpr std::size_t most_bytes = std::size_t{64} << 20U;
+/// Numbers the query, and forgets the jump points that are known if they take more than two bytes a cell,
+/// from 16 MiB to 64.
+void begin_query(Memory& memory, std::size_t cells) {
+  const std::size_t most_bytes = std::clamp(2 * cells, std::size_t{16} << 20U, std::size_t{64} << 20U);
   if (memory.lists.bytes() > most_bytes || ++memory.query == 0) {
     memory.lists.clear();
     memory.query = 1;
@@ -157,7 +163,7 @@ Outcome<Plan> jps(const Problem& problem, const JpsOptions& /*options*/, const B
         memory.ends.change();
         memory.lists.clear();
       });
-  jump::begin_query(memory);
+  jump::begin_query(memory, query->ground.frame.size());
   return jump::search(problem, *query, memory.frontier, memory.ends, budget, workspace.trace,
                       jump::Expansion(memory));
 }

@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "dead_ends.hpp"
 #include "octile.hpp"
 
 namespace outrider::jump {
@@ -26,6 +27,7 @@ struct JumpNode {
   /// run of its parent, from `cell` on.
   std::uint8_t direction = 0;
   bool closed = false;
+  std::uint32_t label = DeadEnds::none;  ///< of its cell in the dead ends; none until it is asked for
 
   [[nodiscard]] bool is_rest_of_run() const { return direction > 3; }
 };

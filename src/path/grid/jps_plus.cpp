@@ -13,7 +13,7 @@ namespace {
 struct IndexedMemory {
   std::shared_ptr<const GridMap> ground;  ///< ground of the distances
   std::vector<Distances> distances;
-  KnownDeadEnds ends;
+  KnownDeadEnds ends{true};
   Frontier frontier;
 };
 

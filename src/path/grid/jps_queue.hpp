@@ -4,11 +4,11 @@
 // then largest g (to 1/4096 cell), then the node discovered first.
 #pragma once
 
-#include <algorithm>
 #include <bit>
-#include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <utility>
+
+#include "quad_heap.hpp"
 
 namespace outrider::jump {
 
@@ -44,7 +44,7 @@ class Queue {
       has_first_ = true;
       return;
     }
-    rise(added);
+    heap_.push(added);
   }
   /// Removes the first entry; returns false if there is none.
   bool pop(QueueEntry& first) {
@@ -55,44 +55,12 @@ class Queue {
     }
     if (heap_.empty()) return false;
     first = heap_.front();
-    const QueueEntry last = heap_.back();
-    heap_.pop_back();
-    if (!heap_.empty()) sink(last);
+    heap_.pop();
     return true;
   }
 
  private:
-  static constexpr std::size_t children = 4;
-
-  void rise(const QueueEntry& added) {
-    std::size_t hole = heap_.size();
-    heap_.push_back(added);
-    while (hole > 0) {
-      const std::size_t parent = (hole - 1) / children;
-      if (!before(added, heap_[parent])) break;
-      heap_[hole] = heap_[parent];
-      hole = parent;
-    }
-    heap_[hole] = added;
-  }
-  /// Replaces the first entry.
-  void sink(const QueueEntry& last) {
-    std::size_t hole = 0;
-    for (;;) {
-      const std::size_t eldest = hole * children + 1;
-      if (eldest >= heap_.size()) break;
-      std::size_t least = eldest;
-      for (std::size_t i = eldest + 1; i < std::min(eldest + children, heap_.size()); ++i) {
-        least = before(heap_[i], heap_[least]) ? i : least;
-      }
-      if (!before(heap_[least], last)) break;
-      heap_[hole] = heap_[least];
-      hole = least;
-    }
-    heap_[hole] = last;
-  }
-
-  std::vector<QueueEntry> heap_;
+  QuadHeap<QueueEntry> heap_;
   QueueEntry first_;
   bool has_first_ = false;
 };

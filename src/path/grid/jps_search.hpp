@@ -47,9 +47,17 @@ struct Frontier {
 
   /// Sets a lower bound of the length from a cell to the goal; returns false if the cell is in a dead end.
   bool bound(Cell c, Octile& remaining) const {
-    if (ends != nullptr) return route.bound(*ends, state(c), c, remaining);
-    remaining = octile_distance(c, goal);
-    return true;
+    std::uint32_t label = DeadEnds::none;
+    return bound(c, label, remaining);
+  }
+  /// The same, with the label of the cell in the dead ends, which is found if it is none.
+  bool bound(Cell c, std::uint32_t& label, Octile& remaining) const {
+    if (ends == nullptr) {
+      remaining = octile_distance(c, goal);
+      return true;
+    }
+    if (label == DeadEnds::none) label = ends->label(state(c));
+    return route.bound(*ends, label, c, remaining);
   }
 
   /// Reaches the cell of a node from another node, arriving in that direction.
@@ -63,7 +71,7 @@ struct Frontier {
     const bool known = node.parent != JumpNode::none;
     if (known && !(length < node.length)) return;
     Octile remaining;
-    if (!bound(c, remaining)) {
+    if (!bound(c, node.label, remaining)) {
       node.closed = true;
       return;
     }

@@ -1,7 +1,7 @@
 // The jump points next to those that searches have expanded, kept for the next searches on the same ground.
 //
 // What lies next to a jump point does not depend on start or goal, so it is scanned once, when it is first
-// asked for. Kept are 40 bytes for each jump point met, and 4 bytes for each that lies next to an expanded
+// asked for. Kept are 44 bytes for each jump point met, and 4 bytes for each that lies next to an expanded
 // one.
 #pragma once
 
@@ -23,6 +23,7 @@ struct JumpPoint {
   std::array<std::uint32_t, 4> lists = {none, none, none, none};  ///< by direction of arrival
   std::uint32_t query = 0;                                        ///< the last one that reached it
   std::uint32_t node = 0;                                         ///< its node in that query
+  std::uint32_t label = none;  ///< in the dead ends of the ground; none until it is asked for
 };
 
 /// A run of diagonal steps and the straight run beside it that begins at the same cell.

@@ -14,9 +14,13 @@ class KnownDeadEnds {
  public:
   static constexpr std::size_t most_cells = std::size_t{1} << 22U;
 
+  /// `spread`: keeps the labels cell by cell.
+  explicit KnownDeadEnds(bool spread = false) : spread_(spread) {}
+
   void make(const GridMap& ground) {
     known_ = ground.frame.size() <= most_cells;
     ends_ = known_ ? dead_ends_of(ground) : DeadEnds{};
+    if (known_ && spread_) ends_.spread(ground.marks.size());
   }
   void change() {
     known_ = false;
@@ -31,6 +35,7 @@ class KnownDeadEnds {
   void spend(std::uint64_t expansions) { spent_ += known_ ? 0 : expansions; }
 
  private:
+  bool spread_;
   DeadEnds ends_;
   bool known_ = false;
   std::uint64_t spent_ = 0;

@@ -6,9 +6,12 @@
 #include <limits>
 #include <numbers>
 
+#include "cell_at.hpp"
+#include "cost_over_parent.hpp"
 #include "octile.hpp"
 #include "outrider/path/grid/line_of_sight.hpp"
 #include "outrider/search/best_first.hpp"
+#include "outrider/search/compact_labels.hpp"
 #include "terrain_query.hpp"
 #include "terrain_refine.hpp"
 
@@ -19,12 +22,13 @@ double straight_distance(Cell a, Cell b) { return std::hypot(a.x - b.x, a.y - b.
 
 /// The common part of both searches; lengths are in cells.
 struct TerrainPolicy {
-  using Cost = double;
+  using Cost = CostOverParent;
 
   const GridQuery& query;
   const CellCosts* costs;  // null: a metre costs 1
-  Labels<double>& labels;
+  const CompactLabels<Cost>& labels;
   const GridMap& ground = query.ground;
+  CellAt cell_at{ground};
   State first = ground.index(query.start);
   State last = ground.index(query.goal);
   double least = costs == nullptr ? 1.0 : costs->least;
@@ -33,14 +37,16 @@ struct TerrainPolicy {
   [[nodiscard]] std::size_t states() const { return ground.marks.size(); }
   [[nodiscard]] State start() const { return first; }
   [[nodiscard]] bool is_goal(State s) const { return s == last; }
-  [[nodiscard]] static double value(double cost) { return cost; }
-  [[nodiscard]] static double priority(double g, double h) { return g + h; }
+  [[nodiscard]] static double value(const CostOverParent& cost) { return cost.g; }
+  [[nodiscard]] static double priority(const CostOverParent& cost, const CostOverParent& h) {
+    return cost.g + h.g;
+  }
   static void settle(State /*s*/) {}
 
   /// Calls visit(neighbour's state, its vertex, cost of the move) for every legal move from s.
   template <class Visit>
   void for_each_move(State s, Visit visit) {
-    const Cell v = ground.at(s);
+    const Cell v = cell_at(s);
     for (unsigned left = ground.moves[s]; left != 0; left &= left - 1) {
       const auto i = static_cast<unsigned>(std::countr_zero(left));
       const Cell next{v.x + grid_moves[i].x, v.y + grid_moves[i].y};
@@ -54,21 +60,24 @@ struct TerrainPolicy {
 };
 
 struct AlongMoves : TerrainPolicy {
-  [[nodiscard]] double estimate(Cell v) const { return least * octile_distance(v, query.goal).value(); }
-  [[nodiscard]] double estimate(State s) const { return estimate(ground.at(s)); }
+  [[nodiscard]] CostOverParent estimate(Cell v) const {
+    return {least * octile_distance(v, query.goal).value()};
+  }
+  [[nodiscard]] CostOverParent estimate(State s) const { return estimate(cell_at(s)); }
 
   template <class Relax>
   void expand(State s, Relax& relax) {
-    const double g = labels.g(s);
+    const double g = labels.g(s).g;
     for_each_move(s, [&](State neighbour, Cell next, double move) {
-      if (!labels.closed(neighbour)) relax(neighbour, s, g + move, estimate(next));
+      if (!labels.closed(neighbour))
+        relax(neighbour, s, CostOverParent{g + move, g}, [&] { return estimate(next); });
     });
   }
 };
 
 struct InAnyDirection : TerrainPolicy {
-  [[nodiscard]] double estimate(Cell v) const { return least * straight_distance(v, query.goal); }
-  [[nodiscard]] double estimate(State s) const { return estimate(ground.at(s)); }
+  [[nodiscard]] CostOverParent estimate(Cell v) const { return {least * straight_distance(v, query.goal)}; }
+  [[nodiscard]] CostOverParent estimate(State s) const { return estimate(cell_at(s)); }
 
   std::uint64_t line_of_sight_checks = 0;
 
@@ -80,23 +89,26 @@ struct InAnyDirection : TerrainPolicy {
   template <class Relax>
   void expand(State s, Relax& relax) {
     const State parent = labels.parent(s);
-    const Cell from = ground.at(parent);
-    const double g = labels.g(s), parent_g = labels.g(parent);
+    const Cell from = cell_at(parent);
+    const double g = labels.g(s).g, parent_g = labels.g(s).parent_g;
     for_each_move(s, [&](State neighbour, Cell next, double move) {
       if (labels.closed(neighbour)) return;
       const double through = g + move, none_less = parent_g + least * straight_distance(from, next);
-      if (labels.known(neighbour) && !(std::min(through, none_less) < labels.g(neighbour))) return;
+      if (labels.known(neighbour) && !(std::min(through, none_less) < labels.g(neighbour).g)) return;
       const double direct = none_less <= through ? parent_g + leg_cost(costs, from, next) : through + 1.0;
-      const bool straight = direct <= through && sees(from, next);
-      relax(neighbour, straight ? parent : s, straight ? direct : through, estimate(next));
+      if (direct <= through && sees(from, next)) {
+        relax(neighbour, parent, CostOverParent{direct, parent_g}, [&] { return estimate(next); });
+      } else {
+        relax(neighbour, s, CostOverParent{through, g}, [&] { return estimate(next); });
+      }
     });
   }
 };
 
 /// Searches by a policy and returns its path.
 template <class Policy>
-Outcome<std::vector<Cell>> search_by(Policy& policy, SearchMemory<double>& memory, BudgetMeter& meter,
-                                     Trace* trace) {
+Outcome<std::vector<Cell>> search_by(Policy& policy, CompactMemory<CostOverParent>& memory,
+                                     BudgetMeter& meter, Trace* trace) {
   auto found = best_first(policy, memory, meter, trace);
   if (!found) return pass_on(found);
   std::vector<Cell> vertices;
@@ -113,7 +125,7 @@ Outcome<Plan> terrain_a_star(const Problem& problem, const TerrainAStarOptions& 
                              const Budget& budget, Workspace& workspace) {
   auto query = terrain_query(problem, "terrain_a_star");
   if (!query) return pass_on(query);
-  auto& memory = workspace.get<SearchMemory<double>>();
+  auto& memory = workspace.get<CompactMemory<CostOverParent>>();
   AlongMoves policy{{*query, problem.costs.get(), memory.labels}};
   BudgetMeter meter(budget);
   auto path = search_by(policy, memory, meter, workspace.trace);
@@ -126,7 +138,7 @@ Outcome<Plan> terrain_theta_star(const Problem& problem, const TerrainThetaStarO
                                  const Budget& budget, Workspace& workspace) {
   auto query = terrain_query(problem, "terrain_theta_star");
   if (!query) return pass_on(query);
-  auto& memory = workspace.get<SearchMemory<double>>();
+  auto& memory = workspace.get<CompactMemory<CostOverParent>>();
   AlongMoves along{{*query, problem.costs.get(), memory.labels}};
   InAnyDirection any{{*query, problem.costs.get(), memory.labels}};
   BudgetMeter meter(budget);

@@ -5,8 +5,11 @@
 #include <limits>
 #include <numbers>
 
+#include "cell_at.hpp"
+#include "cost_over_parent.hpp"
 #include "outrider/path/grid/line_of_sight.hpp"
 #include "outrider/search/best_first.hpp"
+#include "outrider/search/compact_labels.hpp"
 
 namespace outrider {
 namespace {
@@ -17,12 +20,15 @@ double straight_distance(Cell a, Cell b) {
 }
 
 /// The common part of both forms; costs are in cells.
+template <ClosedCosts closed_costs>
 struct FreeDirectionPolicy {
-  using Cost = double;
+  using Cost = CostOverParent;
+  using Memory = CompactMemory<CostOverParent, closed_costs>;
 
   const GridQuery& query;
-  Labels<double>& labels;
+  CompactLabels<CostOverParent, closed_costs>& labels;
   const GridMap& ground = query.ground;
+  CellAt cell_at{ground};
   State first = ground.index(query.start);
   State last = ground.index(query.goal);
   PlanCounters counters{};
@@ -30,9 +36,12 @@ struct FreeDirectionPolicy {
   [[nodiscard]] std::size_t states() const { return ground.marks.size(); }
   [[nodiscard]] State start() const { return first; }
   [[nodiscard]] bool is_goal(State s) const { return s == last; }
-  [[nodiscard]] double estimate(State s) const { return straight_distance(ground.at(s), query.goal); }
-  [[nodiscard]] static double value(double cost) { return cost; }
-  [[nodiscard]] static double priority(double g, double h) { return g + h; }
+  [[nodiscard]] CostOverParent estimate(Cell v) const { return {straight_distance(v, query.goal)}; }
+  [[nodiscard]] CostOverParent estimate(State s) const { return estimate(cell_at(s)); }
+  [[nodiscard]] static double value(const CostOverParent& cost) { return cost.g; }
+  [[nodiscard]] static double priority(const CostOverParent& cost, const CostOverParent& h) {
+    return cost.g + h.g;
+  }
 
   bool sees(Cell a, Cell b) {
     ++counters.line_of_sight_checks;
@@ -45,7 +54,7 @@ struct FreeDirectionPolicy {
   /// Calls visit(neighbour's state, its vertex, length of the move) for every legal move from s.
   template <class Visit>
   void for_each_move(State s, Visit visit) {
-    const Cell v = ground.at(s);
+    const Cell v = cell_at(s);
     for (unsigned left = ground.moves[s]; left != 0; left &= left - 1) {
       const auto i = static_cast<unsigned>(std::countr_zero(left));
       const Cell next{v.x + grid_moves[i].x, v.y + grid_moves[i].y};
@@ -54,38 +63,42 @@ struct FreeDirectionPolicy {
   }
 };
 
-struct ThetaPolicy : FreeDirectionPolicy {
+struct ThetaPolicy : FreeDirectionPolicy<ClosedCosts::dropped> {
   static void settle(State /*s*/) {}
 
   template <class Relax>
   void expand(State s, Relax& relax) {
     if (!passable(s)) return;
     const State parent = labels.parent(s);
-    const Cell from = ground.at(parent);
-    const double g = labels.g(s), parent_g = labels.g(parent);
+    const Cell from = cell_at(parent);
+    const double g = labels.g(s).g, parent_g = labels.g(s).parent_g;
     for_each_move(s, [&](State neighbour, Cell next, double move) {
       ++counters.generated;
       if (labels.closed(neighbour)) return;
       const double direct = parent_g + straight_distance(from, next);
-      if (labels.known(neighbour) && !(direct < labels.g(neighbour))) return;  // nor is the way through s
-      const bool seen = sees(from, next);
-      relax(neighbour, seen ? parent : s, seen ? direct : g + move, straight_distance(next, query.goal));
+      if (labels.known(neighbour) && !(direct < labels.g(neighbour).g)) return;  // nor is the way through s
+      if (sees(from, next)) {
+        relax(neighbour, parent, CostOverParent{direct, parent_g}, [&] { return estimate(next); });
+      } else {
+        relax(neighbour, s, CostOverParent{g + move, g}, [&] { return estimate(next); });
+      }
     });
   }
 };
 
-struct LazyThetaPolicy : FreeDirectionPolicy {
+/// The costs of closed vertices are kept while they have neighbours that are not closed, for settle().
+struct LazyThetaPolicy : FreeDirectionPolicy<ClosedCosts::kept> {
   /// Keeps the parent if it is visible; otherwise takes the closed neighbour with the shortest path to s.
   void settle(State s) {
     const State parent = labels.parent(s);
-    if (parent == s || sees(ground.at(parent), ground.at(s))) return;
+    if (parent == s || sees(cell_at(parent), cell_at(s))) return;
     State best = parent;
-    double least = std::numeric_limits<double>::infinity();
+    CostOverParent least{std::numeric_limits<double>::infinity()};
     for_each_move(s, [&](State neighbour, Cell /*next*/, double move) {
       if (!labels.closed(neighbour) || !passable(neighbour)) return;
-      const double g = labels.g(neighbour) + move;
-      if (g < least || (g == least && neighbour < best)) {
-        least = g;
+      const double parent_g = labels.g(neighbour).g, g = parent_g + move;
+      if (g < least.g || (g == least.g && neighbour < best)) {
+        least = {g, parent_g};
         best = neighbour;
       }
     });
@@ -94,15 +107,23 @@ struct LazyThetaPolicy : FreeDirectionPolicy {
 
   template <class Relax>
   void expand(State s, Relax& relax) {
-    if (!passable(s)) return;
+    const bool through = passable(s);
     const State parent = labels.parent(s);
-    const Cell from = ground.at(parent);
-    const double parent_g = labels.g(parent);
+    const Cell from = cell_at(parent);
+    const double parent_g = labels.g(s).parent_g;
+    unsigned not_closed = 0;
     for_each_move(s, [&](State neighbour, Cell next, double /*move*/) {
-      ++counters.generated;
-      if (labels.closed(neighbour)) return;
-      relax(neighbour, parent, parent_g + straight_distance(from, next), straight_distance(next, query.goal));
+      counters.generated += through ? 1 : 0;
+      if (labels.closed(neighbour)) {
+        labels.count_down(neighbour);
+        return;
+      }
+      ++not_closed;
+      if (!through) return;
+      const CostOverParent cost{parent_g + straight_distance(from, next), parent_g};
+      relax(neighbour, parent, cost, [&] { return estimate(next); });
     });
+    labels.keep_until(s, through ? not_closed : 0);
   }
 };
 
@@ -110,7 +131,7 @@ template <class Policy>
 Outcome<Plan> free_direction_search(const Problem& problem, const Budget& budget, Workspace& workspace) {
   auto query = grid_query(problem);
   if (!query) return pass_on(query);
-  auto& memory = workspace.get<SearchMemory<double>>();
+  auto& memory = workspace.get<typename Policy::Memory>();
   Policy policy{{*query, memory.labels}};
   BudgetMeter meter(budget);
   auto found = best_first(policy, memory, meter, workspace.trace);

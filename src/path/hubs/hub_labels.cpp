@@ -26,16 +26,15 @@ Outcome<Plan> hub_labels(const Problem& problem, const HubLabelsOptions& options
       [&] { return polyanya(problem, {}, budget, workspace); });
 }
 
-Outcome<std::string> save_hub_labels(const std::shared_ptr<const GridMap>& ground,
-                                     const HubLabelsOptions& options, const Budget& budget,
-                                     Workspace& workspace) {
-  return hub_labelling::save_index<hub_labelling::AnyAngleIndex>(ground, options.hub_memory_mib, budget,
+Outcome<std::string> save_hub_labels(const IndexedGround& ground, const HubLabelsOptions& options,
+                                     const Budget& budget, Workspace& workspace) {
+  return hub_labelling::save_index<hub_labelling::AnyAngleIndex>(ground.grid, options.hub_memory_mib, budget,
                                                                  workspace);
 }
 
-Status load_hub_labels(const std::shared_ptr<const GridMap>& ground, const StoredIndex& stored,
+Status load_hub_labels(const IndexedGround& ground, const StoredIndex& stored,
                        const HubLabelsOptions& options, Workspace& workspace) {
-  return hub_labelling::load_index<hub_labelling::AnyAngleIndex>(ground, stored, options.hub_memory_mib,
+  return hub_labelling::load_index<hub_labelling::AnyAngleIndex>(ground.grid, stored, options.hub_memory_mib,
                                                                  workspace);
 }
 

@@ -13,7 +13,7 @@
 namespace outrider::hub_labelling {
 namespace {
 
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 constexpr std::uint32_t byte_order = 0x01020304;
 constexpr std::string_view remedy = "; delete it, and it is made anew, or name another file";
 
@@ -22,12 +22,12 @@ struct Header {
                                 ' ', 'i', 'n', 'd', 'e', 'x', '\r', '\n'};
   std::uint32_t order = byte_order;
   std::uint32_t format = version;
-  std::uint64_t bytes = 0;                   ///< of all
-  std::array<char, 32> planner{};            ///< filled up with zeros
-  std::array<char, 64> ground{}, options{};  ///< SHA-256
-  std::uint64_t checksum = 0;                ///< of all else
+  std::uint64_t bytes = 0;                            ///< of all
+  std::array<char, 32> planner{};                     ///< filled up with zeros
+  std::array<char, 64> ground{}, costs{}, options{};  ///< SHA-256; zeros without costs
+  std::uint64_t checksum = 0;                         ///< of all else
 };
-static_assert(sizeof(Header) == 200 && std::is_trivially_copyable_v<Header>);
+static_assert(sizeof(Header) == 264 && std::is_trivially_copyable_v<Header>);
 
 template <std::size_t N>
 std::array<char, N> letters(std::string_view text) {
@@ -63,10 +63,17 @@ std::array<char, 64> hash_of(const GridMap& ground) {
   return letters<64>(hash.hex());
 }
 
+std::array<char, 64> hash_of(const CellCosts* costs) {
+  if (costs == nullptr) return {};
+  const auto& cells = costs->per_m.cells;
+  return letters<64>(sha256({reinterpret_cast<const char*>(cells.data()), cells.size() * sizeof(float)}));
+}
+
 Header header_for(const IndexKey& key) {
   Header header;
   header.planner = letters<32>(key.planner);
   header.ground = hash_of(key.ground);
+  header.costs = hash_of(key.costs);
   header.options = letters<64>(sha256(key.options));
   return header;
 }
@@ -120,6 +127,7 @@ Outcome<std::span<const std::byte>> content_of(const StoredIndex& stored, const 
                               printable(std::string(name.substr(0, name.find('\0')))), key.planner));
   }
   if (header->ground != wanted.ground) return refuse("it was made for another map");
+  if (header->costs != wanted.costs) return refuse("it was made for other costs of the cells");
   if (header->options != wanted.options)
     return refuse(fmt::format("it was made with other options of {}", key.planner));
   return stored.bytes.subspan(sizeof(Header));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
+#include "outrider/path/grid/cell_costs.hpp"
 #include "outrider/path/grid/grid_map.hpp"
 #include "outrider/path/stored_index.hpp"
 #include "stored_array.hpp"
@@ -22,6 +23,7 @@ struct IndexKey {
   std::string_view planner;
   std::string options;  ///< as text
   const GridMap& ground;
+  const CellCosts* costs = nullptr;  ///< null: a metre costs 1
 };
 
 /// Writes the content, and then the header before it.

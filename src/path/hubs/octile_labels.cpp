@@ -37,16 +37,15 @@ Outcome<Plan> octile_labels(const Problem& problem, const OctileLabelsOptions& o
       });
 }
 
-Outcome<std::string> save_octile_labels(const std::shared_ptr<const GridMap>& ground,
-                                        const OctileLabelsOptions& options, const Budget& budget,
-                                        Workspace& workspace) {
-  return hub_labelling::save_index<hub_labelling::OctileIndex>(ground, options.hub_memory_mib, budget,
+Outcome<std::string> save_octile_labels(const IndexedGround& ground, const OctileLabelsOptions& options,
+                                        const Budget& budget, Workspace& workspace) {
+  return hub_labelling::save_index<hub_labelling::OctileIndex>(ground.grid, options.hub_memory_mib, budget,
                                                                workspace);
 }
 
-Status load_octile_labels(const std::shared_ptr<const GridMap>& ground, const StoredIndex& stored,
+Status load_octile_labels(const IndexedGround& ground, const StoredIndex& stored,
                           const OctileLabelsOptions& options, Workspace& workspace) {
-  return hub_labelling::load_index<hub_labelling::OctileIndex>(ground, stored, options.hub_memory_mib,
+  return hub_labelling::load_index<hub_labelling::OctileIndex>(ground.grid, stored, options.hub_memory_mib,
                                                                workspace);
 }
 

@@ -16,6 +16,12 @@ constexpr double as_cheap = 1.0 + 1e-12;  // a path that costs no more than this
 
 constexpr unsigned move_back(unsigned move) { return move ^ 2U; }
 
+std::size_t neighbour(const GridMap& ground, std::size_t cell, unsigned move) {
+  const Cell step = grid_moves[move];
+  return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) +
+                                  step.y * static_cast<std::ptrdiff_t>(ground.stride) + step.x);
+}
+
 }  // namespace
 
 /// Builds the labels: from each cell in turn a search of Dijkstra, which does not go beyond cells to which
@@ -79,9 +85,7 @@ class TerrainLabelling {
     const double here = price(cell);
     for (unsigned left = ground_.moves[cell]; left != 0; left &= left - 1) {
       const auto move = static_cast<unsigned>(std::countr_zero(left));
-      const Cell step = grid_moves[move];
-      const auto next = static_cast<std::uint32_t>(
-          static_cast<std::ptrdiff_t>(cell) + step.y * static_cast<std::ptrdiff_t>(ground_.stride) + step.x);
+      const auto next = static_cast<std::uint32_t>(neighbour(ground_, cell, move));
       const double length = move < 4 ? 1.0 : std::numbers::sqrt2;
       reach(next, cost + length * (0.5 * (here + price(next))), move_back(move));
     }
@@ -105,19 +109,25 @@ class TerrainLabelling {
 
   std::unique_ptr<const TerrainIndex> collect() {
     auto index = std::make_unique<TerrainIndex>();
-    index->work_ = work_;
-    index->first_.reserve(labels_.size() + 1);
-    index->hubs_.reserve(entries_);
-    index->costs_.reserve(entries_);
+    std::vector<std::uint64_t> first;
+    std::vector<std::uint32_t> hubs;
+    std::vector<double> costs;
+    first.reserve(labels_.size() + 1);
+    hubs.reserve(entries_);
+    costs.reserve(entries_);
     for (auto& label : labels_) {
-      index->first_.push_back(index->hubs_.size());
+      first.push_back(hubs.size());
       for (const Entry& entry : label) {
-        index->hubs_.push_back(entry.hub);
-        index->costs_.push_back(entry.cost);
+        hubs.push_back(entry.hub);
+        costs.push_back(entry.cost);
       }
       std::vector<Entry>().swap(label);
     }
-    index->first_.push_back(index->hubs_.size());
+    first.push_back(hubs.size());
+    index->work_ = work_;
+    index->first_ = StoredArray(std::move(first));
+    index->hubs_ = StoredArray(std::move(hubs));
+    index->costs_ = StoredArray(std::move(costs));
     return index;
   }
 
@@ -142,15 +152,19 @@ std::unique_ptr<const TerrainIndex> TerrainIndex::of(const GridMap& ground, cons
   return TerrainLabelling(ground, costs, most_bytes - ground.marks.size() * sizeof(std::size_t)).build(stop);
 }
 
+/// Returns the entry of a cell for a hub, or where it would be.
+std::size_t TerrainIndex::entry_of(std::size_t cell, std::uint32_t hub) const {
+  const std::uint32_t* const all = hubs_.data();
+  return static_cast<std::size_t>(std::lower_bound(all + first_[cell], all + first_[cell + 1], 8 * hub) -
+                                  all);
+}
+
 /// Appends the cells from one on to a hub, both with it.
 void TerrainIndex::follow(const GridMap& ground, Cell from, std::uint32_t hub, std::vector<Cell>& way) const {
   for (Cell c = from;;) {
     way.push_back(c);
     const std::uint32_t index = ground.index(c);
-    const std::size_t at = static_cast<std::size_t>(
-        std::lower_bound(hubs_.begin() + static_cast<std::ptrdiff_t>(first_[index]),
-                         hubs_.begin() + static_cast<std::ptrdiff_t>(first_[index + 1]), 8 * hub) -
-        hubs_.begin());
+    const std::size_t at = entry_of(index, hub);
     if (costs_[at] == 0.0) return;
     const Cell step = grid_moves[hubs_[at] & 7U];
     c = {c.x + step.x, c.y + step.y};
@@ -177,6 +191,49 @@ std::vector<Cell> TerrainIndex::find(const GridMap& ground, Cell start, Cell goa
   follow(ground, goal, hub, rest);
   way.insert(way.end(), rest.rbegin() + 1, rest.rend());
   return way;
+}
+
+void TerrainIndex::write(IndexWriter& writer) const {
+  writer.number(static_cast<std::uint64_t>(IndexKind::labels));
+  writer.number(work_);
+  writer.array(first_);
+  writer.array(hubs_);
+  writer.array(costs_);
+}
+
+std::unique_ptr<const TerrainIndex> TerrainIndex::read(IndexReader& reader, const GridMap& ground) {
+  auto index = std::make_unique<TerrainIndex>();
+  std::uint64_t kind = 0;
+  const bool whole = reader.number(kind) && kind == static_cast<std::uint64_t>(IndexKind::labels) &&
+                     reader.number(index->work_) && reader.array(index->first_) &&
+                     reader.array(index->hubs_) && reader.array(index->costs_) && reader.at_end();
+  return whole && index->sound(ground) ? std::move(index) : nullptr;
+}
+
+/// Returns true if following an entry to its hub stays in free cells and ends, for every entry.
+bool TerrainIndex::sound(const GridMap& ground) const {
+  const auto cells = first_.all();
+  if (cells.size() != ground.marks.size() + 1 || !std::is_sorted(cells.begin(), cells.end()) ||
+      cells.front() != 0 || cells.back() != hubs_.size() || hubs_.size() != costs_.size())
+    return false;
+  for (std::uint32_t cell = 0; cell < ground.marks.size(); ++cell) {
+    if (!sound(ground, cell)) return false;
+  }
+  return true;
+}
+
+/// Returns true if the hubs of a cell ascend, and each entry that is not of the cell itself leads by a legal
+/// move to a cell that is nearer to the hub.
+bool TerrainIndex::sound(const GridMap& ground, std::uint32_t cell) const {
+  for (std::size_t i = first_[cell]; i < first_[cell + 1]; ++i) {
+    const std::uint32_t hub = hubs_[i] >> 3U, move = hubs_[i] & 7U;
+    if (i > first_[cell] && hubs_[i - 1] >> 3U >= hub) return false;
+    if (costs_[i] == 0.0) continue;
+    if (!(costs_[i] > 0.0) || (ground.moves[cell] >> move & 1U) == 0) return false;
+    const std::size_t next = neighbour(ground, cell, move), at = entry_of(next, hub);
+    if (at == first_[next + 1] || hubs_[at] >> 3U != hub || !(costs_[at] < costs_[i])) return false;
+  }
+  return true;
 }
 
 }  // namespace outrider::hub_labelling

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hub_index.hpp"
+#include "index_bytes.hpp"
 #include "outrider/path/grid/cell_costs.hpp"
 #include "outrider/path/grid/grid_map.hpp"
 
@@ -23,20 +24,25 @@ class TerrainIndex {
   /// Returns the cells of a cheapest path, move by move; empty if nothing joins the two.
   [[nodiscard]] std::vector<Cell> find(const GridMap& ground, Cell start, Cell goal) const;
 
-  [[nodiscard]] std::size_t memory() const {
-    return first_.size() * sizeof(std::size_t) + hubs_.size() * (sizeof(std::uint32_t) + sizeof(double));
-  }
   /// Returns the work of building it, in entries visited.
   [[nodiscard]] std::uint64_t work() const { return work_; }
+
+  /// Writes the index, and reads one that refers to the bytes: null if they contradict themselves or the
+  /// ground.
+  void write(IndexWriter& writer) const;
+  static std::unique_ptr<const TerrainIndex> read(IndexReader& reader, const GridMap& ground);
 
  private:
   friend class TerrainLabelling;
 
+  [[nodiscard]] std::size_t entry_of(std::size_t cell, std::uint32_t hub) const;
   void follow(const GridMap& ground, Cell from, std::uint32_t hub, std::vector<Cell>& way) const;
+  [[nodiscard]] bool sound(const GridMap& ground) const;
+  [[nodiscard]] bool sound(const GridMap& ground, std::uint32_t cell) const;
 
-  std::vector<std::size_t> first_;   // entries of a cell, by index of the map
-  std::vector<std::uint32_t> hubs_;  // eight times the rank of the hub, plus the move towards it; ascending
-  std::vector<double> costs_;        // to the hub, for cells of side 1
+  StoredArray<std::uint64_t> first_;  // entries of a cell, by index of the map
+  StoredArray<std::uint32_t> hubs_;   // eight times the rank of the hub, plus the move towards it; ascending
+  StoredArray<double> costs_;         // to the hub, for cells of side 1
   std::uint64_t work_ = 0;
 };
 

@@ -40,6 +40,7 @@ struct TerrainMemory {
   Terrain asked;                              ///< the last one
   std::size_t differ = 0;                     ///< cells in which the two differ
   std::int64_t mib = 0;                       ///< 0: nothing has been asked
+  std::shared_ptr<const void> stored;         ///< keeps the bytes to which a loaded index refers
   std::unique_ptr<const TerrainIndex> index;  ///< none if it does not fit
   std::uint64_t spent = 0;                    ///< expansions of searches on other terrain since then
 
@@ -57,14 +58,35 @@ struct TerrainMemory {
       const bool similar = differ <= now.ground->frame.size() / 32;
       if (similar && index != nullptr && spent * entries_an_expansion < index->work()) return false;
     }
-    index = TerrainIndex::of(*now.ground, now.costs.get(), static_cast<std::size_t>(most_mib) << 20U, stop);
-    made_for = asked = stop.stop_requested() ? Terrain{} : now;
-    mib = stop.stop_requested() ? 0 : most_mib;
-    differ = 0;
-    spent = 0;
+    make(now, most_mib, stop);
     return true;
   }
+
+  /// Builds the index; without one after a cancelled build.
+  void make(const Terrain& now, std::int64_t most_mib, const std::stop_token& stop) {
+    auto made =
+        TerrainIndex::of(*now.ground, now.costs.get(), static_cast<std::size_t>(most_mib) << 20U, stop);
+    const bool whole = !stop.stop_requested();
+    take(whole ? now : Terrain{}, whole ? most_mib : 0, std::move(made), nullptr);
+  }
+
+  /// Takes an index that was made for that terrain.
+  void take(const Terrain& now, std::int64_t most_mib, std::unique_ptr<const TerrainIndex> made,
+            std::shared_ptr<const void> bytes) {
+    index = std::move(made);
+    stored = std::move(bytes);
+    made_for = asked = now;
+    mib = most_mib;
+    differ = 0;
+    spent = 0;
+  }
 };
+
+/// For what an index is made.
+IndexKey key_of(const IndexedGround& ground, const TerrainLabelsOptions& options) {
+  return {"terrain_labels", fmt::format("hub_memory {}", options.hub_memory_mib), *ground.grid,
+          ground.costs.get()};
+}
 
 /// Searches, and says why there is no other way.
 Outcome<Plan> search(const Problem& problem, const Budget& budget, Workspace& workspace, std::string remark) {
@@ -114,6 +136,34 @@ Outcome<Plan> terrain_labels(const Problem& problem, const TerrainLabelsOptions&
     workspace.trace->record({start, start, cost, 0.0, cost});
   }
   return priced_plan(problem, way, std::numeric_limits<double>::infinity(), {meter.spent(), 0, 0});
+}
+
+Outcome<std::string> save_terrain_labels(const IndexedGround& ground, const TerrainLabelsOptions& options,
+                                         const Budget& budget, Workspace& workspace) {
+  auto& memory = workspace.get<hub_labelling::TerrainMemory>();
+  const bool made = memory.mib == options.hub_memory_mib && memory.made_for.ground == ground.grid &&
+                    memory.made_for.costs == ground.costs;
+  if (!made) memory.make({ground.grid, ground.costs}, options.hub_memory_mib, budget.stop);
+  if (memory.mib == 0) return BudgetMeter(budget).refusal();
+  hub_labelling::IndexWriter writer;
+  if (memory.index == nullptr) {
+    writer.number(static_cast<std::uint64_t>(hub_labelling::IndexKind::none));
+  } else {
+    memory.index->write(writer);
+  }
+  return std::move(writer).finish(hub_labelling::key_of(ground, options));
+}
+
+Status load_terrain_labels(const IndexedGround& ground, const StoredIndex& stored,
+                           const TerrainLabelsOptions& options, Workspace& workspace) {
+  const auto content = hub_labelling::content_of(stored, hub_labelling::key_of(ground, options));
+  if (!content) return tl::unexpected<Fault>(content.error());
+  hub_labelling::IndexReader reader(*content);
+  auto index = hub_labelling::TerrainIndex::read(reader, *ground.grid);
+  if (index == nullptr && !hub_labelling::holds_none(*content)) return hub_labelling::damaged_index();
+  workspace.get<hub_labelling::TerrainMemory>().take({ground.grid, ground.costs}, options.hub_memory_mib,
+                                                     std::move(index), stored.owner);
+  return {};
 }
 
 }  // namespace outrider

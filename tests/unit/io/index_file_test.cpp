@@ -27,13 +27,13 @@ class IndexFile : public ::testing::Test {
 TEST_F(IndexFile, IsWrittenOnceAndMapped) {
   const auto map = ground();
   Workspace built, mapped;
-  EXPECT_FALSE(load_index_file(path("a.index"), planner_, map, built).value());
-  ASSERT_TRUE(save_index_file(path("a.index"), planner_, map, {}, built));
-  EXPECT_TRUE(load_index_file(path("a.index"), planner_, map, mapped).value());
+  EXPECT_FALSE(load_index_file(path("a.index"), planner_, {map}, built).value());
+  ASSERT_TRUE(save_index_file(path("a.index"), planner_, {map}, {}, built));
+  EXPECT_TRUE(load_index_file(path("a.index"), planner_, {map}, mapped).value());
   const std::string content = read_file(path("a.index")).value();
   // The mapping outlives the file, and a file that takes its place.
   ASSERT_TRUE(write_file(path("a.index"), "another"));
-  EXPECT_EQ(planner_.save_index(map, {}, mapped).value(), content);
+  EXPECT_EQ(planner_.save_index({map}, {}, mapped).value(), content);
   const Problem problem{map, {0.5, 4.5}, {11.5, 4.5}};
   EXPECT_EQ(planner_.plan(problem, {}, mapped).value(), planner_.plan(problem, {}, built).value());
 }
@@ -44,7 +44,7 @@ TEST_F(IndexFile, IsRefusedByItsName) {
   ASSERT_TRUE(write_file(path("text"), "no index"));
   ASSERT_TRUE(write_file(path("empty"), ""));
   for (const char* name : {"text", "empty"}) {
-    const auto loaded = load_index_file(path(name), planner_, map, workspace);
+    const auto loaded = load_index_file(path(name), planner_, {map}, workspace);
     ASSERT_FALSE(loaded) << name;
     EXPECT_EQ(loaded.error().code, FaultCode::bad_input);
     EXPECT_EQ(loaded.error().where, path(name));
@@ -52,18 +52,18 @@ TEST_F(IndexFile, IsRefusedByItsName) {
   }
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
   for (const char* name : {"pipe", ""})
-    EXPECT_EQ(load_index_file(path(name), planner_, map, workspace).error().sentence,
+    EXPECT_EQ(load_index_file(path(name), planner_, {map}, workspace).error().sentence,
               "it is not a regular file; name another");
-  EXPECT_EQ(save_index_file(path("none/a"), planner_, map, {}, workspace).error().sentence,
+  EXPECT_EQ(save_index_file(path("none/a"), planner_, {map}, {}, workspace).error().sentence,
             "its folder does not exist; make it first");
 }
 
 TEST_F(IndexFile, IsKeptOnlyByPlannersWithAnIndex) {
   Workspace workspace;
   const auto planner = find_path_planner("jps")->configure();
-  EXPECT_EQ(load_index_file(path("a"), planner, ground(), workspace).error().sentence,
-            "the planner has no index that can be kept; take hub_labels or octile_labels");
-  EXPECT_FALSE(load_index_file(path("a"), planner_, nullptr, workspace));
+  EXPECT_EQ(load_index_file(path("a"), planner, {ground()}, workspace).error().sentence,
+            "the planner has no index that can be kept; take hub_labels, octile_labels or terrain_labels");
+  EXPECT_FALSE(load_index_file(path("a"), planner_, {}, workspace));
 }
 
 }  // namespace

@@ -10,10 +10,12 @@
 #include <numbers>
 #include <sstream>
 
+#include "grid/cost_over_parent.hpp"
 #include "outrider/path/grid/a_star.hpp"
 #include "outrider/path/grid/theta_star.hpp"
 #include "outrider/path/mesh/polyanya.hpp"
 #include "outrider/search/best_first.hpp"
+#include "outrider/search/compact_labels.hpp"
 #include "support/costly_cases.hpp"
 #include "support/grid_oracle.hpp"
 #include "support/random_cases.hpp"
@@ -281,14 +283,14 @@ TEST(WorkedExamples, FreeDirectionAStar) {
     EXPECT_DOUBLE_EQ(run.plan.cost, std::numbers::sqrt2 + std::sqrt(5.0));
     EXPECT_DOUBLE_EQ(run.plan.cost, shortest(example).cost);
 
-    const auto& labels = run.workspace.get<SearchMemory<double>>().labels;
+    const auto& labels = run.workspace.get<CompactMemory<CostOverParent>>().labels;
     const auto parent = [&](const char* name) {
       return example.name(labels.parent(example.ground->index(vertex(name, 2))));
     };
     EXPECT_EQ(parent("B2"), "B3");
     for (const char* name : {"C2", "C3", "C4"}) EXPECT_EQ(parent(name), "A4") << name;
     // C2 has the f of B2, up to rounding.
-    const double f_of_c2 = labels.g(example.ground->index(vertex("C2", 2))) + 1.0;
+    const double f_of_c2 = labels.g(example.ground->index(vertex("C2", 2))).g + 1.0;
     EXPECT_NEAR(f_of_c2, run.trace.expansions[2].f, 1e-12);
   }
   expect_on_page(Example(worked, "A4", "C1"));

@@ -7,6 +7,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/search/best_first.hpp"
+#include "outrider/search/compact_labels.hpp"
 #include "outrider/search/workspace.hpp"
 
 namespace outrider {
@@ -64,6 +65,71 @@ TEST(Labels, AreForgottenAtOnce) {
   EXPECT_EQ(labels.parent(2), 1U);
   labels.begin(8);
   for (State s = 0; s < 8; ++s) EXPECT_FALSE(labels.known(s) || labels.closed(s));
+}
+
+TEST(CompactLabels, AreForgottenAtOnce) {
+  CompactLabels<double> labels;
+  labels.begin(4000);
+  labels.open(2, 1, 5.0);
+  labels.open(3999, 2, 6.0);
+  EXPECT_TRUE(labels.known(2) && !labels.closed(2));
+  labels.close(2);
+  EXPECT_TRUE(labels.closed(2));
+  EXPECT_EQ(labels.parent(2), 1U);
+  EXPECT_EQ(labels.g(2), 5.0);
+  EXPECT_EQ(labels.parent(3999), 2U);
+  for (const std::size_t states : {4000, 8000}) {
+    labels.begin(states);
+    for (State s = 0; s < states; ++s) ASSERT_FALSE(labels.known(s) || labels.closed(s));
+  }
+}
+
+TEST(CompactLabels, KeepTheCostOfAClosedStateUntilItsNeighboursHaveClosed) {
+  CompactLabels<double, ClosedCosts::kept> labels;
+  labels.begin(10);
+  for (State s = 0; s < 3; ++s) {
+    labels.open(s, 7, s + 0.5);
+    labels.close(s);
+    labels.keep_until(s, s);
+  }
+  EXPECT_EQ(labels.g(1), 1.5);
+  EXPECT_EQ(labels.g(2), 2.5);
+  labels.count_down(2);
+  EXPECT_EQ(labels.g(2), 2.5);
+  labels.count_down(2);
+  labels.count_down(2);
+  for (State s = 0; s < 3; ++s) EXPECT_TRUE(labels.closed(s) && labels.parent(s) == 7);
+}
+
+/// Random operations, beside labels of full size.
+TEST(CompactLabels, AgreeWithLabels) {
+  Rng rng = Rng(4).child("labels");
+  CompactLabels<double> compact;
+  Labels<double> labels;
+  for (int round = 0; round < 200; ++round) {
+    const std::size_t states = 1 + rng.below(2000);
+    compact.begin(states);
+    labels.begin(states);
+    for (int i = 0; i < 400; ++i) {
+      const auto s = static_cast<State>(rng.below(states)), parent = static_cast<State>(rng.below(states));
+      int met = 0, met_compact = 0;
+      const auto g = static_cast<double>(rng.below(50));
+      ASSERT_EQ(compact.offer(s, parent, g, [&] { ++met_compact; }),
+                labels.offer<false>(s, parent, g, [&] { ++met; }));
+      ASSERT_EQ(met_compact, met);
+      const auto other = static_cast<State>(rng.below(states));
+      if (labels.known(other) && !labels.closed(other)) {
+        ASSERT_EQ(compact.g(other), labels.g(other));
+        compact.close(other);
+        labels.close(other);
+        ASSERT_EQ(compact.g(other), labels.g(other));
+      }
+      ASSERT_EQ(compact.known(other), labels.known(other));
+      ASSERT_EQ(compact.closed(other), labels.closed(other));
+      if (!labels.known(other)) continue;
+      ASSERT_EQ(compact.parent(other), labels.parent(other));
+    }
+  }
 }
 
 TEST(Workspace, KeepsOneMemoryOfEachType) {

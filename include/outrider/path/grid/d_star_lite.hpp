@@ -17,11 +17,11 @@
 // another one of several shortest paths; its counters count only the repair, and are 0 for a repeated query.
 // Accepts both grid models. A change near the root can make most vertices differ; repairing them then costs
 // up to two expansions each, more than a new search. O(n log n) for the n vertices that are expanded, plus
-// the comparison of the two grids, O(cells). Memory in the workspace: 24 bytes for each vertex of the grid.
-// Faults: those of grid_query(); no_path (proven at this resolution); budget_exhausted; cancelled.
-// Sources: Koenig and Likhachev, D* Lite (2002); Koenig, Likhachev and Furcy, Lifelong Planning A* (2004).
-// Of equal f they expand the smallest g first; here raised costs come first, then the largest g, as in
-// a_star(), which expands less (the proof is at the code).
+// the comparison of the two grids, O(cells). Memory in the workspace: 4 bytes for each vertex reached, and
+// some 50 for each in the queue. Faults: those of grid_query(); no_path (proven at this resolution);
+// budget_exhausted; cancelled. Sources: Koenig and Likhachev, D* Lite (2002); Koenig, Likhachev and Furcy,
+// Lifelong Planning A* (2004). Of equal f they expand the smallest g first; here raised costs come first,
+// then the largest g, as in a_star(), which expands less (the proof is at the code).
 #pragma once
 
 #include "outrider/core/budget.hpp"

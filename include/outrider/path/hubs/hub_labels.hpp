@@ -48,13 +48,12 @@ Outcome<Plan> hub_labels(const Problem& problem, const HubLabelsOptions& options
 
 /// Returns the index of the ground as bytes, for load_hub_labels(); builds it if the workspace has none. The
 /// ground must be of a model that hub_labels() accepts. Faults: cancelled.
-Outcome<std::string> save_hub_labels(const std::shared_ptr<const GridMap>& ground,
-                                     const HubLabelsOptions& options, const Budget& budget,
-                                     Workspace& workspace);
+Outcome<std::string> save_hub_labels(const IndexedGround& ground, const HubLabelsOptions& options,
+                                     const Budget& budget, Workspace& workspace);
 
 /// Puts an index into the workspace, for that ground and these options. Faults: bad_input with the remedy,
 /// for bytes that were made for another ground, other options or another planner, or are not whole.
-Status load_hub_labels(const std::shared_ptr<const GridMap>& ground, const StoredIndex& stored,
+Status load_hub_labels(const IndexedGround& ground, const StoredIndex& stored,
                        const HubLabelsOptions& options, Workspace& workspace);
 
 }  // namespace outrider

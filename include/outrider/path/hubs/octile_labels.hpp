@@ -52,13 +52,12 @@ Outcome<Plan> octile_labels(const Problem& problem, const OctileLabelsOptions& o
 
 /// Returns the index of the ground as bytes, for load_octile_labels(); builds it if the workspace has none.
 /// The ground must be of a model that octile_labels() accepts. Faults: cancelled.
-Outcome<std::string> save_octile_labels(const std::shared_ptr<const GridMap>& ground,
-                                        const OctileLabelsOptions& options, const Budget& budget,
-                                        Workspace& workspace);
+Outcome<std::string> save_octile_labels(const IndexedGround& ground, const OctileLabelsOptions& options,
+                                        const Budget& budget, Workspace& workspace);
 
 /// Puts an index into the workspace, for that ground and these options. Faults: bad_input with the remedy,
 /// for bytes that were made for another ground, other options or another planner, or are not whole.
-Status load_octile_labels(const std::shared_ptr<const GridMap>& ground, const StoredIndex& stored,
+Status load_octile_labels(const IndexedGround& ground, const StoredIndex& stored,
                           const OctileLabelsOptions& options, Workspace& workspace);
 
 }  // namespace outrider

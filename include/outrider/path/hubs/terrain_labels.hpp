@@ -11,16 +11,18 @@
 // some 40,000 free cells of rooms and corridors, and 10,000 to 20,000 of open ground. If it does not fit,
 // terrain_a_star() answers, and Plan::remark says so. If at most one cell in 32 changes, terrain_a_star()
 // answers too, until it has done as much work as building the index took; then, and if more changes, the
-// index is built again. Of the budget an answer from the index counts as one expansion; building it is not
-// counted, but can be cancelled. A query takes O(length of the two lists + moves of the path * log(length of
-// a list)). Faults: those of terrain_a_star(). Sources: Akiba, Iwata and Yoshida, Fast exact shortest-path
-// distance queries on large networks by pruned landmark labeling (2013); George, Nested dissection of a
-// regular finite element mesh (1973), for the order of the hubs.
+// index is built again. save_terrain_labels() and load_terrain_labels() keep it between runs. Of the budget
+// an answer from the index counts as one expansion; building it is not counted, but can be cancelled. A query
+// takes O(length of the two lists + moves of the path * log(length of a list)). Faults: those of
+// terrain_a_star(). Sources: Akiba, Iwata and Yoshida, Fast exact shortest-path distance queries on large
+// networks by pruned landmark labeling (2013); George, Nested dissection of a regular finite element mesh
+// (1973), for the order of the hubs.
 #pragma once
 
 #include "outrider/core/budget.hpp"
 #include "outrider/core/options.hpp"
 #include "outrider/path/plan.hpp"
+#include "outrider/path/stored_index.hpp"
 #include "outrider/search/workspace.hpp"
 
 namespace outrider {
@@ -34,5 +36,17 @@ std::vector<Option> describe(TerrainLabelsOptions& options);
 /// Plans a path as described above.
 Outcome<Plan> terrain_labels(const Problem& problem, const TerrainLabelsOptions& options,
                              const Budget& budget, Workspace& workspace);
+
+/// Returns the index of the ground and its costs as bytes, for load_terrain_labels(); builds it if the
+/// workspace has none. The grid must be of the model `cells`, and the costs those of its frame. Faults:
+/// cancelled.
+Outcome<std::string> save_terrain_labels(const IndexedGround& ground, const TerrainLabelsOptions& options,
+                                         const Budget& budget, Workspace& workspace);
+
+/// Puts an index into the workspace, for that ground, its costs and these options. Faults: bad_input with the
+/// remedy, for bytes that were made for another ground, other costs or options or another planner, or are not
+/// whole. O(entries * log(length of a list)).
+Status load_terrain_labels(const IndexedGround& ground, const StoredIndex& stored,
+                           const TerrainLabelsOptions& options, Workspace& workspace);
 
 }  // namespace outrider

@@ -59,7 +59,7 @@ int check_query(const GridMap& map, const DeadEnds& ends, AreaRoute& route, Cell
     const Cell c = map.frame.cell(i);
     if (map.blocked(c)) continue;
     Octile remaining;
-    const bool kept = route.bound(ends, map.index(c), from_border(c), remaining);
+    const bool kept = route.bound(ends, ends.label(map.index(c)), from_border(c), remaining);
     dropped += kept ? 0 : 1;
     const bool on_shortest = from_start[c] + to_goal[c] <= from_start[goal] + 1e-9;
     EXPECT_TRUE(kept || !on_shortest) << "cell " << c.x << ", " << c.y;
@@ -98,8 +98,8 @@ void check_steps(const GridMap& map, const DeadEnds& ends, AreaRoute& route, Cel
       const double step = move < 4 ? 1.0 : std::sqrt(2.0);
       if (from_start[c] + step + to_goal[to] > from_start[goal] + 1e-9) continue;
       Octile here, there;
-      EXPECT_TRUE(route.bound(ends, map.index(c), from_border(c), here));
-      EXPECT_TRUE(route.bound(ends, map.index(to), from_border(to), there));
+      EXPECT_TRUE(route.bound(ends, ends.label(map.index(c)), from_border(c), here));
+      EXPECT_TRUE(route.bound(ends, ends.label(map.index(to)), from_border(to), there));
       EXPECT_LE(here.value(), step + there.value() + 1e-9) << "cell " << c.x << ", " << c.y;
     }
   }
@@ -125,13 +125,28 @@ TEST(DeadEnds, ARoomBehindADoorIsOneForPathsThatPassIt) {
   AreaRoute route;
   ASSERT_TRUE(route.begin(ends, map.index({0, 7}), map.index({0, 0}), {1, 1}));
   Octile remaining;
-  EXPECT_FALSE(route.bound(ends, map.index({9, 7}), {10, 8}, remaining));  // beyond the door at (6, 4)
-  EXPECT_FALSE(route.bound(ends, map.index({3, 4}), {4, 5}, remaining));   // in the closet
-  EXPECT_TRUE(route.bound(ends, map.index({5, 4}), {6, 5}, remaining));
+  EXPECT_FALSE(
+      route.bound(ends, ends.label(map.index({9, 7})), {10, 8}, remaining));  // beyond the door at (6, 4)
+  EXPECT_FALSE(route.bound(ends, ends.label(map.index({3, 4})), {4, 5}, remaining));  // in the closet
+  EXPECT_TRUE(route.bound(ends, ends.label(map.index({5, 4})), {6, 5}, remaining));
   ASSERT_TRUE(route.begin(ends, map.index({3, 4}), map.index({9, 0}), {10, 1}));
-  ASSERT_TRUE(route.bound(ends, map.index({3, 4}), {4, 5}, remaining));
+  ASSERT_TRUE(route.bound(ends, ends.label(map.index({3, 4})), {4, 5}, remaining));
   EXPECT_GT(remaining.value(),
             octile_distance({3, 4}, {9, 0}).value());  // down, out and up to the door first
+}
+
+TEST(DeadEnds, HaveTheSameLabelsCellByCell) {
+  Rng rng = Rng(73).child("spread");
+  for (int i = 0; i < testing::cases(60); ++i) {
+    const GridMap map = map_of(i % 2 == 0 ? rooms(rng, 30) : random_grid(rng, 24));
+    const DeadEnds ends = dead_ends_of(map);
+    DeadEnds spread = ends;
+    spread.spread(map.marks.size());
+    for (std::uint32_t k = 0; k < map.marks.size(); ++k) {
+      if (map.blocked(map.at(k))) continue;
+      ASSERT_EQ(spread.label(k), ends.label(k));
+    }
+  }
 }
 
 TEST(DeadEnds, AreFoundAgainOnlyWhenSearchesHaveCostAsMuch) {

@@ -1,4 +1,5 @@
-// Stored indices of hub_labels and octile_labels: read back, and refused where they do not belong.
+// Stored indices of hub_labels, octile_labels and terrain_labels: read back, and refused where they do not
+// belong.
 #include "hubs/index_bytes.hpp"
 
 #include <gtest/gtest.h>
@@ -6,12 +7,11 @@
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
 #include "support/random_cases.hpp"
+#include "support/random_costs.hpp"
 #include "support/random_grid.hpp"
 
 namespace outrider {
 namespace {
-
-using Ground = std::shared_ptr<const GridMap>;
 
 /// A row with an index that can be kept, by name.
 class Stored : public ::testing::TestWithParam<std::string> {
@@ -21,9 +21,16 @@ class Stored : public ::testing::TestWithParam<std::string> {
     EXPECT_TRUE(assign(configured.options.front(), std::to_string(hub_memory_mib)));
     return configured;
   }
-  [[nodiscard]] Ground ground_of(const Grid<std::uint8_t>& grid) const {
+  /// With costs for a row that weighs them.
+  [[nodiscard]] IndexedGround ground_of(const Grid<std::uint8_t>& grid, std::uint64_t seed = 1) const {
     const GridModel model = GetParam() == "hub_labels" ? GridModel::corners : GridModel::cells;
-    return std::make_shared<const GridMap>(GridMap::of(grid, model).value());
+    IndexedGround ground{std::make_shared<const GridMap>(GridMap::of(grid, model).value())};
+    if (find_path_planner(GetParam())->weighs) {
+      Rng rng = Rng(seed).child("costs");
+      ground.costs =
+          std::make_shared<const CellCosts>(CellCosts::of(testing::random_costs(rng, grid.frame)).value());
+    }
+    return ground;
   }
   /// Words aligned as those of a mapped file.
   static StoredIndex stored(std::string_view bytes) {
@@ -31,17 +38,17 @@ class Stored : public ::testing::TestWithParam<std::string> {
     if (!bytes.empty()) std::memcpy(words->data(), bytes.data(), bytes.size());
     return {std::as_bytes(std::span(*words)).first(bytes.size()), words};
   }
-  std::string saved(const Ground& ground, std::int64_t hub_memory_mib = 64) const {
+  std::string saved(const IndexedGround& ground, std::int64_t hub_memory_mib = 64) const {
     Workspace workspace;
     return planner(hub_memory_mib).save_index(ground, {}, workspace).value();
   }
-  [[nodiscard]] std::string refusal(const Ground& ground, std::string_view bytes) const {
+  [[nodiscard]] std::string refusal(const IndexedGround& ground, std::string_view bytes) const {
     Workspace workspace;
     const auto loaded = planner().load_index(ground, stored(bytes), workspace);
     return loaded ? "" : loaded.error().sentence;
   }
 };
-INSTANTIATE_TEST_SUITE_P(Rows, Stored, ::testing::Values("hub_labels", "octile_labels"),
+INSTANTIATE_TEST_SUITE_P(Rows, Stored, ::testing::Values("hub_labels", "octile_labels", "terrain_labels"),
                          [](const auto& row) { return row.param; });
 
 Vec2 random_point(Rng& rng, const GridMap& ground) {
@@ -52,9 +59,10 @@ Vec2 random_point(Rng& rng, const GridMap& ground) {
 TEST_P(Stored, AnswersAsTheIndexThatWasBuilt) {
   Rng rng = Rng(51).child("stored");
   // Labels, landmarks, and nothing that fits.
-  const std::vector<std::pair<Ground, std::int64_t>> grounds = {{ground_of(rooms(rng, 40)), 64},
-                                                                {ground_of(strewn(rng, 120, 120, 0.1)), 2},
-                                                                {ground_of(strewn(rng, 200, 200, 0.3)), 1}};
+  const std::vector<std::pair<IndexedGround, std::int64_t>> grounds = {
+      {ground_of(rooms(rng, 40)), 64},
+      {ground_of(strewn(rng, 120, 120, 0.1)), 2},
+      {ground_of(strewn(rng, 200, 200, 0.3)), 1}};
   int bent = 0;
   for (const auto& [ground, hub_memory_mib] : grounds) {
     const ConfiguredPlanner row = planner(hub_memory_mib);
@@ -64,7 +72,8 @@ TEST_P(Stored, AnswersAsTheIndexThatWasBuilt) {
     EXPECT_EQ(row.save_index(ground, {}, loaded).value(), bytes);
     EXPECT_EQ(saved(ground, hub_memory_mib), bytes);
     for (int k = 0; k < 150; ++k) {
-      const Problem problem{ground, random_point(rng, *ground), random_point(rng, *ground)};
+      Problem problem{ground.grid, random_point(rng, *ground.grid), random_point(rng, *ground.grid)};
+      problem.costs = ground.costs;
       const auto a = row.plan(problem, {}, built), b = row.plan(problem, {}, loaded);
       ASSERT_EQ(a.has_value(), b.has_value());
       if (!a) continue;
@@ -78,7 +87,7 @@ TEST_P(Stored, AnswersAsTheIndexThatWasBuilt) {
 
 TEST_P(Stored, IsRefusedWithAnyByteChanged) {
   Rng rng = Rng(52).child("bytes");
-  const Ground ground = ground_of(rooms(rng, 9));
+  const IndexedGround ground = ground_of(rooms(rng, 9));
   const std::string bytes = saved(ground);
   ASSERT_EQ(refusal(ground, bytes), "");
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -92,7 +101,7 @@ TEST_P(Stored, IsRefusedWithAnyByteChanged) {
 
 TEST_P(Stored, IsRefusedCutOrWithMoreBytes) {
   Rng rng = Rng(53).child("cut");
-  const Ground ground = ground_of(rooms(rng, 9));
+  const IndexedGround ground = ground_of(rooms(rng, 9));
   const std::string bytes = saved(ground);
   for (std::size_t size = 0; size < bytes.size(); size += size < 512 ? 1 : 37)
     ASSERT_NE(refusal(ground, std::string_view(bytes).substr(0, size)), "") << size;
@@ -101,10 +110,41 @@ TEST_P(Stored, IsRefusedCutOrWithMoreBytes) {
                 ", so it is cut or damaged; delete it, and it is made anew, or name another file");
 }
 
+/// Content that was changed and has a right checksum may give wrong paths, but every query ends.
+TEST_P(Stored, EndsEveryQueryWithAnyWordChanged) {
+  Rng rng = Rng(55).child("words");
+  const IndexedGround ground = ground_of(rooms(rng, 9));
+  const hub_labelling::IndexKey key{GetParam(), "hub_memory 64", *ground.grid, ground.costs.get()};
+  const StoredIndex whole = stored(saved(ground));
+  const auto content = hub_labelling::content_of(whole, key).value();
+  int refused = 0;
+  for (int round = 0; round < testing::cases(300); ++round) {
+    hub_labelling::IndexWriter writer;
+    const std::size_t changed = rng.below(content.size() / 8);
+    for (std::size_t i = 0; i < content.size() / 8; ++i) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, content.data() + 8 * i, sizeof word);
+      writer.number(i == changed ? word ^ (std::uint64_t{1} << rng.below(64)) : word);
+    }
+    Workspace workspace;
+    const ConfiguredPlanner row = planner();
+    if (!row.load_index(ground, stored(std::move(writer).finish(key)), workspace)) {
+      ++refused;
+      continue;
+    }
+    for (int k = 0; k < 20; ++k) {
+      Problem problem{ground.grid, random_point(rng, *ground.grid), random_point(rng, *ground.grid)};
+      problem.costs = ground.costs;
+      [[maybe_unused]] const auto plan = row.plan(problem, {}, workspace);
+    }
+  }
+  EXPECT_GT(refused, 0);
+}
+
 TEST_P(Stored, IsRefusedForAnotherMapRowOrOption) {
   Rng rng = Rng(54).child("others");
   auto grid = rooms(rng, 12);
-  const Ground ground = ground_of(grid);
+  const IndexedGround ground = ground_of(grid);
   const std::string bytes = saved(ground);
   grid.cells[70] ^= 1U;
   EXPECT_EQ(refusal(ground_of(grid), bytes).substr(0, 27), "it was made for another map");
@@ -113,8 +153,13 @@ TEST_P(Stored, IsRefusedForAnotherMapRowOrOption) {
   const GridModel model = other == "hub_labels" ? GridModel::corners : GridModel::cells;
   Workspace workspace;
   const auto others = find_path_planner(other)->configure().save_index(
-      std::make_shared<const GridMap>(GridMap::of(grid, model).value()), {}, workspace);
+      {std::make_shared<const GridMap>(GridMap::of(grid, model).value())}, {}, workspace);
   EXPECT_EQ(refusal(ground, *others).substr(0, 23), "it holds the index of " + other.substr(0, 1));
+  if (ground.costs != nullptr) {
+    grid.cells[70] ^= 1U;
+    EXPECT_EQ(refusal(ground_of(grid, 2), bytes).substr(0, 41), "it was made for other costs of the cells;");
+    EXPECT_EQ(refusal({ground.grid}, bytes).substr(0, 41), "it was made for other costs of the cells;");
+  }
   EXPECT_EQ(refusal(ground, std::string(5000, 'x')).substr(0, 19), "it is no index file");
 }
 
