@@ -89,7 +89,7 @@ class TeamRunner {
                            problem_.errors.position_m);
       if (!apart_from_others(member, own)) return refuse(member, std::move(tried), *drive, seen.time_s);
       admit(member, std::move(own), seen.time_s);
-      member.driven.drives.push_back({seen.time_s, drive->waypoints});
+      member.driven.drives.push_back({seen.time_s, drive->waypoints, seen.odometry.heading_rad});
     }
     member.tasks = std::move(tried);
     member.robot->act(*command);

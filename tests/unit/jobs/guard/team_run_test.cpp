@@ -27,7 +27,6 @@ TEST(RunTeam, SettlesEveryTargetAndKeepsApart) {
   std::size_t reached = 0, targets = 0, ran = 0;
   for (int i = 0; i < cases(8); ++i) {
     auto problem = testing::random_guard_problem(rng, 6, 6, 3.5);
-    problem.errors.heading_rad = 0.0;  // closest_approach() knows no errors of headings
     const auto starts = starts_at(problem, 2 + static_cast<std::size_t>(i) % 3);
     GuardOptions options = testing::quick();
     options.shoot_on_the_move = i % 2 == 1;
@@ -79,7 +78,6 @@ TEST(RunTeam, GivesAStopUpThatNobodyLeaves) {
   for (int i = 0; i < cases(6); ++i) {
     auto problem = testing::random_guard_problem(rng, 4, 3, 4.0);
     problem.gun.muzzle_speed_mps = 5.0;  // it has to go near
-    problem.errors.heading_rad = 0.0;
     const auto firing_map = build_firing_map(problem, testing::quick());
     ASSERT_TRUE(firing_map.has_value());
     auto plan = plan_team(problem, *firing_map, {problem.start}, testing::quick(), {});
