@@ -40,10 +40,10 @@ void collect_events(std::vector<TeamMessage>& all, const Log& from, const std::s
 
 }  // namespace
 
-void append_team(Log& log, const std::vector<Log>& robots) {
+void append_team(Log& log, const TeamRun& team) {
   std::vector<TeamMessage> all;
-  for (std::size_t r = 0; r < robots.size(); ++r) {
-    const Log& from = robots[r];
+  for (std::size_t r = 0; r < team.robots.size(); ++r) {
+    const Log& from = team.robots[r].log;
     const auto named = [&](std::string_view topic) {
       return r == 0 ? std::string(topic) : fmt::format("/robot_{}{}", r + 1, topic);
     };
@@ -52,8 +52,11 @@ void append_team(Log& log, const std::vector<Log>& robots) {
     collect<sensor_msgs::JointState>(all, from, topic::joints, named(topic::joints));
     collect<nav_msgs::Path>(all, from, topic::plan, named(topic::plan));
     collect<outrider_msgs::Shot>(all, from, topic::shots, std::string(topic::shots));
-    collect_events(all, from, r == 0 ? "" : fmt::format("robot {}: ", r + 1));
+    collect_events(all, from, fmt::format("robot {}: ", r + 1));
   }
+  collect<outrider_msgs::Target>(all, team.targets, topic::targets, std::string(topic::targets));
+  collect<outrider_msgs::TargetPosition>(all, team.targets, topic::target_positions,
+                                         std::string(topic::target_positions));
   std::ranges::stable_sort(all, {}, &TeamMessage::time_ns);
   for (const TeamMessage& message : all) message.append(log);
 }

@@ -13,7 +13,7 @@
 namespace outrider {
 namespace {
 
-constexpr std::size_t all = static_cast<std::size_t>(Capability::faults) + 1;
+constexpr std::size_t all = static_cast<std::size_t>(Capability::team) + 1;
 
 Capability at(std::size_t index) { return static_cast<Capability>(index); }
 
@@ -80,7 +80,8 @@ TEST(Capabilities, ARefusalNamesBothKeysAndTheReason) {
 
 TEST(Capabilities, WhatHindersShotsOnTheMoveSaysWhy) {
   EXPECT_TRUE(why_from_rest({}).empty());
-  for (const Capability capability : {Capability::air, Capability::unknown, Capability::blocking}) {
+  for (const Capability capability :
+       {Capability::air, Capability::unknown, Capability::blocking, Capability::team}) {
     EXPECT_TRUE(why_from_rest({capability}).empty());
     EXPECT_FALSE(why_from_rest({capability, Capability::terrain}).empty());
   }
@@ -147,6 +148,7 @@ void ask_for(GuardScenario& scenario, Capability capability) {
     case Capability::rigid: scenario.sim = "physics"; break;
     case Capability::blocking: problem.targets_block = true; break;
     case Capability::faults: scenario.faults.position_ratio = 1.5; break;
+    case Capability::team: scenario.robots = 2; break;
   }
 }
 

@@ -22,6 +22,12 @@ std::vector<Pose2> starts_at(const GuardProblem& problem, std::size_t robots) {
   return starts;
 }
 
+std::vector<TimedDrives> driven_in(const TeamRun& run) {
+  std::vector<TimedDrives> driven;
+  for (const TeamRobotRun& robot : run.robots) driven.push_back(robot.driven);
+  return driven;
+}
+
 TEST(RunTeam, SettlesEveryTargetAndKeepsApart) {
   Rng rng(612);
   std::size_t reached = 0, targets = 0, ran = 0;
@@ -37,7 +43,7 @@ TEST(RunTeam, SettlesEveryTargetAndKeepsApart) {
     ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
     const TeamRun run = run_team(problem, *firing_map, *plan, static_cast<std::uint64_t>(i));
     EXPECT_FALSE(run.ended_early);
-    const auto nearest = closest_approach(problem.robot, run.driven);
+    const auto nearest = closest_approach(problem.robot, driven_in(run));
     ASSERT_TRUE(nearest.has_value()) << nearest.error().sentence;
     EXPECT_GE(nearest->distance_m, 2.0 * problem.robot.radius_m);
     for (const TargetRecord& record : run.records) {
@@ -87,7 +93,7 @@ TEST(RunTeam, GivesAStopUpThatNobodyLeaves) {
     if (distance(stop, problem.start.position) < team_gap_m(problem)) continue;
     plan->parts.push_back({{stop, 0.0}, {}, {}, 0.0});
     const TeamRun run = run_team(problem, *firing_map, *plan, 3);
-    const auto nearest = closest_approach(problem.robot, run.driven);
+    const auto nearest = closest_approach(problem.robot, driven_in(run));
     ASSERT_TRUE(nearest.has_value()) << nearest.error().sentence;
     EXPECT_GE(nearest->distance_m, 2.0 * problem.robot.radius_m);
     for (const TargetRecord& record : run.records) EXPECT_NE(record.status, TargetStatus::waiting);
