@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
 
 #include "outrider/jobs/guard/bound.hpp"
 #include "outrider/jobs/guard/precomputed_stops.hpp"
@@ -60,6 +63,11 @@ class TeamPlanner {
     plans.front() = *alone;
     keep_if_sooner(plans);
     if (auto ok = try_splits(*alone, order); !ok) return pass_on(ok);
+    for (std::size_t r = 1; best_.parts.empty() && r < problems_.size(); ++r) {
+      TargetSplit all_to_one(problems_.size());
+      all_to_one[r] = order;
+      if (auto planned = plan_split(all_to_one); !planned) return pass_on(planned);
+    }
     if (best_.parts.empty())
       return fault(FaultCode::no_path,
                    "the robots stand in each other's way in every order of their drives that was tried; give "
@@ -92,9 +100,14 @@ class TeamPlanner {
       TargetSplit split = search.improve(search.cut(orders.front()));
       TargetSplit other = search.improve(search.cut(orders.back()));
       if (search.makespan_s(other) < search.makespan_s(split)) split = std::move(other);
-      auto changed = plan_split(split);
-      if (!changed) return pass_on(changed);
-      if (!*changed) break;
+      auto planned = plan_split(split);
+      if (!planned) return pass_on(planned);
+      if (*planned == Planned::before) break;
+      if (*planned == Planned::blocked) {
+        const TargetSplit uncrossed = uncross(split);
+        if (auto again = plan_split(uncrossed); !again) return pass_on(again);
+        split = uncrossed;
+      }
       for (std::size_t r = 0; r < split.size(); ++r) {
         const double estimate_s = search.estimate_s(r, split[r]);
         if (estimate_s > 0.0) search.set_factor(r, planned_[r].cost_s / estimate_s);
@@ -103,9 +116,36 @@ class TeamPlanner {
     return {};
   }
 
-  /// Plans the parts of a split, and keeps the team if it is the soonest. Returns false if that split was
-  /// planned before.
-  Outcome<bool> plan_split(const TargetSplit& split) {
+  /// What has become of a split.
+  enum class Planned : std::uint8_t { timed, blocked, before };
+
+  /// Gives the parts of the split that was planned last to the robots such that the sum of the squared
+  /// distances from their starts to the first stops is least: ways of robots that start side by side cross no
+  /// more.
+  [[nodiscard]] TargetSplit uncross(const TargetSplit& split) const {
+    std::vector<std::size_t> part_of(split.size());
+    std::iota(part_of.begin(), part_of.end(), std::size_t{0});
+    std::vector<std::size_t> best = part_of;
+    double least = std::numeric_limits<double>::infinity();
+    do {
+      double sum = 0.0;
+      for (std::size_t r = 0; r < split.size(); ++r) {
+        const auto& stops = planned_[part_of[r]].stops;
+        if (stops.empty()) continue;
+        const double way_m = distance(problems_[r].start.position, stops.front().position);
+        sum += way_m * way_m;
+      }
+      if (sum >= least) continue;
+      least = sum;
+      best = part_of;
+    } while (std::next_permutation(part_of.begin(), part_of.end()));
+    TargetSplit uncrossed;
+    for (const std::size_t part : best) uncrossed.push_back(split[part]);
+    return uncrossed;
+  }
+
+  /// Plans the parts of a split, and keeps the team if it is the soonest.
+  Outcome<Planned> plan_split(const TargetSplit& split) {
     bool changed = false;
     for (std::size_t r = 0; r < split.size(); ++r) {
       std::vector<std::size_t> targets = split[r];
@@ -119,24 +159,26 @@ class TeamPlanner {
     }
     const bool whole =
         std::ranges::all_of(planned_, [](const GuardPlan& p) { return p.unreachable.empty(); });
-    if (changed && whole) keep_if_sooner(planned_);
-    return changed;
+    if (!changed) return Planned::before;
+    return !whole || keep_if_sooner(planned_) ? Planned::timed : Planned::blocked;
   }
 
-  /// Puts the plans in time, and keeps them if the team is sooner than the best so far.
-  void keep_if_sooner(const std::vector<GuardPlan>& plans) {
+  /// Puts the plans in time, and keeps them if the team is sooner than the best so far. Returns false if no
+  /// order was found in which the robots keep apart.
+  bool keep_if_sooner(const std::vector<GuardPlan>& plans) {
     std::vector<TeamMember> team;
     for (std::size_t r = 0; r < plans.size(); ++r) team.push_back({problems_[r], plans[r]});
     auto times = schedule_team(firing_map_, team, team_gap_m(problems_.front()));
-    if (!times) return;
+    if (!times) return false;
     double makespan_s = 0.0;
     for (const MemberTimes& of_robot : *times) makespan_s = std::max(makespan_s, of_robot.end_s);
-    if (!best_.parts.empty() && makespan_s >= best_.makespan_s) return;
+    if (!best_.parts.empty() && makespan_s >= best_.makespan_s) return true;
     best_.makespan_s = makespan_s;
     best_.parts.clear();
     for (std::size_t r = 0; r < plans.size(); ++r)
       best_.parts.push_back(
           {problems_[r].start, plans[r], std::move((*times)[r].begins_s), (*times)[r].end_s});
+    return true;
   }
 
   const FiringMap& firing_map_;

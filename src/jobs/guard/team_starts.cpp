@@ -13,10 +13,9 @@
 namespace outrider {
 namespace {
 
-/// The next start beside the first one, apart from those chosen so far.
+/// The next start beside the first one, so far apart from those chosen before.
 std::optional<Vec2> next_start(const GuardProblem& problem, const FiringMap& firing_map,
-                               const std::vector<Pose2>& chosen) {
-  const double gap_m = team_gap_m(problem);
+                               const std::vector<Pose2>& chosen, double gap_m) {
   const Vec2 ahead = direction(problem.start.heading_rad);
   std::optional<Vec2> best;
   double least_m = std::numeric_limits<double>::infinity();
@@ -56,17 +55,22 @@ Outcome<std::vector<Pose2>> parse_starts(const std::string& text, std::int64_t r
 
 Outcome<std::vector<Pose2>> starts_of_team(const GuardProblem& problem, const FiringMap& firing_map,
                                            std::size_t robots, const std::vector<Pose2>& others) {
-  std::vector<Pose2> starts{problem.start};
-  starts.insert(starts.end(), others.begin(), others.end());
-  while (starts.size() < robots) {
-    const auto place = next_start(problem, firing_map, starts);
-    if (!place)
-      return bad_input(fmt::format("there is free ground for {} of {} robots, which start {:.2f} m apart; "
-                                   "set robots to {} at most",
-                                   starts.size(), robots, team_gap_m(problem), starts.size()),
-                       "robots");
-    starts.push_back({*place, problem.start.heading_rad});
+  std::vector<Pose2> starts;
+  for (const double gaps : {2.0, 1.0}) {
+    starts.assign({problem.start});
+    starts.insert(starts.end(), others.begin(), others.end());
+    while (starts.size() < robots) {
+      const auto place = next_start(problem, firing_map, starts, gaps * team_gap_m(problem));
+      if (!place) break;
+      starts.push_back({*place, problem.start.heading_rad});
+    }
+    if (starts.size() >= robots) break;
   }
+  if (starts.size() < robots)
+    return bad_input(fmt::format("there is free ground for {} of {} robots, which start {:.2f} m apart; "
+                                 "set robots to {} at most",
+                                 starts.size(), robots, team_gap_m(problem), starts.size()),
+                     "robots");
   if (auto ok = check_starts(problem, firing_map, starts); !ok)
     return bad_input(ok.error().sentence, "robot_starts");
   return starts;
