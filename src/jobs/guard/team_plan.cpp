@@ -93,13 +93,16 @@ class TeamPlanner {
     for (std::size_t r = 1; r < problems_.size(); ++r)
       starts.push_back({stops->stops.size() - problems_.size() + r, problems_[r].start.heading_rad});
     SplitSearch search(*stops, std::move(starts), budget_);
-    const std::vector<std::vector<std::size_t>> orders{order, by_bearing(problems_.front(), order)};
+    const std::vector<std::vector<std::size_t>> orders{order, by_bearing(problems_.front(), order),
+                                                       search.by_way(order)};
     for (int i = 0; i < most_splits; ++i) {
       if (budget_.stop.stop_requested())
         return fault(FaultCode::cancelled, "it was cancelled while it split the targets");
       TargetSplit split = search.improve(search.cut(orders.front()));
-      TargetSplit other = search.improve(search.cut(orders.back()));
-      if (search.makespan_s(other) < search.makespan_s(split)) split = std::move(other);
+      for (std::size_t k = 1; k < orders.size(); ++k) {
+        TargetSplit other = search.improve(search.cut(orders[k]));
+        if (search.makespan_s(other) < search.makespan_s(split)) split = std::move(other);
+      }
       auto planned = plan_split(split);
       if (!planned) return pass_on(planned);
       if (*planned == Planned::before) break;
@@ -176,8 +179,8 @@ class TeamPlanner {
     best_.makespan_s = makespan_s;
     best_.parts.clear();
     for (std::size_t r = 0; r < plans.size(); ++r)
-      best_.parts.push_back(
-          {problems_[r].start, plans[r], std::move((*times)[r].begins_s), (*times)[r].end_s});
+      best_.parts.push_back({problems_[r].start, plans[r], std::move((*times)[r].begins_s),
+                             std::move((*times)[r].turns), (*times)[r].end_s});
     return true;
   }
 

@@ -11,6 +11,7 @@
 #include "outrider/core/rng.hpp"
 #include "outrider/jobs/guard/robot.hpp"
 #include "team_balls.hpp"
+#include "team_order.hpp"
 #include "team_schedule.hpp"
 
 namespace outrider {
@@ -48,6 +49,7 @@ class TeamRunner {
              std::uint64_t seed, const GuardSimParams& faults)
       : problem_(problem),
         firing_map_(firing_map),
+        order_(plan, team_gap_m(problem)),
         as_run_{problem, firing_map, no_plan_, no_options_, seed},
         targets_(run_.targets, queue_, as_run_) {
     const Rng streams = Rng(seed).child("robot");
@@ -138,7 +140,8 @@ class TeamRunner {
     }
     const TeamRobot* hindrance = nearest_other(member, own);
     const bool blocked = hindrance != nullptr;
-    if (!blocked) hindrance = first_shot_at(member, tried, drive, seen);
+    if (!blocked) hindrance = whose_turn(member, tried, drive);
+    if (hindrance == nullptr) hindrance = first_shot_at(member, tried, drive, seen);
     if (hindrance != nullptr && !is_stuck(member, seen.time_s)) {
       wait(member, seen.time_s, fmt::format("robot {} is out of the way", hindrance->index + 1));
       return false;
@@ -151,6 +154,15 @@ class TeamRunner {
     member.present.insert(member.present.end(), own.begin(), own.end());
     member.run.driven.drives.push_back({seen.time_s, drive.waypoints, seen.odometry.heading_rad});
     return true;
+  }
+
+  /// Returns a robot whose turn comes first; null if there is none.
+  [[nodiscard]] const TeamRobot* whose_turn(const TeamRobot& member, const StopTasks& tried,
+                                            const FollowWaypoints& drive) const {
+    std::vector<const StopTasks*> tasks;
+    for (const auto& other : team_) tasks.push_back(&other->tasks);
+    const auto first = order_.waits_for(member.index, tried.last_place, drive.waypoints, tasks);
+    return first ? team_[*first].get() : nullptr;
   }
 
   /// Returns a robot that the drive would come too near to; null if there is none.
@@ -317,6 +329,7 @@ class TeamRunner {
 
   const GuardProblem& problem_;
   const FiringMap& firing_map_;
+  TeamOrder order_;
   const GuardPlan no_plan_ = {};
   const GuardOptions no_options_ = {};
   GuardRun as_run_;

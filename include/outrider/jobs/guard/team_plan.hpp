@@ -26,7 +26,9 @@ struct TeamPart {
   Pose2 start;
   GuardPlan plan;                ///< of its targets, as if it were alone; without lower bounds
   std::vector<double> begins_s;  ///< by stop of the plan: when the drive to it begins
-  double end_s = 0.0;            ///< all its stops are made and its last ball has landed
+  std::vector<std::size_t> turns =
+      {};              ///< by stop: number of drives of the team that were admitted before it
+  double end_s = 0.0;  ///< all its stops are made and its last ball has landed
 };
 
 /// The plan of a team.

@@ -91,7 +91,7 @@ TEST(RunTeam, GivesAStopUpThatNobodyLeaves) {
     if (plan->parts[0].plan.stops.empty()) continue;
     const Vec2 stop = plan->parts[0].plan.stops.back().position;
     if (distance(stop, problem.start.position) < team_gap_m(problem)) continue;
-    plan->parts.push_back({{stop, 0.0}, {}, {}, 0.0});
+    plan->parts.push_back({{stop, 0.0}, {}, {}, {}, 0.0});
     const TeamRun run = run_team(problem, *firing_map, *plan, 3);
     const auto nearest = closest_approach(problem.robot, driven_in(run));
     ASSERT_TRUE(nearest.has_value()) << nearest.error().sentence;
