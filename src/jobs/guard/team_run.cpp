@@ -21,12 +21,11 @@ constexpr double team_wait_s = 0.5;  // until a command that had to wait is aske
 
 /// A robot of the team with its mission. It is made in place and never moved.
 struct TeamRobot {
-  TeamRobot(const GuardProblem& yard, const FiringMap& firing_map, const TeamPart& part, std::size_t number,
-            std::uint64_t seed, const GuardSimParams& faults)
-      : problem(yard), index(number) {
+  TeamRobot(const GuardRun& team, const TeamPart& part, std::size_t number, std::uint64_t seed)
+      : problem(team.problem), index(number), targets(run.targets, queue, team) {
     problem.start = part.start;
     tasks = tasks_of(problem, part.plan);
-    robot.emplace(simulated_guard(problem, firing_map, run.log, seed, {}, {}, faults));
+    robot.emplace(simulated_guard(problem, team.firing_map, run.log, seed, {}, {}, team.faults));
     present = {standing(part.start.position, 0.0)};
     run.driven.start = part.start;
   }
@@ -35,6 +34,8 @@ struct TeamRobot {
   std::size_t index;     // among the robots
   StopTasks tasks;
   TeamRobotRun run;
+  LogQueue queue;
+  TargetLog targets;
   std::optional<SimulatedRobot> robot;
   std::vector<Presence> present;  // as admitted
   double stays_until_s = 0.0;     // a ball touches it where it stands then
@@ -50,12 +51,15 @@ class TeamRunner {
       : problem_(problem),
         firing_map_(firing_map),
         order_(plan, team_gap_m(problem)),
-        as_run_{problem, firing_map, no_plan_, no_options_, seed},
-        targets_(run_.targets, queue_, as_run_) {
+        as_run_{.problem = problem,
+                .firing_map = firing_map,
+                .plan = no_plan_,
+                .options = no_options_,
+                .faults = faults} {
     const Rng streams = Rng(seed).child("robot");
     for (std::size_t r = 0; r < plan.parts.size(); ++r) {
-      auto& member = *team_.emplace_back(std::make_unique<TeamRobot>(problem, firing_map, plan.parts[r], r,
-                                                                     streams.child(r).bits(), faults));
+      auto& member = *team_.emplace_back(
+          std::make_unique<TeamRobot>(as_run_, plan.parts[r], r, streams.child(r).bits()));
       member.robot->set_ball_stops([this, r](const Flight& flight, double fired_s, double until_s) {
         return note_ball(r, {flight, fired_s, fired_s + until_s});
       });
@@ -74,8 +78,8 @@ class TeamRunner {
       next->tasks.stop = watch.stop;
       const double time_s = next->robot->time_s();
       step(*next);
+      next->targets.note(next->tasks.records, time_s);
       gather_records();
-      targets_.note(run_.records, time_s);
       watch.part(settled_part());
     }
     finish();
@@ -322,8 +326,8 @@ class TeamRunner {
       run_.mission_s = std::max(run_.mission_s, member->run.end_s);
       run_.waited_s += member->run.waited_s;
       member->robot->queue().flush(member->run.log, member->run.end_s);
+      member->targets.note(member->tasks.records, member->run.end_s);
     }
-    targets_.note(run_.records, run_.mission_s);
     for (const auto& member : team_) run_.robots.push_back(std::move(member->run));
   }
 
@@ -334,8 +338,6 @@ class TeamRunner {
   const GuardOptions no_options_ = {};
   GuardRun as_run_;
   TeamRun run_;
-  LogQueue queue_;
-  TargetLog targets_;
   std::vector<std::unique_ptr<TeamRobot>> team_;
   std::vector<std::pair<std::size_t, TeamBall>> balls_;  // with who fired them
 };

@@ -30,6 +30,7 @@ namespace outrider {
 struct TeamRobotRun {
   TimedDrives driven;     ///< its true ways
   Log log;                ///< as that of a single robot, without the targets
+  Log targets;            ///< what became of its targets; the others wait
   SimRecord record;       ///< what it drove and how often it shot
   double end_s = 0.0;     ///< it is done
   double waited_s = 0.0;  ///< for other robots
@@ -40,7 +41,6 @@ struct TeamRun {
   std::vector<TargetRecord> records;  ///< by target
   std::vector<std::size_t> robot_of;  ///< by target: the robot that the target was left to; the first if none
   std::vector<TeamRobotRun> robots;
-  Log targets;               ///< what became of the targets
   double mission_s = 0.0;    ///< the last robot is done
   double waited_s = 0.0;     ///< sum of the waits for other robots
   std::size_t given_up = 0;  ///< stops and shots that another robot kept from being made

@@ -23,8 +23,25 @@ TEST(AppendTeam, MergesByTimeAndKeepsEveryRobotApart) {
     shot.target = std::string(1, static_cast<char>('a' + r));
     robot.append(topic::shots, 3.0 - static_cast<double>(r), shot);
   }
+  for (std::size_t r = 0; r < 3; ++r) {  // each robot is told of all targets, and of the change of its own
+    for (const char* name : {"a", "b", "c"}) {
+      outrider_msgs::Target target;
+      target.name = name;
+      target.status = "waiting";
+      team.robots[r].targets.append(topic::targets, 0.0, target);
+    }
+    outrider_msgs::Target reached;
+    reached.name = std::string(1, static_cast<char>('a' + r));
+    reached.status = "reached";
+    team.robots[r].targets.append(topic::targets, 4.0 - static_cast<double>(r), reached);
+  }
   Log log;
   append_team(log, team);
+  const auto& targets = log.messages<outrider_msgs::Target>(topic::targets);
+  ASSERT_EQ(targets.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(targets[i].message.status, i < 3 ? "waiting" : "reached");
+  EXPECT_EQ(targets[3].message.name, "c");
+  EXPECT_EQ(targets[5].message.name, "a");
   for (std::size_t r = 0; r < team.robots.size(); ++r) {
     const std::string topic = r == 0 ? "/pose" : r == 1 ? "/robot_2/pose" : "/robot_3/pose";
     const auto& poses = log.messages<geometry_msgs::PoseStamped>(topic);
