@@ -119,7 +119,7 @@ Run run_of_two_robots() {
 }
 
 TEST(OurYard, IsGuardedByTwoRobotsInTheSameBytesWithOneThread) {
-  const Run run = run_of_two_robots();
+  auto run = run_of_two_robots();
   EXPECT_EQ(run.report.status, "done") << run.report.reason;
   EXPECT_EQ(metric(run, "reached"), 23.0);
   EXPECT_EQ(metric(run, "given_up"), 0.0);
