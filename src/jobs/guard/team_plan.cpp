@@ -195,8 +195,12 @@ class TeamPlanner {
 
 }  // namespace
 
-double team_gap_m(const GuardProblem& problem) {
+double simulated_gap_m(const GuardProblem& problem) {
   return 2.0 * (problem.robot.radius_m + problem.errors.position_m) + spare_m;
+}
+
+double team_gap_m(const GuardProblem& problem) {
+  return simulated_gap_m(problem) + problem.errors.position_m;
 }
 
 Status check_starts(const GuardProblem& problem, const FiringMap& firing_map,

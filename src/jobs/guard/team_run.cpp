@@ -7,42 +7,15 @@
 #include <optional>
 #include <utility>
 
-#include "guard_log.hpp"
 #include "outrider/core/rng.hpp"
-#include "outrider/jobs/guard/robot.hpp"
 #include "team_balls.hpp"
 #include "team_order.hpp"
-#include "team_schedule.hpp"
+#include "team_robot.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr double team_wait_s = 0.5;  // until a command that had to wait is asked for again
-
-/// A robot of the team with its mission. It is made in place and never moved.
-struct TeamRobot {
-  TeamRobot(const GuardRun& team, const TeamPart& part, std::size_t number, std::uint64_t seed)
-      : problem(team.problem), index(number), targets(run.targets, queue, team) {
-    problem.start = part.start;
-    tasks = tasks_of(problem, part.plan);
-    robot.emplace(simulated_guard(problem, team.firing_map, run.log, seed, {}, {}, team.faults));
-    present = {standing(part.start.position, 0.0)};
-    run.driven.start = part.start;
-  }
-
-  GuardProblem problem;  // with its own start
-  std::size_t index;     // among the robots
-  StopTasks tasks;
-  TeamRobotRun run;
-  LogQueue queue;
-  TargetLog targets;
-  std::optional<SimulatedRobot> robot;
-  std::vector<Presence> present;  // as admitted
-  double stays_until_s = 0.0;     // a ball touches it where it stands then
-  bool done = false;
-  bool refused = false;  // its next command was, since anybody did anything else
-  bool waits = false;    // its newest command was a wait for others
-};
 
 class TeamRunner {
  public:
@@ -50,7 +23,7 @@ class TeamRunner {
              std::uint64_t seed, const GuardSimParams& faults)
       : problem_(problem),
         firing_map_(firing_map),
-        order_(plan, team_gap_m(problem)),
+        order_(plan, simulated_gap_m(problem)),
         as_run_{.problem = problem,
                 .firing_map = firing_map,
                 .plan = no_plan_,
@@ -112,13 +85,13 @@ class TeamRunner {
     const Observation seen = member.robot->sense();
     note_shots(member.tasks, seen, member.problem, firing_map_);
     StopTasks tried = member.tasks;  // a command that is refused has not been begun
-    const auto command = next_command(tried, seen, member.problem, firing_map_);
+    auto command = next_command(tried, seen, member.problem, firing_map_);
     if (!command) {
       member.tasks = std::move(tried);
       member.done = true;
       return;
     }
-    if (const auto* drive = std::get_if<FollowWaypoints>(&*command)) {
+    if (auto* drive = std::get_if<FollowWaypoints>(&*command)) {
       if (!admit_drive(member, tried, *drive, seen)) return;
     } else if (const auto* shot = std::get_if<Fire>(&*command)) {
       if (!admit_shot(member, tried, *shot, seen)) return;
@@ -133,11 +106,10 @@ class TeamRunner {
 
   // ---- Drives ------------------------------------------------------------------------------------
 
-  /// Returns false if the drive does not begin now. `tried` are the tasks as if it had.
-  bool admit_drive(TeamRobot& member, const StopTasks& tried, const FollowWaypoints& drive,
-                   const Observation& seen) {
-    auto own = presences(member.problem.robot, seen.odometry.heading_rad, drive.waypoints, seen.time_s,
-                         problem_.errors.position_m);
+  /// Returns false if the drive does not begin now. `tried` are the tasks as if it had. Both may become those
+  /// of another way.
+  bool admit_drive(TeamRobot& member, StopTasks& tried, FollowWaypoints& drive, const Observation& seen) {
+    auto own = presences_of(member, drive, seen);
     if (!apart_from_balls(member, own, seen.time_s)) {  // they land
       wait(member, seen.time_s, "a ball has landed");
       return false;
@@ -150,13 +122,41 @@ class TeamRunner {
       wait(member, seen.time_s, fmt::format("robot {} is out of the way", hindrance->index + 1));
       return false;
     }
-    if (blocked) {
+    if (blocked && !lead_around(member, tried, drive, seen)) {
       give_up_stop(member, tried, drive, *hindrance, seen.time_s);
       return false;
     }
+    if (blocked) own = presences_of(member, drive, seen);
     member.present.back().end_s = seen.time_s;
     member.present.insert(member.present.end(), own.begin(), own.end());
     member.run.driven.drives.push_back({seen.time_s, drive.waypoints, seen.odometry.heading_rad});
+    return true;
+  }
+
+  [[nodiscard]] std::vector<Presence> presences_of(const TeamRobot& member, const FollowWaypoints& drive,
+                                                   const Observation& seen) const {
+    return presences(member.problem.robot, seen.odometry.heading_rad, drive.waypoints, seen.time_s,
+                     problem_.errors.position_m);
+  }
+
+  /// Everybody else stands: changes the drive to one around them, and the tasks. Returns false if there is
+  /// none.
+  bool lead_around(const TeamRobot& member, StopTasks& tried, FollowWaypoints& drive,
+                   const Observation& seen) {
+    constexpr double rounding_m = 1e-3;
+    StopTasks around = member.tasks;
+    KeepAway& others = around.keep_away.emplace(KeepAway{{}, simulated_gap_m(problem_) + rounding_m});
+    for (const auto& other : team_) {
+      if (other.get() != &member) others.standing.push_back(other->present.back().within.a);
+    }
+    auto command = next_command(around, seen, member.problem, firing_map_);
+    around.keep_away.reset();
+    auto* const led = command ? std::get_if<FollowWaypoints>(&*command) : nullptr;
+    if (led == nullptr) return false;
+    const auto own = presences_of(member, *led, seen);
+    if (nearest_other(member, own) != nullptr || !apart_from_balls(member, own, seen.time_s)) return false;
+    drive = std::move(*led);
+    tried = std::move(around);
     return true;
   }
 
@@ -173,14 +173,13 @@ class TeamRunner {
   [[nodiscard]] const TeamRobot* nearest_other(const TeamRobot& member,
                                                const std::vector<Presence>& own) const {
     for (const auto& other : team_) {
-      if (other.get() != &member && !keep_apart(own, other->present, team_gap_m(problem_)))
+      if (other.get() != &member && !keep_apart(own, other->present, simulated_gap_m(problem_)))
         return other.get();
     }
     return nullptr;
   }
 
-  [[nodiscard]] bool apart_from_balls(const TeamRobot& member, const std::vector<Presence>& own,
-                                      double time_s) {
+  bool apart_from_balls(const TeamRobot& member, const std::vector<Presence>& own, double time_s) {
     if (time_s < member.stays_until_s) return false;
     std::erase_if(balls_, [&](const auto& ball) { return ball.second.lands_s <= time_s; });
     return std::ranges::none_of(balls_, [&](const auto& ball) {

@@ -40,8 +40,11 @@ struct TeamPlan {
   double lower_bound_s = 0.0;            ///< proven lower bound on the makespan of every team plan
 };
 
-/// Returns the least distance between the centres of two robots: their bodies, the largest errors of the ends
-/// of their drives, and 2 cm.
+/// Returns the least distance between the centres of two robots when they are simulated: their bodies, the
+/// largest errors of the ends of their drives, and 2 cm.
+double simulated_gap_m(const GuardProblem& problem);
+/// Returns the least distance in a plan: one such error more, so that a robot that has ended beside its goal
+/// may drive on.
 double team_gap_m(const GuardProblem& problem);
 
 /// Checks the starts of a team: the first is that of the problem, all are in reach of it, and each two are at

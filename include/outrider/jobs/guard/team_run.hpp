@@ -1,10 +1,11 @@
 // run_team(): simulates the mission of several guard robots that share the targets.
 //
 // Always the robot with the earliest clock is stepped. It does what a single robot does (stop_tasks.hpp), but
-// before a drive it waits until the whole drive, and standing at its end for ever, keeps team_gap_m() from
-// all drives that were admitted before, with the largest error of its end. So true motions keep apart by the
-// sum of the radii, whatever the errors that the problem tells of. If nobody can drive any more, the targets
-// of the first robot's present stop fail, and it goes on with the next one.
+// before a drive it waits until the whole drive, and standing at its end for ever, keeps simulated_gap_m()
+// from all drives that were admitted before, with the largest error of its end. So true motions keep apart by
+// the sum of the radii, whatever the errors that the problem tells of. If nobody can drive any more, the
+// first robot looks for a way around those that stand; if there is none, the targets of its present stop
+// fail, and it goes on with the next one.
 //
 // A ball that touches the body of another robot, a cylinder, is stopped there and has missed. So a robot does
 // not shoot while the planned flight would come near another one, and does not drive into the flight of a

@@ -1,0 +1,40 @@
+// A robot of a team that is simulated, with its mission.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "guard_log.hpp"
+#include "outrider/jobs/guard/robot.hpp"
+#include "outrider/jobs/guard/team_run.hpp"
+#include "team_schedule.hpp"
+
+namespace outrider {
+
+/// A robot of the team with its mission. It is made in place and never moved.
+struct TeamRobot {
+  TeamRobot(const GuardRun& team, const TeamPart& part, std::size_t number, std::uint64_t seed)
+      : problem(team.problem), index(number), targets(run.targets, queue, team) {
+    problem.start = part.start;
+    tasks = tasks_of(problem, part.plan);
+    robot.emplace(simulated_guard(problem, team.firing_map, run.log, seed, {}, {}, team.faults));
+    present = {standing(part.start.position, 0.0)};
+    run.driven.start = part.start;
+  }
+
+  GuardProblem problem;  // with its own start
+  std::size_t index;     // among the robots
+  StopTasks tasks;
+  TeamRobotRun run;
+  LogQueue queue;
+  TargetLog targets;
+  std::optional<SimulatedRobot> robot;
+  std::vector<Presence> present;  // as admitted
+  double stays_until_s = 0.0;     // a ball touches it where it stands then
+  bool done = false;
+  bool refused = false;  // its next command was, since anybody did anything else
+  bool waits = false;    // its newest command was a wait for others
+};
+
+}  // namespace outrider
