@@ -99,7 +99,7 @@ class Team(ToolTest):
                               ("2,-2", ["'2,-2' is not valid", "x,y,heading"]), ("nan,0,0", ["'nan,0,0' is not valid"]),
                               ("1,1,0", ["robot 2 at 1.00,1.00", "give another start"]),
                               ("9,9,0", ["robot 2 at 9.00,9.00", "give another start"]),
-                              ("0.3,-2,0", ["robots 1 and 2 start 0.30 m apart", "at least 0.84 m apart"])]:
+                              ("0.3,-2,0", ["robots 1 and 2 start 0.30 m apart", "at least 0.74 m apart"])]:
             with self.subTest(starts=starts):
                 self.refused(*self.guard("--robots", "2", "--robot-starts", starts), says=["robot_starts", *words])
         self.refused(*self.guard("--robot-starts", "2,-2,0"), says=["robot_starts", "leave robot_starts out or set robots"])

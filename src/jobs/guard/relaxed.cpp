@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "outrider/ballistics/stance.hpp"
@@ -72,7 +73,7 @@ Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
       least_(targets.size(), endless),
       value_(1, Field(firing_map.frame.size(), 0)) {
   unit_s_ = lattice_.unit_m() / straight_.speed;
-  if (on_the_move_) aside_s_ = std::sqrt(2.0) * firing_map.frame.resolution_m / straight_.speed;
+  if (on_the_move_) aside_s_ = std::numbers::sqrt2 * firing_map.frame.resolution_m / straight_.speed;
   overhead_ = static_cast<std::uint32_t>(
       std::min<double>(endless, straight_.speed / straight_.acceleration / unit_s_));
   const auto place = [&](std::size_t c) { return firing_map.frame.centre(firing_map.frame.cell(c)); };
@@ -153,6 +154,7 @@ double Relaxed::value_s(std::size_t set, std::size_t home, double to_home_s) con
 std::vector<double> Relaxed::values_from(Vec2 start) const {
   const auto [home, nearest] = nearest_cell(frame_, start);
   std::vector<double> values;
+  values.reserve(value_.size());
   for (std::size_t set = 0; set < value_.size(); ++set)
     values.push_back(std::max(0.0, value_s(set, home, 2.0 * nearest / straight_.speed)));
   values.front() = 0.0;

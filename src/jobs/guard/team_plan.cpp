@@ -172,6 +172,7 @@ class TeamPlanner {
     std::vector<TeamMember> team;
     for (std::size_t r = 0; r < plans.size(); ++r) team.push_back({problems_[r], plans[r]});
     auto times = schedule_team(firing_map_, team, team_gap_m(problems_.front()));
+    if (!times) times = schedule_team(firing_map_, team, simulated_gap_m(problems_.front()));
     if (!times) return false;
     double makespan_s = 0.0;
     for (const MemberTimes& of_robot : *times) makespan_s = std::max(makespan_s, of_robot.end_s);
@@ -220,10 +221,10 @@ Status check_starts(const GuardProblem& problem, const FiringMap& firing_map,
                       i + 1, place.x, place.y));
     for (std::size_t k = 0; k < i; ++k) {
       const double apart_m = distance(place, starts[k].position);
-      if (apart_m >= team_gap_m(problem)) continue;
+      if (apart_m >= simulated_gap_m(problem)) continue;
       return bad_input(
           fmt::format("robots {} and {} start {:.2f} m apart; give starts at least {:.2f} m apart", k + 1,
-                      i + 1, apart_m, team_gap_m(problem)));
+                      i + 1, apart_m, simulated_gap_m(problem)));
     }
   }
   return {};

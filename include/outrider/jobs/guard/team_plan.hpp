@@ -43,12 +43,12 @@ struct TeamPlan {
 /// Returns the least distance between the centres of two robots when they are simulated: their bodies, the
 /// largest errors of the ends of their drives, and 2 cm.
 double simulated_gap_m(const GuardProblem& problem);
-/// Returns the least distance in a plan: one such error more, so that a robot that has ended beside its goal
-/// may drive on.
+/// Returns the least distance in a plan, where that is possible: one such error more, so that a robot that
+/// has ended beside its goal may drive on.
 double team_gap_m(const GuardProblem& problem);
 
 /// Checks the starts of a team: the first is that of the problem, all are in reach of it, and each two are at
-/// least team_gap_m() apart. Fault: bad_input, with the robots as they count from 1.
+/// least simulated_gap_m() apart. Fault: bad_input, with the robots as they count from 1.
 Status check_starts(const GuardProblem& problem, const FiringMap& firing_map,
                     const std::vector<Pose2>& starts);
 

@@ -30,7 +30,7 @@ struct TeamCase {
 TeamCase random_team(Rng& rng, std::size_t targets, std::size_t robots) {
   TeamCase made{random_guard_problem(rng, 6, targets, 4.0), {}};
   for (std::size_t r = 0; r < robots; ++r) {
-    const double side = static_cast<double>((r + 1) / 2) * (r % 2 == 0 ? -0.85 : 0.85);
+    const double side = static_cast<double>((r + 1) / 2) * (r % 2 == 0 ? -0.8 : 0.8);
     made.starts.push_back({made.problem.start.position + Vec2{side, 0.0}, made.problem.start.heading_rad});
   }
   return made;
@@ -67,7 +67,7 @@ void expect_apart(const GuardProblem& problem, const TeamPlan& team) {
   }
   const auto nearest = closest_approach(problem.robot, robots);
   ASSERT_TRUE(nearest.has_value()) << nearest.error().sentence;
-  EXPECT_GE(nearest->distance_m, team_gap_m(problem) - 1e-6);
+  EXPECT_GE(nearest->distance_m, simulated_gap_m(problem) - 1e-6);
 }
 
 /// Without waits a robot ends when its plan alone does; each wait adds at most its length.

@@ -16,7 +16,7 @@ using testing::cases;
 std::vector<Pose2> starts_at(const GuardProblem& problem, std::size_t robots) {
   std::vector<Pose2> starts;
   for (std::size_t r = 0; r < robots; ++r) {
-    const double side = static_cast<double>((r + 1) / 2) * (r % 2 == 0 ? -0.85 : 0.85);
+    const double side = static_cast<double>((r + 1) / 2) * (r % 2 == 0 ? -0.8 : 0.8);
     starts.push_back({problem.start.position + Vec2{side, 0.0}, problem.start.heading_rad});
   }
   return starts;
