@@ -79,16 +79,31 @@ class TeamPlanner {
   }
 
  private:
-  Status try_splits(const GuardPlan& alone, const std::vector<std::size_t>& order) {
+  /// Stops and drives for estimates, with the starts of all robots among the stops.
+  Outcome<PrecomputedStops> stops_for_estimates(const GuardPlan& alone) const {
     std::vector<Vec2> others;
     for (std::size_t r = 1; r < problems_.size(); ++r) others.push_back(problems_[r].start.position);
     auto stops = precompute_stops(problems_.front(), firing_map_, alone, ArrivalOptions{}, budget_, others);
-    if (!stops) return pass_on(stops);
-    if (alone.on_the_move) {  // most balls are not waited for
-      for (auto& services : stops->table.services) {
-        for (Service& service : services) service.duration_s = 0.0;
-      }
+    if (!stops || !alone.on_the_move) return stops;
+    for (auto& services : stops->table.services) {
+      for (Service& service : services) service.duration_s = 0.0;  // most balls are not waited for
     }
+    return stops;
+  }
+
+  /// The split with the least estimated makespan, cut out of several orders of the targets.
+  static TargetSplit best_split(SplitSearch& search, const std::vector<std::vector<std::size_t>>& orders) {
+    TargetSplit best = search.improve(search.cut(orders.front()));
+    for (std::size_t k = 1; k < orders.size(); ++k) {
+      TargetSplit other = search.improve(search.cut(orders[k]));
+      if (search.makespan_s(other) < search.makespan_s(best)) best = std::move(other);
+    }
+    return best;
+  }
+
+  Status try_splits(const GuardPlan& alone, const std::vector<std::size_t>& order) {
+    const auto stops = stops_for_estimates(alone);
+    if (!stops) return tl::unexpected<Fault>(stops.error());
     std::vector<SplitStart> starts{{0, problems_.front().start.heading_rad}};
     for (std::size_t r = 1; r < problems_.size(); ++r)
       starts.push_back({stops->stops.size() - problems_.size() + r, problems_[r].start.heading_rad});
@@ -98,18 +113,13 @@ class TeamPlanner {
     for (int i = 0; i < most_splits; ++i) {
       if (budget_.stop.stop_requested())
         return fault(FaultCode::cancelled, "it was cancelled while it split the targets");
-      TargetSplit split = search.improve(search.cut(orders.front()));
-      for (std::size_t k = 1; k < orders.size(); ++k) {
-        TargetSplit other = search.improve(search.cut(orders[k]));
-        if (search.makespan_s(other) < search.makespan_s(split)) split = std::move(other);
-      }
+      TargetSplit split = best_split(search, orders);
       auto planned = plan_split(split);
       if (!planned) return pass_on(planned);
       if (*planned == Planned::before) break;
       if (*planned == Planned::blocked) {
-        const TargetSplit uncrossed = uncross(split);
-        if (auto again = plan_split(uncrossed); !again) return pass_on(again);
-        split = uncrossed;
+        split = uncross(split);
+        if (auto again = plan_split(split); !again) return pass_on(again);
       }
       for (std::size_t r = 0; r < split.size(); ++r) {
         const double estimate_s = search.estimate_s(r, split[r]);

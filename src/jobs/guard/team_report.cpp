@@ -101,6 +101,7 @@ Report judged_team(const GuardScenario& scenario, const FiringMap& firing_map, c
   report.tables.push_back(robot_table(plan, team));
 
   std::vector<TimedDrives> driven;
+  driven.reserve(team.robots.size());
   for (const TeamRobotRun& robot : team.robots) driven.push_back(robot.driven);
   const auto nearest = closest_approach(problem.robot, driven);
   add_metrics(report, plan, team, nearest);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "guard_log.hpp"
@@ -15,12 +14,18 @@ namespace outrider {
 /// A robot of the team with its mission. It is made in place and never moved.
 struct TeamRobot {
   TeamRobot(const GuardRun& team, const TeamPart& part, std::size_t number, std::uint64_t seed)
-      : problem(team.problem), index(number), targets(run.targets, queue, team) {
-    problem.start = part.start;
-    tasks = tasks_of(problem, part.plan);
-    robot.emplace(simulated_guard(problem, team.firing_map, run.log, seed, {}, {}, team.faults));
-    present = {standing(part.start.position, 0.0)};
+      : problem(started_at(team.problem, part.start)),
+        index(number),
+        tasks(tasks_of(problem, part.plan)),
+        targets(run.targets, queue, team),
+        robot(simulated_guard(problem, team.firing_map, run.log, seed, {}, {}, team.faults)),
+        present{standing(part.start.position, 0.0)} {
     run.driven.start = part.start;
+  }
+
+  static GuardProblem started_at(GuardProblem problem, const Pose2& start) {
+    problem.start = start;
+    return problem;
   }
 
   GuardProblem problem;  // with its own start
@@ -29,7 +34,7 @@ struct TeamRobot {
   TeamRobotRun run;
   LogQueue queue;
   TargetLog targets;
-  std::optional<SimulatedRobot> robot;
+  SimulatedRobot robot;
   std::vector<Presence> present;  // as admitted
   double stays_until_s = 0.0;     // a ball touches it where it stands then
   bool done = false;

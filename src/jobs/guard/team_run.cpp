@@ -33,7 +33,7 @@ class TeamRunner {
     for (std::size_t r = 0; r < plan.parts.size(); ++r) {
       auto& member = *team_.emplace_back(
           std::make_unique<TeamRobot>(as_run_, plan.parts[r], r, streams.child(r).bits()));
-      member.robot->set_ball_stops([this, r](const Flight& flight, double fired_s, double until_s) {
+      member.robot.set_ball_stops([this, r](const Flight& flight, double fired_s, double until_s) {
         return note_ball(r, {flight, fired_s, fired_s + until_s});
       });
     }
@@ -49,7 +49,7 @@ class TeamRunner {
         break;
       }
       next->tasks.stop = watch.stop;
-      const double time_s = next->robot->time_s();
+      const double time_s = next->robot.time_s();
       step(*next);
       next->targets.note(next->tasks.records, time_s);
       gather_records();
@@ -75,14 +75,14 @@ class TeamRunner {
   [[nodiscard]] TeamRobot* earliest() const {
     TeamRobot* first = nullptr;
     for (const auto& member : team_) {
-      if (member->done || (first != nullptr && first->robot->time_s() <= member->robot->time_s())) continue;
+      if (member->done || (first != nullptr && first->robot.time_s() <= member->robot.time_s())) continue;
       first = member.get();
     }
     return first;
   }
 
   void step(TeamRobot& member) {
-    const Observation seen = member.robot->sense();
+    const Observation seen = member.robot.sense();
     note_shots(member.tasks, seen, member.problem, firing_map_);
     StopTasks tried = member.tasks;  // a command that is refused has not been begun
     auto command = next_command(tried, seen, member.problem, firing_map_);
@@ -97,9 +97,9 @@ class TeamRunner {
       if (!admit_shot(member, tried, *shot, seen)) return;
     }
     member.tasks = std::move(tried);
-    member.robot->act(*command);
+    member.robot.act(*command);
     if (std::holds_alternative<FollowWaypoints>(*command))
-      member.run.driven.drives.back().waypoints.back() = member.robot->pose().position;
+      member.run.driven.drives.back().waypoints.back() = member.robot.pose().position;
     member.waits = false;
     for (const auto& other : team_) other->refused = false;
   }
@@ -164,6 +164,7 @@ class TeamRunner {
   [[nodiscard]] const TeamRobot* whose_turn(const TeamRobot& member, const StopTasks& tried,
                                             const FollowWaypoints& drive) const {
     std::vector<const StopTasks*> tasks;
+    tasks.reserve(team_.size());
     for (const auto& other : team_) tasks.push_back(&other->tasks);
     const auto first = order_.waits_for(member.index, tried.last_place, drive.waypoints, tasks);
     return first ? team_[*first].get() : nullptr;
@@ -245,8 +246,9 @@ class TeamRunner {
 
   [[nodiscard]] TeamBall planned_ball(const StopTasks& tasks, const Platform& from, std::size_t target,
                                       const Shot& shot, double fired_s) const {
+    const auto& planned = tasks.records[target].shot;
     return {launch(firing_map_.rules, from, problem_.targets[target], shot), fired_s,
-            fired_s + tasks.records[target].shot->flight_s};
+            fired_s + (planned ? planned->flight_s : 0.0)};
   }
 
   [[nodiscard]] const TeamRobot* shot_at(const TeamRobot& member, const TeamBall& ball) const {
@@ -282,10 +284,10 @@ class TeamRunner {
     });
   }
 
-  void wait(TeamRobot& member, double time_s, const std::string& until) {
+  static void wait(TeamRobot& member, double time_s, const std::string& until) {
     if (!std::exchange(member.waits, true))
-      member.robot->queue().note_event(time_s, "yield", "waits until " + until);
-    member.robot->act(Wait{time_s + team_wait_s});
+      member.robot.queue().note_event(time_s, "yield", "waits until " + until);
+    member.robot.act(Wait{time_s + team_wait_s});
     member.run.waited_s += team_wait_s;
   }
 
@@ -299,7 +301,7 @@ class TeamRunner {
     ++run_.given_up;
     member.tasks = std::move(tried);
     member.refused = false;
-    member.robot->queue().note_event(
+    member.robot.queue().note_event(
         time_s, "give_up", fmt::format("gives {} up: robot {} stands in the way", what, other.index + 1));
   }
 
@@ -320,11 +322,11 @@ class TeamRunner {
   void finish() {
     gather_records();
     for (const auto& member : team_) {
-      member->run.end_s = member->robot->time_s();
-      member->run.record = member->robot->record;
+      member->run.end_s = member->robot.time_s();
+      member->run.record = member->robot.record;
       run_.mission_s = std::max(run_.mission_s, member->run.end_s);
       run_.waited_s += member->run.waited_s;
-      member->robot->queue().flush(member->run.log, member->run.end_s);
+      member->robot.queue().flush(member->run.log, member->run.end_s);
       member->targets.note(member->tasks.records, member->run.end_s);
     }
     for (const auto& member : team_) run_.robots.push_back(std::move(member->run));
