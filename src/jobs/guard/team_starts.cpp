@@ -60,7 +60,7 @@ Outcome<std::vector<Pose2>> starts_of_team(const GuardProblem& problem, const Fi
     starts.assign({problem.start});
     starts.insert(starts.end(), others.begin(), others.end());
     while (starts.size() < robots) {
-      const auto place = next_start(problem, firing_map, starts, gaps * team_gap_m(problem));
+      const auto place = next_start(problem, firing_map, starts, gaps * simulated_gap_m(problem));
       if (!place) break;
       starts.push_back({*place, problem.start.heading_rad});
     }
@@ -69,7 +69,7 @@ Outcome<std::vector<Pose2>> starts_of_team(const GuardProblem& problem, const Fi
   if (starts.size() < robots)
     return bad_input(fmt::format("there is free ground for {} of {} robots, which start {:.2f} m apart; "
                                  "set robots to {} at most",
-                                 starts.size(), robots, team_gap_m(problem), starts.size()),
+                                 starts.size(), robots, simulated_gap_m(problem), starts.size()),
                      "robots");
   if (auto ok = check_starts(problem, firing_map, starts); !ok)
     return bad_input(ok.error().sentence, "robot_starts");

@@ -18,8 +18,8 @@ Outcome<std::vector<Pose2>> parse_starts(const std::string& text, std::int64_t r
 
 /// Returns the starts of `robots` robots: that of the problem and the `others`. If there are no others, they
 /// are chosen: the centres of reachable cells with the heading of the first robot, one after another. Each is
-/// at least 2 team_gap_m() from those before, so that every robot can turn aside, or once that if there is
-/// not enough room; and it has the least sum of its distance to the left or right of the first robot and
+/// at least 2 simulated_gap_m() from those before, so that every robot can turn aside, or once that if there
+/// is not enough room; and it has the least sum of its distance to the left or right of the first robot and
 /// twice its distance ahead of it or behind. O(cells * robots). Faults: those of check_starts() at
 /// `robot_starts`; bad_input at `robots` if there is not enough room.
 Outcome<std::vector<Pose2>> starts_of_team(const GuardProblem& problem, const FiringMap& firing_map,

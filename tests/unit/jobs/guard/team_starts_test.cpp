@@ -67,8 +67,8 @@ TEST(StartsOfTeam, AreSideBySideWhereThereIsRoom) {
   const double cell_m = testing::quick().resolution_m;
   for (std::size_t r = 1; r < 3; ++r) {
     EXPECT_LE(std::abs(starts[r].position.y), cell_m);
-    EXPECT_GE(std::abs(starts[r].position.x), 2.0 * team_gap_m(problem) - cell_m);
-    EXPECT_LE(std::abs(starts[r].position.x), 2.0 * team_gap_m(problem) + 2.0 * cell_m);
+    EXPECT_GE(std::abs(starts[r].position.x), 2.0 * simulated_gap_m(problem) - cell_m);
+    EXPECT_LE(std::abs(starts[r].position.x), 2.0 * simulated_gap_m(problem) + 2.0 * cell_m);
     EXPECT_EQ(starts[r].heading_rad, problem.start.heading_rad);
   }
   EXPECT_LT(starts[1].position.x * starts[2].position.x, 0.0);  // one on either side
