@@ -30,7 +30,8 @@ class DetourSearch {
     if (!frame.contains(first) || !frame.contains(last)) return {};
     const std::size_t start = frame.index(first), goal = frame.index(last);
     const auto place = [&](std::size_t cell) {
-      return cell == start ? from : cell == goal ? to : frame.centre(frame.cell(cell));
+      if (cell == start) return from;
+      return cell == goal ? to : frame.centre(frame.cell(cell));
     };
     std::vector<double> length_m(frame.size(), std::numeric_limits<double>::infinity());
     std::vector<std::size_t> before(frame.size(), start);

@@ -82,6 +82,7 @@ class TeamPlanner {
   /// Stops and drives for estimates, with the starts of all robots among the stops.
   Outcome<PrecomputedStops> stops_for_estimates(const GuardPlan& alone) const {
     std::vector<Vec2> others;
+    others.reserve(problems_.size());
     for (std::size_t r = 1; r < problems_.size(); ++r) others.push_back(problems_[r].start.position);
     auto stops = precompute_stops(problems_.front(), firing_map_, alone, ArrivalOptions{}, budget_, others);
     if (!stops || !alone.on_the_move) return stops;
@@ -180,6 +181,7 @@ class TeamPlanner {
   /// order was found in which the robots keep apart.
   bool keep_if_sooner(const std::vector<GuardPlan>& plans) {
     std::vector<TeamMember> team;
+    team.reserve(plans.size());
     for (std::size_t r = 0; r < plans.size(); ++r) team.push_back({problems_[r], plans[r]});
     auto times = schedule_team(firing_map_, team, team_gap_m(problems_.front()));
     if (!times) times = schedule_team(firing_map_, team, simulated_gap_m(problems_.front()));
