@@ -17,6 +17,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SUITES = {  # arguments of `outrider bench`; {data} needs published data
     "guard": "guard --seeds 1",
+    "guard_teams": "guard --seeds 3 --robots 2 --data {data}/guard",
     "drive": "drive --seeds 2",
     "cover": "cover --seeds 1",
     "explore": "explore --seeds 1",

@@ -122,6 +122,11 @@ void add_guard_suite(Command& bench) {
       .option("--arrivals", &request.arrivals,
               "a scenario in which intruders keep coming: compare the policies there instead")
       .type("FILE");
+  guard
+      .option("--robots", &request.robots,
+              "most robots of a team: compare teams of 2 to so many with one robot instead [1]")
+      .between(1, 5)
+      .type("N");
   finish(guard, "bench guard", bench::measure_guard, asked);
   guard.footer("\nExample: outrider bench guard --planners best_tour,shrinking_circles");
 }

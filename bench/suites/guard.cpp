@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "guard_arrivals.hpp"
+#include "guard_teams.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/job.hpp"
@@ -181,6 +182,13 @@ Outcome<BenchResult> measure_policies(const GuardRequest& request) {
   return BenchResult{true, arrivals_json(*rows), arrivals_table(*rows), {}};
 }
 
+Outcome<BenchResult> compare_teams(const GuardRequest& request, const std::vector<GuardScenario>& yards,
+                                   const BenchObserver& observer) {
+  auto rows = measure_teams(yards, request.robots, request.seeds, observer);
+  if (!rows) return pass_on(rows);
+  return BenchResult{true, teams_json(*rows), teams_table(*rows), {}};
+}
+
 }  // namespace
 
 Outcome<BenchResult> measure_guard(const GuardRequest& request, const BenchObserver& observer) {
@@ -189,6 +197,7 @@ Outcome<BenchResult> measure_guard(const GuardRequest& request, const BenchObser
   if (!planners) return pass_on(planners);
   auto yards = load_yards(request);
   if (!yards) return pass_on(yards);
+  if (request.robots > 1) return compare_teams(request, *yards, observer);
   begin_steps(observer, yards->size() * planners->size());
   std::vector<GuardRow> rows;
   for (const auto& yard : *yards) {

@@ -56,13 +56,15 @@ struct PursuitRequest {
 Outcome<BenchResult> measure_pursuit(const PursuitRequest& request, const BenchObserver& observer);
 
 /// Requests a benchmark of guard planners: simulated missions, and how their time is spent. With `arrivals`,
-/// compares the policies with arriving intruders in that scenario instead.
+/// compares the policies with arriving intruders in that scenario instead; with `robots`, teams with one
+/// robot.
 struct GuardRequest {
   std::vector<std::string> scenarios = {"scenarios/yard/yard.yaml"};
   std::string data;  ///< folder with goals_params.txt and worlds/by_small.sdf, by_small2.sdf; empty: none
   std::vector<std::string> planners;
-  std::string arrivals;    ///< scenario; empty: none
-  std::int64_t seeds = 3;  ///< missions of each plan, seeds from 1
+  std::string arrivals;     ///< scenario; empty: none
+  std::int64_t robots = 1;  ///< most robots of a team; 1: no teams
+  std::int64_t seeds = 3;   ///< missions of each plan, seeds from 1
 };
 Outcome<BenchResult> measure_guard(const GuardRequest& request, const BenchObserver& observer);
 

@@ -248,6 +248,10 @@ void draw_events(Sheet& sheet, const Log& log) {
   for (const auto& [time_ns, path] : log.messages<nav_msgs::Path>(topic::plan))
     sheet.line("plan", points_of(path));
   for (const Channel& channel : log.channels()) {
+    if (channel.topic.starts_with("/robot_") && channel.topic.ends_with(topic::plan)) {
+      for (const auto& [time_ns, path] : log.messages<nav_msgs::Path>(channel.topic))
+        sheet.line("plan", points_of(path));
+    }
     if (channel.topic.starts_with(topic::plan_of))
       draw_planner(sheet, channel.topic.substr(topic::plan_of.size()),
                    log.messages<nav_msgs::Path>(channel.topic));

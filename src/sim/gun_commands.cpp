@@ -182,9 +182,10 @@ std::optional<Impact> SimulatedRobot::shoot(const Fire& command, const Platform&
   const double time_s = from.time_s();
   const auto thrown = gun.throw_ball(command.shot, command.target, stand_in, platform, walk, time_s);
   const FlightSpace& space = gun.scene().space(stand_in);
-  const auto& [flight, impact, muzzle_mps, target] = thrown;
-  outrider_msgs::Shot shot = shot_message(flight, impact, space, target, gun.scene().rules.gun.ball_radius_m,
-                                          contact_of(impact, space, target));
+  const auto& [flight, impact, muzzle_mps, target, stopped_by] = thrown;
+  outrider_msgs::Shot shot =
+      shot_message(flight, impact, space, target, gun.scene().rules.gun.ball_radius_m,
+                   stopped_by.empty() ? contact_of(impact, space, target) : stopped_by);
   shot.target = target.name;
   shot.attempt = static_cast<std::uint32_t>(gun.next_attempt(command.target));
   const Shot barrel = gun.barrel(from.stance(), from.pose().heading_rad);

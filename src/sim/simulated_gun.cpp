@@ -103,10 +103,15 @@ SimulatedGun::Thrown SimulatedGun::throw_ball(const Shot& shot, std::size_t targ
   const Flight flight = launch(rules, platform, box, actual);
   const FlightSpace& space = scene_.space(stand_in);
   const double radius = rules.gun.ball_radius_m;
-  const Impact impact = walk != nullptr ? fly_at(flight, radius, space, box, *walk, fired_s, rules.floor_z_m)
-                                        : fly(flight, radius, space, box, rules.floor_z_m);
+  Impact impact = walk != nullptr ? fly_at(flight, radius, space, box, *walk, fired_s, rules.floor_z_m)
+                                  : fly(flight, radius, space, box, rules.floor_z_m);
+  std::string stopped_by;
+  if (auto stop = stops_ ? stops_(flight, fired_s, impact.time_s) : std::nullopt) {
+    impact = {false, stop->time_s, flight.position(stop->time_s), {}};
+    stopped_by = std::move(stop->body);
+  }
   if (walk != nullptr) box = moved_to(box, walk->at(fired_s + impact.time_s));
-  return {flight, impact, actual.speed_mps, std::move(box)};
+  return {flight, impact, actual.speed_mps, std::move(box), std::move(stopped_by)};
 }
 
 }  // namespace outrider

@@ -46,6 +46,7 @@ def more_runs():
     unknown = str(SOURCE / "scenarios/explore/unknown_yard.yaml")
     return [("plan, every planner", ["plan", gallery, "--from", "1,1", "--to", "30,14", "--compare"]),
             ("guard, fine", ["run", yard, "--plan-resolution", "0.04"]),
+            ("guard, two robots", ["run", yard, "--robots", "2"]),
             ("guard, proven", ["run", yard, "--plan-prove"]),
             ("guard, in physics", ["run", str(SOURCE / "scenarios/driveby/driveby.yaml"), "--sim", "physics",
                                    "--plan-shoot-on-the-move=false"]),

@@ -3,6 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "outrider/ballistics/moving_target.hpp"
@@ -32,6 +36,17 @@ outrider_msgs::Shot shot_message(const Flight& flight, const Impact& impact, con
 /// Sets the pose of the robot and the direction of the barrel, with its yaw in the map.
 void set_pose(outrider_msgs::Shot& shot, const Pose2& robot, double gun_yaw_rad, double gun_pitch_rad);
 
+/// Something that moves and stops a ball.
+struct BallStop {
+  double time_s = 0.0;  ///< of the contact, since the ball left
+  std::string body;     ///< what it touches
+};
+
+/// Returns what stops a ball that leaves at `fired_s` before `until_s` of its flight, if anything does. It is
+/// called once for each ball, with its true flight.
+using BallStops =
+    std::function<std::optional<BallStop>(const Flight& flight, double fired_s, double until_s)>;
+
 class SimulatedGun {
  public:
   /// What the scene refers to must outlive the gun. `gun` is the random stream of shot errors, `timing` that
@@ -60,12 +75,15 @@ class SimulatedGun {
 
   /// Draws the delay of the next shot from a moving robot, s.
   double draw_delay_s();
+  /// Lets other things than the solids and the targets of the scene stop balls.
+  void set_stops(BallStops stops) { stops_ = std::move(stops); }
   /// The simulated flight of a shot.
   struct Thrown {
     Flight flight;
     Impact impact;
-    double speed_mps = 0.0;  ///< muzzle speed
-    Target target;           ///< the target at the time of the impact
+    double speed_mps = 0.0;       ///< muzzle speed
+    Target target;                ///< the target at the time of the impact
+    std::string stopped_by = {};  ///< what moves and was touched first; empty: nothing of that kind
   };
   /// Simulates a shot at `target`, which is at the place of the target `stand_in` of the scene. If the target
   /// walks, `walk` is its motion and the ball leaves at `fired_s`.
@@ -90,6 +108,7 @@ class SimulatedGun {
   std::int64_t balls_;  // in the tank
   GunState state_;
   std::vector<int> attempts_;  // by target
+  BallStops stops_;
 };
 
 }  // namespace outrider

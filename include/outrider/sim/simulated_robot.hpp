@@ -9,6 +9,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "outrider/robot/robot.hpp"
@@ -54,6 +55,9 @@ class SimulatedRobot final : public Robot {
     return std::get<Body>(body_);
   }
   [[nodiscard]] const SimulatedDevices& devices() const { return devices_; }
+
+  /// Lets other things than the yard stop the balls of the robot (simulated_gun.hpp). It carries a gun.
+  void set_ball_stops(BallStops stops) { devices_.gun->set_stops(std::move(stops)); }
 
   /// Returns the messages that are logged once their time has come. Others may add to them.
   LogQueue& queue() { return queue_; }

@@ -12,6 +12,7 @@ namespace {
 constexpr std::string_view still_bodies =
     "the physics engine holds targets that stand still and leave when hit";
 constexpr std::string_view who_is_inside = "what stands in the way would change with who is inside";
+constexpr std::string_view shared_once = "the targets are shared out once, before anybody drives";
 constexpr std::string_view unseen = "while the yard is explored nobody may come, move or be missed";
 
 const CapabilityRow& row_of(Capability capability) {
@@ -33,6 +34,7 @@ const std::vector<CapabilityRow>& capabilities() {
       {rigid, "rigid bodies", "sim"},
       {blocking, "targets that block", "targets_block"},
       {faults, "faults of the robot", "faults"},
+      {team, "several robots", "robots"},
   };
   return rows;
 }
@@ -44,23 +46,30 @@ const std::vector<Clash>& clashes() {
       {arrivals, unknown, unseen},
       {arrivals, rigid, still_bodies},
       {arrivals, blocking, who_is_inside},
+      {arrivals, team, shared_once},
       {survivors, walkers, "who walks about leaves when hit"},
       {survivors, unknown, unseen},
       {survivors, rigid, still_bodies},
       {survivors, blocking, who_is_inside},
+      {survivors, team, shared_once},
       {walkers, supplies, "the stops against walkers are chosen without stations"},
       {walkers, terrain, "walks and the shots that lead them are for level ground"},
       {walkers, unknown, unseen},
       {walkers, rigid, still_bodies},
       {walkers, blocking, who_is_inside},
+      {walkers, team, shared_once},
       {supplies, rigid, "the rigid robot has no tank and no battery"},
+      {supplies, team, "nobody keeps the robots apart at the stations"},
       {terrain, air, "drag is modelled on level ground only"},
       {terrain, unknown, "the map of a range finder is level"},
       {terrain, rigid, "the rigid robot rolls on a level floor"},
+      {terrain, team, "the times at which robots keep apart are for level ground"},
       {air, rigid, "the physics engine knows no drag"},
       {rigid, faults, "faults are simulated in the kinematic robot only"},
+      {rigid, team, "the physics engine holds one robot"},
       {unknown, rigid, "the rigid robot has no range finder"},
       {unknown, blocking, "targets that block would be walls on the map"},
+      {unknown, team, "one robot explores the yard"},
   };
   return table;
 }
@@ -79,6 +88,7 @@ std::vector<Capability> asked_of(const GuardScenario& scenario) {
       {rigid, scenario.sim != "kinematic"},
       {blocking, problem.targets_block},
       {faults, scenario.faults.any()},
+      {team, scenario.robots > 1},
   };
   std::vector<Capability> asked;
   for (const auto& [capability, is_asked] : all) {

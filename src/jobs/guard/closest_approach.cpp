@@ -42,9 +42,9 @@ double add_leg(std::vector<Piece>& pieces, const RobotModel& robot, double time_
 }
 
 bool has_finite_numbers(const TimedDrive& drive) {
-  return std::isfinite(drive.begin_s) && std::ranges::all_of(drive.waypoints, [](Vec2 p) {
-           return std::isfinite(p.x) && std::isfinite(p.y);
-         });
+  return std::isfinite(drive.begin_s) && std::isfinite(drive.heading_rad.value_or(0.0)) &&
+         std::ranges::all_of(drive.waypoints,
+                             [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
 }
 
 Outcome<std::vector<Piece>> pieces_of(const RobotModel& robot, const TimedDrives& driven, std::size_t index) {
@@ -61,6 +61,7 @@ Outcome<std::vector<Piece>> pieces_of(const RobotModel& robot, const TimedDrives
     const Vec2 away = drive.waypoints.front() - pieces.back().position;
     if (std::hypot(away.x, away.y) > tolerance) return refuse("begins elsewhere than the robot stands");
     double time_s = std::max(drive.begin_s, free_s);
+    heading = drive.heading_rad.value_or(heading);
     for (std::size_t k = 1; k < drive.waypoints.size(); ++k) {
       const Vec2 from = drive.waypoints[k - 1], to = drive.waypoints[k];
       if (from == to) continue;

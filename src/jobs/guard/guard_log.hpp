@@ -30,15 +30,15 @@ class TargetLog {
   TargetLog(Log& log, LogQueue& queue, const GuardRun& run);
   /// Logs what has changed. Call it after each step of the mission.
   void note(const GuardMission& mission, double time_s);
+  /// Logs what has changed in the records of targets that do not walk.
+  void note(const std::vector<TargetRecord>& records, double time_s);
   /// Logs where walkers are in the end.
   void finish(const GuardMission& mission, double time_s);
-
-  /// Returns the name of a target or an intruder.
-  [[nodiscard]] const std::string& name(std::size_t who) const { return told_[who].name; }
 
  private:
   void place(double time_s, std::size_t who, Vec2 at, Vec2 believed);
   void note_walker(const GuardMission& mission, std::size_t who);
+  void note_record(const TargetRecord& record, std::size_t who, double time_s);
   /// Logs where a walker was when it was hit, or in the end.
   void place_last(double time_s, std::size_t who);
   [[nodiscard]] std::size_t targets() const { return told_.size(); }
@@ -65,8 +65,11 @@ Table target_table();
 std::vector<TableValue> unshot_row(const std::string& name, const std::string& status,
                                    const std::string& reason, double done_s);
 
+/// Returns the names of the targets or intruders.
+std::vector<std::string> names_of(const GuardRun& run);
+
 /// Returns what the mission came to. `expected_hits` is the sum of the chances of all shots at walkers.
 Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,
-              const TargetLog& targets, double end_s, double expected_hits);
+              double end_s, double expected_hits);
 
 }  // namespace outrider

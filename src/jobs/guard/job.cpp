@@ -15,6 +15,7 @@
 #include "pddl_task.hpp"
 #include "regions_log.hpp"
 #include "summary.hpp"
+#include "team_job.hpp"
 
 namespace outrider {
 namespace {
@@ -163,6 +164,7 @@ Status GuardJob::run(Run& run, const RunWatch& watch) {
   if (scenario.pddl.any()) return run_pddl(scenario, run, watch);
   log_yard(run.log, scenario.problem, scenario.options, static_cast<std::uint64_t>(scenario.seed),
            scenario.sim == "physics");
+  if (scenario.robots > 1) return guard_with_team(scenario, run, watch);
   return scenario.scout.unknown ? guard_unknown_yard(scenario, run, watch)
                                 : guard_known_yard(scenario, run, watch);
 }

@@ -53,11 +53,11 @@ const std::vector<Stamped<outrider_msgs::Shot>>& shots_of(const Log& log) {
 }
 
 /// Targets that the reference's rule would have counted, whatever ours says.
-double reached_by_reference_rule(const Log& log, const TargetLog& targets, std::size_t count) {
+double reached_by_reference_rule(const Log& log, const std::vector<std::string>& names) {
   double reached = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (const std::string& name : names) {
     const auto hits = [&](const Stamped<outrider_msgs::Shot>& shot) {
-      return shot.message.target == targets.name(i) && shot.message.hit_by_reference_rule;
+      return shot.message.target == name && shot.message.hit_by_reference_rule;
     };
     if (std::ranges::any_of(shots_of(log), hits)) reached += 1.0;
   }
@@ -189,11 +189,12 @@ std::string why_unanswered(const std::vector<TargetRecord>& records) {
 }
 
 /// Returns the targets that are called reached and that no ball hit.
-double falsely_reached(const std::vector<TargetRecord>& records, const TargetLog& targets, const Log& log) {
+double falsely_reached(const std::vector<TargetRecord>& records, const std::vector<std::string>& names,
+                       const Log& log) {
   double count = 0.0;
   for (std::size_t i = 0; i < records.size(); ++i) {
     const auto hits = [&](const Stamped<outrider_msgs::Shot>& shot) {
-      return shot.message.hit && shot.message.target == targets.name(i);
+      return shot.message.hit && shot.message.target == names[i];
     };
     if (records[i].status == TargetStatus::reached && std::ranges::none_of(shots_of(log), hits)) count += 1.0;
   }
@@ -255,8 +256,19 @@ std::string why_stranded(const Log& log) {
   return stranded.empty() ? std::string() : "; " + stranded.front().message.msg;
 }
 
+std::vector<std::string> names_of(const GuardRun& run) {
+  std::vector<std::string> names;
+  if (run.arrivals) {
+    for (const Intruder& intruder : run.arrivals->yard.intruders) names.push_back(intruder.name);
+  } else {
+    for (const Target& target : true_problem(run).targets) names.push_back(target.name);
+  }
+  return names;
+}
+
 Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,
-              const TargetLog& targets, double end_s, double expected_hits) {
+              double end_s, double expected_hits) {
+  const std::vector<std::string> names = names_of(run);
   Report report;
   report.world_name = true_problem(run).world.name;
   const auto& records = mission.tasks.records;
@@ -264,8 +276,7 @@ Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord&
   report.metrics = run.arrivals ? arrival_metrics(run, mission, tally, record, end_s)
                    : run.walkers
                        ? walker_metrics(records, tally, record, end_s, expected_hits)
-                       : still_metrics(run.plan, tally, record,
-                                       reached_by_reference_rule(log, targets, records.size()), end_s);
+                       : still_metrics(run.plan, tally, record, reached_by_reference_rule(log, names), end_s);
   const auto add = [&](const Metrics& more) {
     report.metrics.insert(report.metrics.end(), more.begin(), more.end());
   };
@@ -273,10 +284,9 @@ Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord&
   if (supplies.any()) add(supply_metrics(log, supplies, mission.stores));
   if (mission.tasks.on_the_move) add(passing_metrics(log));
   if (record.rigid) add(rigid_metrics(*record.rigid));
-  if (run.faults.any()) add({{"false_reached", falsely_reached(records, targets, log)}});
+  if (run.faults.any()) add({{"false_reached", falsely_reached(records, names, log)}});
   Table table = target_table();
-  for (std::size_t i = 0; i < records.size(); ++i)
-    table.rows.push_back(row_of(targets.name(i), records[i], log));
+  for (std::size_t i = 0; i < records.size(); ++i) table.rows.push_back(row_of(names[i], records[i], log));
   report.tables = {std::move(table)};
   const std::string dry = ran_dry(log);
   report.status = tally.reached + tally.unreachable == tally.targets && dry.empty() ? "done" : "not_done";

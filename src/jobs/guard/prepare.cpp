@@ -16,6 +16,12 @@ namespace {
 Status check_preparable(const GuardScenario& scenario) {
   if (scenario.scout.unknown)
     return bad_input("the yard has to be explored first; give a robot a yard that is known", "scout.unknown");
+  if (scenario.robots > 1)
+    return bad_input(
+        fmt::format("a mission is that of one robot, and there are {}; set robots to 1, or run the "
+                    "scenario to have all of them simulated",
+                    scenario.robots),
+        "robots");
   if (scenario.pddl.any()) return bad_input("a problem in PDDL is no mission; leave the section out", "pddl");
   return {};
 }

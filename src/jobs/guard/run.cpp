@@ -86,7 +86,7 @@ Report carry_out(const GuardRun& run, const GuardProblem& known, Robot& robot, c
   if (record.rigid) add_misses(mission.tasks, *record.rigid);
   targets.finish(mission, now_s);
   if (mission.stores.stranded) log_event(log, now_s, "stranded", mission.stores.reason);
-  Report report = judged(run, mission, record, log, targets, now_s, expected_hits);
+  Report report = judged(run, mission, record, log, now_s, expected_hits);
   if (!ended || watch.stopped()) mark_cancelled(report, log, now_s);
   return report;
 }

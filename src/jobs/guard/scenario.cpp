@@ -13,8 +13,10 @@
 #include "outrider/io/world_changes.hpp"
 #include "outrider/jobs/guard/arrivals_file.hpp"
 #include "outrider/jobs/guard/capabilities.hpp"
+#include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/sightings_file.hpp"
 #include "outrider/jobs/guard/stations_file.hpp"
+#include "outrider/jobs/guard/team_starts.hpp"
 
 namespace outrider {
 namespace {
@@ -31,10 +33,11 @@ Outcome<World> with_terrain(World world, const Box2& bounds, const GuardScenario
   return world.on(std::make_shared<const HeightField>(std::move(*field)));
 }
 
-/// Returns the bounds grown so that there is ground around the start and around each target that lies outside
-/// them: they are the box of what stands in the yard, which may be little. What lies far outside is left
-/// there.
-Box2 with_room(Box2 bounds, Vec2 start, double robot_radius_m, const std::vector<Target>& targets) {
+/// Returns the bounds grown so that there is ground around the starts and around each target that lies
+/// outside them: they are the box of what stands in the yard, which may be little. What lies far outside is
+/// left there.
+Box2 with_room(Box2 bounds, const std::vector<Pose2>& starts, double robot_radius_m,
+               const std::vector<Target>& targets) {
   constexpr double room_m = 2.0;
   const Box2 standing = bounds;
   const double farthest_m = std::max({10.0, standing.size().x, standing.size().y});
@@ -43,7 +46,9 @@ Box2 with_room(Box2 bounds, Vec2 start, double robot_radius_m, const std::vector
     bounds.include(p - Vec2{room_m, room_m});
     bounds.include(p + Vec2{room_m, room_m});
   };
-  if (!standing.grown(-robot_radius_m).contains(start)) include(start);
+  for (const Pose2& start : starts) {
+    if (!standing.grown(-robot_radius_m).contains(start.position)) include(start.position);
+  }
   for (const Target& target : targets) {
     if (!standing.contains(xy(target.base))) include(xy(target.base));
   }
@@ -64,6 +69,26 @@ Status load_walkers(GuardScenario& scenario) {
   return {};
 }
 
+/// Several robots: what else plans or asks for one robot only.
+Status check_team(const GuardScenario& scenario) {
+  if (scenario.robots == 1) return {};
+  if (auto planner = find_guard_planner(scenario.options.planner); !planner) return pass_on(planner);
+  if (scenario.options.planner != guard_planners().front().name)
+    return bad_input(fmt::format("'{}' plans for one robot, and there are {}; give {} or set robots to 1",
+                                 scenario.options.planner, scenario.robots, guard_planners().front().name),
+                     "plan.planner");
+  if (scenario.options.prove)
+    return bad_input(
+        fmt::format("'true' proves the tour of one robot, and there are {}; leave it out or set robots to 1",
+                    scenario.robots),
+        "plan.prove");
+  if (scenario.pddl.any())
+    return bad_input(
+        fmt::format("a problem in PDDL is of one robot, and there are {}; set robots to 1", scenario.robots),
+        "robots");
+  return {};
+}
+
 /// The simulator by its name, and what of the rest combines.
 Status check_combination(const GuardScenario& scenario) {
   if (scenario.sim != "kinematic" && scenario.sim != "physics") {
@@ -72,7 +97,8 @@ Status check_combination(const GuardScenario& scenario) {
   if (scenario.wander.any() && scenario.problem.targets.empty()) {
     return bad_input("intruders that walk about need at least one target; list one", "targets");
   }
-  return check_capabilities(asked_of(scenario));
+  if (auto ok = check_capabilities(asked_of(scenario)); !ok) return ok;
+  return check_team(scenario);
 }
 
 Status need(const std::string& value, const std::string& key, const std::string& what) {
@@ -112,6 +138,12 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
         {"removed", "", 0, 0, "what of the world is taken away: name; ...", &scenario.removed},
         file_option("targets", "file of targets, one a line: type=T x= y= [z=] [rz=]", &scenario.targets),
         {"start", "", 0, 0, "x,y,heading of the robot at first, m, m and degrees", &scenario.start},
+        {"robots", "", 1, static_cast<double>(most_robots), "robots that share the targets",
+         &scenario.robots},
+        {"robot_starts", "", 0, 0,
+         "x,y,heading; ... of the robots after the first, m, m and degrees; empty: side by side with the "
+         "first",
+         &scenario.robot_starts},
         {"bounds", "", 0, 0,
          "low x,low y,high x,high y of the yard, m; empty: the box of its walls, with 2 m around a start or "
          "a target outside",
@@ -151,6 +183,9 @@ Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
   }
   auto start = parse_pose(scenario.start, "start");
   if (!start) return pass_on(start);
+  auto others = parse_starts(scenario.robot_starts, scenario.robots);
+  if (!others) return pass_on(others);
+  scenario.other_starts = std::move(*others);
   auto loaded = load_sdf(scenario.world, scenario.sdf);
   if (!loaded) return pass_on(loaded);
   auto bounds = scenario.bounds.empty() ? loaded->world.bounds : parse_box(scenario.bounds, "bounds");
@@ -163,8 +198,11 @@ Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
   if (!world) return pass_on(world);
   auto targets = load_targets(scenario.targets, *world);
   if (!targets) return pass_on(targets);
-  if (scenario.bounds.empty() && !world->terrain)
-    world->bounds = with_room(world->bounds, start->position, scenario.problem.robot.radius_m, *targets);
+  if (scenario.bounds.empty() && !world->terrain) {
+    std::vector<Pose2> starts = scenario.other_starts;
+    starts.insert(starts.begin(), *start);
+    world->bounds = with_room(world->bounds, starts, scenario.problem.robot.radius_m, *targets);
+  }
 
   scenario.problem.start = {start->position, wrap_angle(start->heading_rad)};
   scenario.problem.world = std::move(*world);

@@ -9,6 +9,7 @@
 #include "flying_balls.hpp"
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/jobs/guard/stops.hpp"
+#include "team_detour.hpp"
 
 namespace outrider {
 namespace {
@@ -134,6 +135,10 @@ std::vector<Vec2> way_to(const StopTasks& tasks, const Observation& seen, const 
                          const FiringMap& firing_map) {
   const Vec2 here = seen.odometry.position;
   const Vec2 place = tasks.queue.front().place;
+  if (tasks.keep_away) {
+    const auto& [standing, gap_m] = *tasks.keep_away;
+    if (auto way = way_around(problem, firing_map, here, place, standing, gap_m)) return std::move(*way);
+  }
   if (tasks.routes) {
     if (auto route = tasks.routes->route(seen.odometry, place)) return std::move(route->waypoints);
   }

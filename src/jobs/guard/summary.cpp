@@ -85,6 +85,22 @@ std::string planning_line(const Report& report) {
                             mission_s, physics_s, mission_s / physics_s);
 }
 
+/// What each robot of a team did, and how long one alone would take.
+std::string team_lines(const Report& report) {
+  std::string text;
+  const Table& robots = table_named(report, "robots");
+  for (const auto& values : robots.rows) {
+    const TableRow row{robots, values};
+    text += fmt::format("  robot {:.0f}: {:.0f} targets, drove {:.1f} m, done after {}", row.number("robot"),
+                        row.number("targets"), row.number("driven_m"), duration_text(row.number("time_s")));
+    if (row.number("waited_s") > 0.0)
+      text += fmt::format(", waited {:.1f} s for others", row.number("waited_s"));
+    text += "\n";
+  }
+  return text + fmt::format("  one robot alone: planned {}; never nearer to each other than {:.2f} m\n",
+                            duration_text(metric(report, "alone_s")), metric(report, "closest_m"));
+}
+
 /// Of a problem that was written as PDDL, or a plan that was judged, in place of a mission.
 std::string pddl_summary(const Report& report) {
   const double makespan_s = metric(report, "makespan_s");
@@ -127,6 +143,7 @@ std::string guard_summary(const Report& report) {
       metric(report, "stops"), duration_text(metric(report, "planned_s")));
   if (has_metric(report, "shots_in_passing")) text += passing_line(report);
   text += bounds_lines(report);
+  if (has_metric(report, "robots")) text += team_lines(report);
   if (has_metric(report, "fills")) text += supply_line(report);
   return text + planning_line(report);
 }

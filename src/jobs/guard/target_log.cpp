@@ -66,23 +66,32 @@ void TargetLog::place_last(double time_s, std::size_t who) {
   place(time_s, who, at, at);
 }
 
+void TargetLog::note_record(const TargetRecord& record, std::size_t who, double time_s) {
+  outrider_msgs::Target& told = told_[who];
+  const auto shots = static_cast<std::uint32_t>(record.shots);
+  const std::string_view status = to_string(record.status);
+  if (told.shots == shots && told.status == status && told.reason == record.reason) return;
+  const bool ended = told.status != status && record.status != TargetStatus::waiting;
+  told.shots = shots;
+  told.status = status;
+  told.reason = record.reason;
+  // The result of a ball that nobody waited for is of a time in between.
+  const double since_s = ended ? std::clamp(record.done_s, noted_s_, time_s) : time_s;
+  queue_.note(since_s, topic::targets, told);
+  if (ended) place_last(time_s, who);
+}
+
 void TargetLog::note(const GuardMission& mission, double time_s) {
   for (std::size_t i = 0; i < told_.size(); ++i) {
-    const TargetRecord& record = mission.tasks.records[i];
-    outrider_msgs::Target& told = told_[i];
-    if (run_.walkers && told.status == "waiting") note_walker(mission, i);
-    const auto shots = static_cast<std::uint32_t>(record.shots);
-    const std::string_view status = to_string(record.status);
-    if (told.shots == shots && told.status == status && told.reason == record.reason) continue;
-    const bool ended = told.status != status && record.status != TargetStatus::waiting;
-    told.shots = shots;
-    told.status = status;
-    told.reason = record.reason;
-    // The result of a ball that nobody waited for is of a time in between.
-    const double since_s = ended ? std::clamp(record.done_s, noted_s_, time_s) : time_s;
-    queue_.note(since_s, topic::targets, told);
-    if (ended) place_last(time_s, i);
+    if (run_.walkers && told_[i].status == "waiting") note_walker(mission, i);
+    note_record(mission.tasks.records[i], i, time_s);
   }
+  noted_s_ = time_s;
+  queue_.flush(log_, time_s);
+}
+
+void TargetLog::note(const std::vector<TargetRecord>& records, double time_s) {
+  for (std::size_t i = 0; i < told_.size(); ++i) note_record(records[i], i, time_s);
   noted_s_ = time_s;
   queue_.flush(log_, time_s);
 }

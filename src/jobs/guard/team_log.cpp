@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "outrider/log/gun_messages.hpp"
@@ -28,6 +30,19 @@ void collect(std::vector<TeamMessage>& all, const Log& from, std::string_view to
     all.push_back({one.time_ns, [&one, to](Log& log) { log.append(to, one.time_s(), one.message); }});
 }
 
+/// Adds what became of the targets of a robot. Only the first one tells how all of them were at first.
+void collect_targets(std::vector<TeamMessage>& all, const Log& from, bool first) {
+  std::set<std::string_view> told;
+  for (const auto& one : from.messages<outrider_msgs::Target>(topic::targets)) {
+    const bool at_first = told.insert(one.message.name).second;
+    if (at_first && !first) continue;
+    all.push_back({one.time_ns, [&one](Log& log) { log.append(topic::targets, one.time_s(), one.message); }});
+  }
+  if (first)
+    collect<outrider_msgs::TargetPosition>(all, from, topic::target_positions,
+                                           std::string(topic::target_positions));
+}
+
 void collect_events(std::vector<TeamMessage>& all, const Log& from, const std::string& who) {
   for (const auto& one : from.messages<rcl_interfaces::Log>(topic::events)) {
     all.push_back({one.time_ns, [&one, who](Log& log) {
@@ -40,10 +55,10 @@ void collect_events(std::vector<TeamMessage>& all, const Log& from, const std::s
 
 }  // namespace
 
-void append_team(Log& log, const std::vector<Log>& robots) {
+void append_team(Log& log, const TeamRun& team) {
   std::vector<TeamMessage> all;
-  for (std::size_t r = 0; r < robots.size(); ++r) {
-    const Log& from = robots[r];
+  for (std::size_t r = 0; r < team.robots.size(); ++r) {
+    const Log& from = team.robots[r].log;
     const auto named = [&](std::string_view topic) {
       return r == 0 ? std::string(topic) : fmt::format("/robot_{}{}", r + 1, topic);
     };
@@ -52,7 +67,8 @@ void append_team(Log& log, const std::vector<Log>& robots) {
     collect<sensor_msgs::JointState>(all, from, topic::joints, named(topic::joints));
     collect<nav_msgs::Path>(all, from, topic::plan, named(topic::plan));
     collect<outrider_msgs::Shot>(all, from, topic::shots, std::string(topic::shots));
-    collect_events(all, from, r == 0 ? "" : fmt::format("robot {}: ", r + 1));
+    collect_targets(all, team.robots[r].targets, r == 0);
+    collect_events(all, from, fmt::format("robot {}: ", r + 1));
   }
   std::ranges::stable_sort(all, {}, &TeamMessage::time_ns);
   for (const TeamMessage& message : all) message.append(log);

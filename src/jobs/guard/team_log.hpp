@@ -3,14 +3,14 @@
 
 #include <vector>
 
-#include "outrider/log/log.hpp"
+#include "outrider/jobs/guard/team_run.hpp"
 
 namespace outrider {
 
-/// Appends what the robots logged to one log, in the order of time; at one time, in that of the robots. The
-/// first robot keeps its topics, with transforms. Poses, joints and plans of the others have a prefix, as in
-/// /robot_2/pose. Shots and events of all are on the same topics; events of robot 2 begin with "robot 2: ".
-/// O(messages log messages).
-void append_team(Log& log, const std::vector<Log>& robots);
+/// Appends what the robots logged, and what became of the targets, to one log, in the order of time; at one
+/// time, in that of the robots. The first robot keeps its topics, with transforms. Poses, joints and plans of
+/// the others have a prefix, as in /robot_2/pose. Shots and events of all are on the same topics; an event
+/// begins with its robot, as in "robot 2: ". O(messages log messages).
+void append_team(Log& log, const TeamRun& team);
 
 }  // namespace outrider

@@ -55,6 +55,7 @@ struct Admitted {
   std::vector<PlanClock> clocks;
   std::vector<std::vector<Presence>> present;  // by robot
   std::vector<MemberTimes> times;
+  std::size_t number = 0;  // of drives
 };
 
 /// A drive that could be admitted next.
@@ -116,6 +117,7 @@ class TeamScheduler {
     clock.make_stop(admission.begin_s);
     MemberTimes& times = admitted.times[admission.robot];
     times.begins_s.push_back(admission.begin_s);
+    times.turns.push_back(admitted.number++);
     times.end_s = clock.end_s();
   }
 

@@ -39,8 +39,9 @@ struct TeamMember {
 
 /// The times of one robot.
 struct MemberTimes {
-  std::vector<double> begins_s;  ///< by stop: when the drive to it begins
-  double end_s = 0.0;            ///< the last stop is made and the last ball has landed
+  std::vector<double> begins_s;    ///< by stop: when the drive to it begins
+  std::vector<std::size_t> turns;  ///< by stop: number of drives of the team that were admitted before it
+  double end_s = 0.0;              ///< the last stop is made and the last ball has landed
 };
 
 /// Returns the times of a team, by robot; nothing if the search found no order in which all keep apart.

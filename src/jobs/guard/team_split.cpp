@@ -17,11 +17,13 @@ constexpr std::int64_t estimate_iterations = 100;
 
 /// The stops, shots and drives for one part: the start of the robot, and the stops with shots at its targets.
 TourProblem part_table(const TourProblem& table, SplitStart start, const std::vector<std::size_t>& targets) {
-  TourProblem part = table;
+  TourProblem part;
   part.goals = targets.size();
   part.heading_rad = start.heading_rad;
+  part.turning = table.turning;
+  part.yaw_rate_radps = table.yaw_rate_radps;
+  part.pitch_rate_radps = table.pitch_rate_radps;
   part.services.assign(1, {});
-  part.drives.clear();
   std::vector<std::size_t> stops{start.stop};
   for (std::size_t stop = 0; stop < table.services.size(); ++stop) {
     std::vector<Service> services;
@@ -51,12 +53,6 @@ std::vector<std::size_t> without(const std::vector<std::size_t>& targets, std::s
   std::vector<std::size_t> rest = targets;
   std::erase(rest, target);
   return rest;
-}
-
-/// Returns a copy with one target more.
-std::vector<std::size_t> with(std::vector<std::size_t> targets, std::size_t target) {
-  targets.push_back(target);
-  return targets;
 }
 
 }  // namespace
@@ -91,6 +87,17 @@ double SplitSearch::estimate_s(std::size_t robot, const std::vector<std::size_t>
   const double time_s = compute_s(part);
   estimates_.emplace(std::move(part), time_s);
   return time_s;
+}
+
+std::vector<std::size_t> SplitSearch::by_way(std::vector<std::size_t> targets) const {
+  std::vector<double> least_s(stops_.table.goals, unknown_s);
+  for (std::size_t stop = 0; stop < stops_.table.services.size(); ++stop) {
+    const double way_s = stops_.table.drives[stop].time_s;  // from the first start
+    for (const Service& service : stops_.table.services[stop])
+      least_s[service.goal] = std::min(least_s[service.goal], way_s);
+  }
+  std::ranges::stable_sort(targets, {}, [&](std::size_t t) { return least_s[t]; });
+  return targets;
 }
 
 double SplitSearch::makespan_s(const TargetSplit& split) {
@@ -149,35 +156,47 @@ TargetSplit SplitSearch::cut(const std::vector<std::size_t>& order) {
   return best;
 }
 
+std::vector<TargetSplit> SplitSearch::neighbours(const TargetSplit& split, std::size_t latest) {
+  std::vector<TargetSplit> all;
+  for (std::size_t r = 0; r < split.size(); ++r) {
+    if (r == latest) continue;
+    for (const std::size_t given : split[latest]) {
+      TargetSplit moved = split;
+      moved[latest] = without(split[latest], given);
+      moved[r].push_back(given);
+      for (const std::size_t taken : split[r]) {
+        TargetSplit exchanged = moved;
+        exchanged[latest].push_back(taken);
+        exchanged[r] = without(moved[r], taken);
+        all.push_back(std::move(exchanged));
+      }
+      all.push_back(std::move(moved));
+    }
+  }
+  return all;
+}
+
 bool SplitSearch::improve_once(TargetSplit& split) {
   std::size_t latest = 0;
   for (std::size_t r = 1; r < split.size(); ++r) {
     if (scaled_s(r, split[r]) > scaled_s(latest, split[latest])) latest = r;
   }
+  std::vector<TargetSplit> all = neighbours(split, latest);
   std::vector<Part> parts;
-  for (const std::size_t t : split[latest]) {
-    parts.emplace_back(latest, without(split[latest], t));
-    for (std::size_t r = 0; r < split.size(); ++r) {
-      if (r != latest) parts.emplace_back(r, with(split[r], t));
-    }
+  for (const TargetSplit& other : all) {
+    for (std::size_t r = 0; r < other.size(); ++r) parts.emplace_back(r, other[r]);
   }
   estimate_all(std::move(parts));
   double best_s = makespan_s(split) - 1e-6;
-  TargetSplit best;
-  for (const std::size_t t : split[latest]) {
-    for (std::size_t r = 0; r < split.size(); ++r) {
-      if (r == latest) continue;
-      TargetSplit moved = split;
-      moved[latest] = without(split[latest], t);
-      moved[r].push_back(t);
-      const double time_s = makespan_s(moved);
-      if (time_s >= best_s) continue;
-      best_s = time_s;
-      best = std::move(moved);
-    }
+  TargetSplit* best = nullptr;
+  for (TargetSplit& other : all) {
+    const double time_s = makespan_s(other);
+    if (time_s >= best_s) continue;
+    best_s = time_s;
+    best = &other;
   }
-  if (best.empty()) return false;
-  split = std::move(best);
+  if (best == nullptr) return false;
+  split = std::move(*best);
   return true;
 }
 

@@ -33,8 +33,10 @@ class SplitSearch {
   double makespan_s(const TargetSplit& split);
   /// Cuts the list into runs, one for each robot. Up to 13 places are tried as cuts. Some may be empty.
   TargetSplit cut(const std::vector<std::size_t>& order);
-  /// Moves targets from the latest robot to others, one after another, as long as the makespan falls.
+  /// Moves targets from the latest robot to others, or exchanges two, as long as the makespan falls.
   TargetSplit improve(TargetSplit split);
+  /// Returns the targets by the shortest drive of the first robot to a stop that serves each.
+  [[nodiscard]] std::vector<std::size_t> by_way(std::vector<std::size_t> targets) const;
 
  private:
   using Part = std::pair<std::size_t, std::vector<std::size_t>>;  // of a robot, ascending
@@ -44,6 +46,8 @@ class SplitSearch {
   double scaled_s(std::size_t robot, const std::vector<std::size_t>& targets) {
     return factors_[robot] * estimate_s(robot, targets);
   }
+  /// All splits with one target of the latest robot moved, or exchanged for one of another robot.
+  static std::vector<TargetSplit> neighbours(const TargetSplit& split, std::size_t latest);
   bool improve_once(TargetSplit& split);
 
   const PrecomputedStops& stops_;

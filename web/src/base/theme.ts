@@ -55,5 +55,9 @@ export function toggleTheme(): void {
   keep("theme", name);
 }
 
+/** Returns the colours of the robots of a team; the first has that of a single one. */
+export const teamColours = (): string[] => teamColourNames.map((name) => theme[name]);
+export const teamColourNames: Colour[] = ["robot", "belief", "reached", "unreachable", "open"];
+
 /** Returns the colours of the pursuers; they differ from the colour of the target. */
 export const pursuerColours = (): string[] => [theme.water, theme.robot, theme.reached, theme.unreachable];

@@ -82,22 +82,28 @@ export class Track {
 
 const secondsOf = ({ header: { stamp } }: PoseStamped): number => stamp.sec + 1e-9 * stamp.nanosec;
 
+/** The poses on a topic of poses. */
+export function posesOn(log: RunLog, name: string): TimedPoses {
+  const all = log.messages<PoseStamped>(name);
+  return { time: all.map(({ t }) => t), poses: all.map(({ message }) => poseOf(message.pose)) };
+}
+
 /** The poses to draw: the true ones; else the path as it was settled, what was believed, or odometry. */
 export function posesOf(log: RunLog): TimedPoses {
   const from = <T>(name: string, pose: (message: T) => PoseStamped["pose"]): TimedPoses => {
     const all = log.messages<T>(name);
     return { time: all.map(({ t }) => t), poses: all.map(({ message }) => poseOf(pose(message))) };
   };
-  if (log.has(topic.pose)) return from<PoseStamped>(topic.pose, ({ pose }) => pose);
+  if (log.has(topic.pose)) return posesOn(log, topic.pose);
   const settled = log.latest<Path>(topic.trajectory)?.poses ?? [];
   if (settled.length > 0) return { time: settled.map(secondsOf), poses: settled.map(({ pose }) => poseOf(pose)) };
   if (log.has(topic.belief)) return from<PoseWithCovarianceStamped>(topic.belief, ({ pose }) => pose.pose);
   return from<Odometry>(topic.odometry, ({ pose }) => pose.pose);
 }
 
-export function gunOf(log: RunLog): TimedGun {
-  const all = log.messages<JointState>(topic.joints).flatMap(({ t, message: { name, position } }) => {
-    const [yaw, pitch] = [position[name.indexOf("gun_yaw")], position[name.indexOf("gun_pitch")]];
+export function gunOf(log: RunLog, name: string = topic.joints): TimedGun {
+  const all = log.messages<JointState>(name).flatMap(({ t, message: { name: joints, position } }) => {
+    const [yaw, pitch] = [position[joints.indexOf("gun_yaw")], position[joints.indexOf("gun_pitch")]];
     return yaw === undefined || pitch === undefined ? [] : [{ t, yaw, pitch }];
   });
   return { time: all.map(({ t }) => t), yaw: all.map(({ yaw }) => yaw), pitch: all.map(({ pitch }) => pitch) };

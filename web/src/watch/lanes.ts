@@ -1,10 +1,11 @@
 // What state each thing is in over the time: a lane each.
 import { known, type Status } from "../base/signs";
-import type { Colour } from "../base/theme";
+import { teamColourNames, type Colour } from "../base/theme";
 import { coverOf } from "../log/cover";
 import { plansOf } from "../log/plans";
 import type { Run } from "../log/run";
 import { targetsOf } from "../log/targets";
+import { legsOfOthers } from "../log/team";
 import { roleColours } from "./cover_layer";
 
 export interface Stretch { from: number; to: number; words: string; colour: Colour; faint?: boolean }
@@ -27,6 +28,9 @@ function doingLanes(run: Run): Lanes[] {
   const passes = coverOf(run)?.passes ?? [];
   if (passes.length > 0) return [{ title: "What the robot does", lanes: [{ name: "pass", stretches: passes.map(({ start, end, role }) => ({ from: start, to: end, words: role, colour: roleColours[role] })) }] }];
   const plans = plansOf(run);
+  const others = legsOfOthers(run);
+  if (others.length > 0) return [{ title: "What the robots do", lanes: [plans, ...others].map((legs, i) => ({ name: `robot ${i + 1}`,
+    stretches: legs.map(({ start, end }): Stretch => ({ from: start, to: end, words: "follows a path", colour: teamColourNames[i % teamColourNames.length]! })) })) }];
   return plans.length > 0 ? [{ title: "What the robot does", lanes: [{ name: "drives", stretches: plans.map(({ start, end }) => ({ from: start, to: end, words: "follows a path", colour: "robot" })) }] }] : [];
 }
 

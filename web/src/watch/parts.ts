@@ -1,11 +1,13 @@
 // The signs of the legend: by the name of a layer the states and colours that this run shows in it.
 import { h } from "../base/dom";
 import { signElement, statuses } from "../base/signs";
+import { teamColourNames } from "../base/theme";
 import { blockedOf } from "../log/flights";
 import { refusalsOf } from "../log/plans";
 import { pursuitOf } from "../log/pursuit";
 import type { Run } from "../log/run";
 import { targetsOf } from "../log/targets";
+import { teamOf } from "../log/team";
 import { topic } from "../log/topics";
 import { bodiesOf, slopesOf } from "../log/world";
 import { coverLegend } from "./cover_layer";
@@ -40,6 +42,8 @@ const signs: Record<string, (run: Run) => HTMLElement[] | null> = {
   "candidates": () => [swatch("candidates", "background:var(--open);border-radius:50%")],
   "robot": (run) => {
     const ways = mapped(run, /^way /);
+    const team = teamOf(run);
+    if (team.length > 1) return team.map(({ name }, i) => line(name, `border-color:var(--${teamColourNames[i % teamColourNames.length]})`));
     return ways.length > 0 ? ways : [line(run.hasTruth && run.log.has(topic.belief) ? "true" : "robot", "border-color:var(--robot)")];
   },
   "belief": (run) => {

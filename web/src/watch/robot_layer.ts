@@ -1,9 +1,10 @@
-// The robot: the way it drove, and the disk with its heading and its gun.
-import { theme } from "../base/theme";
+// The robot, or each of a team: the way it drove, and the disk with its heading and its gun.
+import { teamColours, theme } from "../base/theme";
 import type { Run } from "../log/run";
+import { teamOf, type TeamRobot } from "../log/team";
 import { topic } from "../log/topics";
 import { lastNotAfter } from "../log/track";
-import { disk, traceWay, type Layer, type Pen } from "./layer";
+import { disk, traceWay, type Found, type Layer, type Pen } from "./layer";
 
 /** A disk of the robot's size with a wedge that shows its heading. In metres. */
 export function drawBody({ ctx, camera }: Pen, x: number, y: number, heading: number, radius: number, colour: string): number {
@@ -29,14 +30,30 @@ export function drawBody({ ctx, camera }: Pen, x: number, y: number, heading: nu
 }
 
 export function robot(run: Run): Layer | null {
-  const { track, radius, log, info: { gun_length: gunLength } } = run;
-  if (track.length === 0 || log.has(topic.costGrid)) return null;  // pursuers are drawn on their grid
+  if (run.track.length === 0 || run.log.has(topic.costGrid)) return null;  // pursuers are drawn on their grid
+  const layers = teamOf(run).map((one, i) => oneRobot(run, one, i));
+  return {
+    still(pen) { for (const layer of layers) layer.still!(pen); },
+    moving(pen) {
+      for (const layer of layers) {
+        pen.ctx.save();
+        layer.moving!(pen);
+        pen.ctx.restore();
+      }
+    },
+    find: (at, pen) => layers.reduce<Found | null>((found, layer) => found ?? layer.find!(at, pen), null),
+  };
+}
+
+function oneRobot(run: Run, { name, poseTopic, track }: TeamRobot, index: number): Layer {
+  const { radius, log, info: { gun_length: gunLength } } = run;
   const covers = log.has(topic.coverageArea);
+  const colour = (): string => teamColours()[index % teamColours().length]!;
   return {
     still(pen) {
       const { ctx, camera } = pen;
       if (covers) return;  // its layer draws the way
-      ctx.strokeStyle = theme.robot;
+      ctx.strokeStyle = colour();
       ctx.globalAlpha = 0.3;
       ctx.lineWidth = camera.px(1.2);
       ctx.beginPath();
@@ -45,16 +62,16 @@ export function robot(run: Run): Layer | null {
     },
     moving(pen) {
       const { ctx, camera, now } = pen;
-      const index = lastNotAfter(track.time, now.t);
+      const row = lastNotAfter(track.time, now.t);
       const at = track.at(now.t);
       ctx.beginPath();
-      if (!covers) traceWay(pen, track.x, track.y, index + 1);
+      if (!covers) traceWay(pen, track.x, track.y, row + 1);
       ctx.lineTo(at.x, at.y);
-      ctx.strokeStyle = theme.robot;
+      ctx.strokeStyle = colour();
       ctx.lineWidth = camera.px(2.2);
       ctx.lineJoin = ctx.lineCap = "round";
       ctx.stroke();
-      const r = drawBody(pen, at.x, at.y, at.heading, radius, theme.robot);
+      const r = drawBody(pen, at.x, at.y, at.heading, radius, colour());
       if (gunLength <= 0) return;
       ctx.translate(at.x, at.y);
       ctx.rotate(at.yaw);
@@ -72,7 +89,7 @@ export function robot(run: Run): Layer | null {
       const { x, y } = track.at(now.t);
       const place = camera.screen(x, y);
       if (Math.hypot(place.x - at.x, place.y - at.y) > Math.max(9, camera.scale * radius)) return null;
-      return { told: { topic: topic.pose, name: "robot", at: (t) => log.latest(topic.pose, t) }, lines: [] };
+      return { told: { topic: poseTopic, name, at: (t) => log.latest(poseTopic, t) }, lines: [] };
     },
   };
 }

@@ -5,6 +5,7 @@ import type { Vec2, Vec3 } from "../log/geometry";
 import type { Supplies, Waypoints } from "../log/messages";
 import { planAt, plansOf, refusalsOf } from "../log/plans";
 import type { Run } from "../log/run";
+import { legsOfOthers } from "../log/team";
 import { topic } from "../log/topics";
 import { lambert, lineOf, type Actor } from "./space_parts";
 import { radiusOf } from "./space_robot";
@@ -38,10 +39,12 @@ export function wayActor(run: Run): Actor[] {
     const r = 0.7 * radiusOf(run);
     return line([[x - r, y - r], [x + r, y - r], [x + r, y + r], [x - r, y + r], [x - r, y - r]], theme.unreachable);
   });
-  if (shown.length === 0 && refused.length === 0) return [];
-  return [{ things: [...shown.flatMap((one) => one.things), ...refused], act: ({ t }) => {
+  const others = legsOfOthers(run).flat().map((leg) => ({ leg, thing: line(leg.waypoints, theme.open) }));
+  if (shown.length === 0 && refused.length === 0 && others.length === 0) return [];
+  return [{ things: [...shown.flatMap((one) => one.things), ...refused, ...others.map(({ thing }) => thing)], act: ({ t }) => {
     const present = planAt(run, t);
     for (const { plan, things } of shown) for (const thing of things) thing.visible = plan === present;
+    for (const { leg, thing } of others) thing.visible = leg.start <= t && t < leg.end;
     for (const one of refused) one.visible = t >= run.duration - 1e-6;
   } }];
 }

@@ -1,13 +1,14 @@
 // The robot in space, on the ground as it is: its body, its gun, the way it drove; and where it believed to be.
 import { BoxGeometry, CircleGeometry, CylinderGeometry, EdgesGeometry, EllipseCurve, Group, LineBasicMaterial, LineSegments, Mesh, Vector3 } from "three";
 import { mix } from "../base/numbers";
-import { theme } from "../base/theme";
+import { teamColours, theme } from "../base/theme";
 import { beliefsOf } from "../log/beliefs";
 import { flightsOf } from "../log/flights";
 import type { Vec2, Vec3 } from "../log/geometry";
 import type { Run } from "../log/run";
+import { teamOf } from "../log/team";
 import { topic } from "../log/topics";
-import { lastNotAfter } from "../log/track";
+import { lastNotAfter, type Track } from "../log/track";
 import { areaOf } from "./area";
 import { deviations, ellipseOf, enlargedOf } from "./ellipse";
 import { glass, lambert, lineOf, ribbon, type Actor } from "./space_parts";
@@ -63,10 +64,14 @@ function wayActor(run: Run, time: ArrayLike<number>, places: Vec2[], colour: str
 
 export function robotActor(run: Run): Actor[] {
   if (run.track.length === 0 || run.log.has(topic.costGrid)) return [];  // pursuers stand on their grid
+  return teamOf(run).flatMap(({ track }, i) => oneRobot(run, track, teamColours()[i % teamColours().length]!));
+}
+
+function oneRobot(run: Run, track: Track, colour: string): Actor[] {
   const radius = radiusOf(run);
   const height = Math.max(0.08, 0.8 * radius);
   const body = new Group();
-  const hull = new Mesh(new CylinderGeometry(radius, radius, height, 36), lambert(theme.robot));
+  const hull = new Mesh(new CylinderGeometry(radius, radius, height, 36), lambert(colour));
   hull.rotation.x = Math.PI / 2;
   hull.position.z = height / 2;
   const nose = new Mesh(new BoxGeometry(0.5 * radius, 0.24 * radius, 0.02), lambert(theme.yard));
@@ -84,14 +89,14 @@ export function robotActor(run: Run): Actor[] {
     gun.rotation.order = "ZYX";
   }
   const act: Actor["act"] = ({ t }) => {
-    const at = run.track.at(t);
+    const at = track.at(t);
     stand(run, body, at.x, at.y, at.heading);
     gun.position.set(at.x, at.y, run.height(at.x, at.y) + mounted);
     gun.rotation.set(0, -at.pitch, at.yaw);
   };
   if (run.log.has(topic.coverageArea)) return [{ things: [body, gun], act }];  // its way is drawn by what it does
-  const { time, x, y } = run.track;
-  return [{ things: [body, gun], act }, wayActor(run, time, Array.from(x, (one, i): Vec2 => [one, y[i]!]), theme.robot, 0.012)];
+  const { time, x, y } = track;
+  return [{ things: [body, gun], act }, wayActor(run, time, Array.from(x, (one, i): Vec2 => [one, y[i]!]), colour, 0.012)];
 }
 
 /** A ghost at the believed pose on the ellipse of its uncertainty. */

@@ -1,21 +1,29 @@
 // The path that the robot means to drive now, its goal, and in the end the frontiers that it refused.
 import { theme } from "../base/theme";
+import type { Vec2 } from "../log/geometry";
 import { planAt, plansOf, refusalsOf } from "../log/plans";
 import type { Run } from "../log/run";
+import { legsOfOthers } from "../log/team";
 import { disk, type Layer } from "./layer";
 
 export function way(run: Run): Layer | null {
   const refused = refusalsOf(run);
-  if (plansOf(run).length === 0 && refused.length === 0) return null;
+  const others = legsOfOthers(run);
+  if (plansOf(run).length === 0 && refused.length === 0 && others.every((legs) => legs.length === 0)) return null;
   return {
     moving({ ctx, camera, now }) {
       const plan = planAt(run, now.t);
+      const line = (points: Vec2[]): void => {
+        ctx.beginPath();
+        for (const [x, y] of points) ctx.lineTo(x, y);
+        ctx.stroke();
+      };
       ctx.lineWidth = camera.px(1.6);
       ctx.strokeStyle = theme.open;
-      if (plan) {
-        ctx.beginPath();
-        for (const [x, y] of plan.waypoints) ctx.lineTo(x, y);
-        ctx.stroke();
+      if (plan) line(plan.waypoints);
+      for (const legs of others) {
+        const leg = legs.find(({ start, end }) => start <= now.t && now.t < end);
+        if (leg) line(leg.waypoints);
       }
       if (plan?.goal) {
         disk(ctx, plan.goal[0], plan.goal[1], camera.px(6));

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
@@ -23,6 +24,9 @@ namespace outrider {
 struct TimedDrive {
   double begin_s = 0.0;         ///< the first turn begins
   std::vector<Vec2> waypoints;  ///< the first is where the robot stands
+  /// Heading before the first turn; unset: that in which the drive before ended. A robot whose drives end
+  /// with an error of the heading has another one.
+  std::optional<double> heading_rad = {};
 };
 
 /// What one robot drives.

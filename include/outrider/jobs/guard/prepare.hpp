@@ -34,8 +34,8 @@ struct PreparedGuard {
 };
 
 /// Prepares the mission of a scenario that load_problem() has read. Faults: bad_input for a yard that has to
-/// be explored first and for the options of PDDL; those of build_firing_map(), the planner, supply_plan(),
-/// arrival_yard(), precompute_stops() and plan_moving().
+/// be explored first, for several robots and for the options of PDDL; those of build_firing_map(), the
+/// planner, supply_plan(), arrival_yard(), precompute_stops() and plan_moving().
 Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const Budget& budget = {});
 
 /// Plans for targets that stand still, with stations if supplies are limited, unless intruders come or

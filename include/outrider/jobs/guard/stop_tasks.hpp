@@ -63,6 +63,12 @@ struct FlyingBall {
   double leaves_s = 0.0;    ///< when it is fired, as planned
 };
 
+/// Other robots that stand somewhere, and how far the robot keeps from them.
+struct KeepAway {
+  std::vector<Vec2> standing;
+  double gap_m = 0.0;
+};
+
 /// The remaining stops and the records of all targets.
 struct StopTasks {
   std::vector<TargetRecord> records;    ///< by target
@@ -80,7 +86,8 @@ struct StopTasks {
   Vec2 last_place;                      ///< last place to which the robot was sent
   /// By record: the target of the problem at whose place it is now. Empty: each record is at its own target.
   std::vector<std::size_t> stands_at;
-  std::optional<Routes> routes;  ///< routes of the plan
+  std::optional<Routes> routes;            ///< routes of the plan
+  std::optional<KeepAway> keep_away = {};  ///< set: the next drive leads around other robots, if it can
   std::stop_token stop = {};  ///< after a stop request, the next command is returned soon and is meaningless
 };
 

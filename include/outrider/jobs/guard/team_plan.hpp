@@ -12,7 +12,8 @@
 // somewhere is never driven into, and no two robots wait for each other. Among the possible next drives the
 // one that begins soonest is admitted; dead ends are left by backtracking.
 //
-// Level ground, targets that stand still, no stations. Balls pass over robots unhindered.
+// Level ground, targets that stand still, no stations. Plans do not look at balls that
+// touch other robots; whoever carries them out does (team_run.hpp).
 #pragma once
 
 #include <vector>
@@ -26,7 +27,9 @@ struct TeamPart {
   Pose2 start;
   GuardPlan plan;                ///< of its targets, as if it were alone; without lower bounds
   std::vector<double> begins_s;  ///< by stop of the plan: when the drive to it begins
-  double end_s = 0.0;            ///< all its stops are made and its last ball has landed
+  std::vector<std::size_t> turns =
+      {};              ///< by stop: number of drives of the team that were admitted before it
+  double end_s = 0.0;  ///< all its stops are made and its last ball has landed
 };
 
 /// The plan of a team.
@@ -38,12 +41,15 @@ struct TeamPlan {
   double lower_bound_s = 0.0;            ///< proven lower bound on the makespan of every team plan
 };
 
-/// Returns the least distance between the centres of two robots: their bodies, the largest errors of the ends
-/// of their drives, and 2 cm.
+/// Returns the least distance between the centres of two robots when they are simulated: their bodies, the
+/// largest errors of the ends of their drives, and 2 cm.
+double simulated_gap_m(const GuardProblem& problem);
+/// Returns the least distance in a plan, where that is possible: one such error more, so that a robot that
+/// has ended beside its goal may drive on.
 double team_gap_m(const GuardProblem& problem);
 
 /// Checks the starts of a team: the first is that of the problem, all are in reach of it, and each two are at
-/// least team_gap_m() apart. Fault: bad_input, with the robots as they count from 1.
+/// least simulated_gap_m() apart. Fault: bad_input, with the robots as they count from 1.
 Status check_starts(const GuardProblem& problem, const FiringMap& firing_map,
                     const std::vector<Pose2>& starts);
 

@@ -13,7 +13,7 @@
 namespace outrider {
 namespace {
 
-constexpr std::size_t all = static_cast<std::size_t>(Capability::faults) + 1;
+constexpr std::size_t all = static_cast<std::size_t>(Capability::team) + 1;
 
 Capability at(std::size_t index) { return static_cast<Capability>(index); }
 
@@ -144,6 +144,7 @@ void ask_for(GuardScenario& scenario, Capability capability) {
     case Capability::rigid: scenario.sim = "physics"; break;
     case Capability::blocking: problem.targets_block = true; break;
     case Capability::faults: scenario.faults.position_ratio = 1.5; break;
+    case Capability::team: scenario.robots = 2; break;
   }
 }
 

@@ -18,6 +18,7 @@ Vec2 place_at(const RobotModel& robot, const TimedDrives& driven, double time_s)
   Pose2 pose = driven.start;
   for (const TimedDrive& drive : driven.drives) {
     double begin_s = drive.begin_s;
+    if (time_s >= begin_s) pose.heading_rad = drive.heading_rad.value_or(pose.heading_rad);
     for (std::size_t k = 1; k < drive.waypoints.size(); ++k) {
       const Vec2 from = drive.waypoints[k - 1], to = drive.waypoints[k];
       const double length = distance(from, to);
@@ -42,7 +43,9 @@ TimedDrives random_drives(Rng& rng, const RobotModel& robot) {
   for (std::size_t drives = 1 + rng.below(3); drives > 0; --drives) {
     TimedDrive drive{time_s + rng.uniform(0.0, 2.0), {pose.position}};
     for (std::size_t legs = 1 + rng.below(3); legs > 0; --legs) drive.waypoints.push_back(place());
-    const DriveCost cost = drive_cost(robot, pose.heading_rad, drive.waypoints);
+    if (rng.below(2) == 0) drive.heading_rad = pose.heading_rad + rng.uniform(-0.2, 0.2);
+    const double heading_rad = drive.heading_rad.value_or(pose.heading_rad);
+    const DriveCost cost = drive_cost(robot, heading_rad, drive.waypoints);
     time_s = drive.begin_s + cost.time_s;
     pose = {drive.waypoints.back(), cost.heading_rad};
     driven.drives.push_back(std::move(drive));
@@ -115,6 +118,21 @@ TEST(ClosestApproach, RefusesDrivesThatNoRobotMakes) {
             "drive 2 of robot 2 begins before the one before has ended");
   EXPECT_EQ(sentence({{{0, 0}, 0.0}, {{std::nan(""), {{0, 0}, {1, 0}}}}}),
             "drive 1 of robot 2 has a number that is not finite");
+  EXPECT_EQ(sentence({{{0, 0}, 0.0}, {{0.0, {{0, 0}, {1, 0}}, std::nan("")}}}),
+            "drive 1 of robot 2 has a number that is not finite");
+}
+
+/// A robot that ends a drive with an error of the heading turns less, or more, before the next one.
+TEST(ClosestApproach, TakesTheHeadingOfEachDrive) {
+  const RobotModel robot;
+  const double leg_s = duration(1.0, robot.straight());
+  const double turn_s = duration(pi / 2 - 0.1, robot.turning());
+  TimedDrives driven{{{0, 0}, 0.0}, {{0.0, {{0, 0}, {1, 0}}}, {leg_s, {{1, 0}, {1, 1}}, 0.1}}};
+  driven.drives.push_back({leg_s + turn_s + leg_s, {{1, 1}, {1, 2}}});
+  const TimedDrives stands{{{9, 9}, 0.0}, {}};
+  EXPECT_TRUE(closest_approach(robot, {driven, stands}));
+  driven.drives[1].heading_rad.reset();
+  EXPECT_FALSE(closest_approach(robot, {driven, stands}));
 }
 
 }  // namespace

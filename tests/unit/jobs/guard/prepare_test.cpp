@@ -81,10 +81,11 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, Prepared,
                                                          {"supplies.stations", "well=-11,0,water"}}}));
 
 TEST(PrepareGuard, RefusesWhatIsNoMissionOfAKnownYard) {
-  for (const char* key : {"scout.unknown", "pddl.write"}) {
+  for (const auto& [key, value] :
+       {std::pair{"scout.unknown", "true"}, {"pddl.write", "true"}, {"robots", "2"}}) {
     GuardJob task;
     const auto guard = prepare_guard(
-        loaded(task, "driveby/driveby.yaml", {{"plan.shoot_on_the_move", "false"}, {key, "true"}}).scenario);
+        loaded(task, "driveby/driveby.yaml", {{"plan.shoot_on_the_move", "false"}, {key, value}}).scenario);
     ASSERT_FALSE(guard);
     EXPECT_EQ(guard.error().code, FaultCode::bad_input);
   }

@@ -67,7 +67,7 @@ void expect_apart(const GuardProblem& problem, const TeamPlan& team) {
   }
   const auto nearest = closest_approach(problem.robot, robots);
   ASSERT_TRUE(nearest.has_value()) << nearest.error().sentence;
-  EXPECT_GE(nearest->distance_m, team_gap_m(problem) - 1e-6);
+  EXPECT_GE(nearest->distance_m, simulated_gap_m(problem) - 1e-6);
 }
 
 /// Without waits a robot ends when its plan alone does; each wait adds at most its length.

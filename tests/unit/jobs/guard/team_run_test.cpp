@@ -22,12 +22,17 @@ std::vector<Pose2> starts_at(const GuardProblem& problem, std::size_t robots) {
   return starts;
 }
 
+std::vector<TimedDrives> driven_in(const TeamRun& run) {
+  std::vector<TimedDrives> driven;
+  for (const TeamRobotRun& robot : run.robots) driven.push_back(robot.driven);
+  return driven;
+}
+
 TEST(RunTeam, SettlesEveryTargetAndKeepsApart) {
   Rng rng(612);
   std::size_t reached = 0, targets = 0, ran = 0;
   for (int i = 0; i < cases(8); ++i) {
     auto problem = testing::random_guard_problem(rng, 6, 6, 3.5);
-    problem.errors.heading_rad = 0.0;  // closest_approach() knows no errors of headings
     const auto starts = starts_at(problem, 2 + static_cast<std::size_t>(i) % 3);
     GuardOptions options = testing::quick();
     options.shoot_on_the_move = i % 2 == 1;
@@ -38,7 +43,7 @@ TEST(RunTeam, SettlesEveryTargetAndKeepsApart) {
     ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
     const TeamRun run = run_team(problem, *firing_map, *plan, static_cast<std::uint64_t>(i));
     EXPECT_FALSE(run.ended_early);
-    const auto nearest = closest_approach(problem.robot, run.driven);
+    const auto nearest = closest_approach(problem.robot, driven_in(run));
     ASSERT_TRUE(nearest.has_value()) << nearest.error().sentence;
     EXPECT_GE(nearest->distance_m, 2.0 * problem.robot.radius_m);
     for (const TargetRecord& record : run.records) {
@@ -79,7 +84,6 @@ TEST(RunTeam, GivesAStopUpThatNobodyLeaves) {
   for (int i = 0; i < cases(6); ++i) {
     auto problem = testing::random_guard_problem(rng, 4, 3, 4.0);
     problem.gun.muzzle_speed_mps = 5.0;  // it has to go near
-    problem.errors.heading_rad = 0.0;
     const auto firing_map = build_firing_map(problem, testing::quick());
     ASSERT_TRUE(firing_map.has_value());
     auto plan = plan_team(problem, *firing_map, {problem.start}, testing::quick(), {});
@@ -87,9 +91,9 @@ TEST(RunTeam, GivesAStopUpThatNobodyLeaves) {
     if (plan->parts[0].plan.stops.empty()) continue;
     const Vec2 stop = plan->parts[0].plan.stops.back().position;
     if (distance(stop, problem.start.position) < team_gap_m(problem)) continue;
-    plan->parts.push_back({{stop, 0.0}, {}, {}, 0.0});
+    plan->parts.push_back({{stop, 0.0}, {}, {}, {}, 0.0});
     const TeamRun run = run_team(problem, *firing_map, *plan, 3);
-    const auto nearest = closest_approach(problem.robot, run.driven);
+    const auto nearest = closest_approach(problem.robot, driven_in(run));
     ASSERT_TRUE(nearest.has_value()) << nearest.error().sentence;
     EXPECT_GE(nearest->distance_m, 2.0 * problem.robot.radius_m);
     for (const TargetRecord& record : run.records) EXPECT_NE(record.status, TargetStatus::waiting);

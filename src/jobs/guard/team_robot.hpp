@@ -1,0 +1,45 @@
+// A robot of a team that is simulated, with its mission.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "guard_log.hpp"
+#include "outrider/jobs/guard/robot.hpp"
+#include "outrider/jobs/guard/team_run.hpp"
+#include "team_schedule.hpp"
+
+namespace outrider {
+
+/// A robot of the team with its mission. It is made in place and never moved.
+struct TeamRobot {
+  TeamRobot(const GuardRun& team, const TeamPart& part, std::size_t number, std::uint64_t seed)
+      : problem(started_at(team.problem, part.start)),
+        index(number),
+        tasks(tasks_of(problem, part.plan)),
+        targets(run.targets, queue, team),
+        robot(simulated_guard(problem, team.firing_map, run.log, seed, {}, {}, team.faults)),
+        present{standing(part.start.position, 0.0)} {
+    run.driven.start = part.start;
+  }
+
+  static GuardProblem started_at(GuardProblem problem, const Pose2& start) {
+    problem.start = start;
+    return problem;
+  }
+
+  GuardProblem problem;  // with its own start
+  std::size_t index;     // among the robots
+  StopTasks tasks;
+  TeamRobotRun run;
+  LogQueue queue;
+  TargetLog targets;
+  SimulatedRobot robot;
+  std::vector<Presence> present;  // as admitted
+  double stays_until_s = 0.0;     // a ball touches it where it stands then
+  bool done = false;
+  bool refused = false;  // its next command was, since anybody did anything else
+  bool waits = false;    // its newest command was a wait for others
+};
+
+}  // namespace outrider
