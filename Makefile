@@ -22,9 +22,10 @@ FUZZ_SECONDS ?= 60
 LOAD_SECONDS ?= 600
 MOMENTS ?= 50
 RUNS ?= 200
+MISSIONS ?= 1000
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops load fuzz wasm packages check-packages check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops replays load fuzz wasm packages check-packages check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -90,7 +91,7 @@ docs:  ## write docs/options.md and docs/scenario.schema.json anew
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
 	@ninja -C build -j $(JOBS) docs
 
-soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz, load, cancel and loops
+soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz, load, cancel, loops and replays
 	$(INSTALL) build test cbc
 	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=0
 	@ninja -C build-asan -j $(JOBS)
@@ -99,12 +100,17 @@ soak:  ## run everything, the tool too, under the sanitizers, random tests on 10
 	@$(MAKE) --no-print-directory load
 	@$(MAKE) --no-print-directory cancel
 	@$(MAKE) --no-print-directory loops
+	@$(MAKE) --no-print-directory replays
 
 cancel: build  ## stop each published scenario with Ctrl-C at MOMENTS random moments, 50 unless given; tells the worst latency
 	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) python3 -B tests/cli/cancel_soak.py --moments $(MOMENTS)
 
 loops: build  ## explore RUNS buildings of equal rooms, 200 unless given, and tell whether a false loop was closed
 	@OUTRIDER=$(CURDIR)/build/outrider python3 -B tests/cli/loops_soak.py --runs $(RUNS)
+
+replays: build  ## fly and drive MISSIONS random guard missions again by other code, 1000 unless given, and tell what is wrong
+	$(INSTALL) test
+	@OUTRIDER=$(CURDIR)/build/outrider /usr/bin/python3 -B tests/cli/replay_soak.py --missions $(MISSIONS)
 
 load: build  ## what strangers do to the server, mixed for LOAD_SECONDS, 600 unless given; tells the memory it took
 	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) python3 -B tests/cli/serve_load.py $(LOAD_SECONDS)
