@@ -77,7 +77,8 @@ void note_shot(StopTasks& tasks, std::size_t target, const PassingHit& hit, cons
   TargetRecord& record = tasks.records[target];
   ++record.shots;
   record.shot = hit.shot;
-  record.pose = {platform_on(problem.robot, from, to, hit.after_s, firing_map.ground.terrain()).position, heading_of(to - from)};
+  record.pose = {platform_on(problem.robot, from, to, hit.after_s, firing_map.ground.terrain()).position,
+                 heading_of(to - from)};
   const double leaves_s = seen.time_s + hit.leaves_s;
   tasks.flying.push_back({target, leaves_s + hit.shot.flight_s, true, leaves_s});
 }

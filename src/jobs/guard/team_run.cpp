@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "outrider/core/rng.hpp"
+#include "outrider/log/append.hpp"
 #include "team_balls.hpp"
 #include "team_order.hpp"
 #include "team_robot.hpp"
@@ -329,7 +330,11 @@ class TeamRunner {
       member->robot.queue().flush(member->run.log, member->run.end_s);
       member->targets.note(member->tasks.records, member->run.end_s);
     }
-    for (const auto& member : team_) run_.robots.push_back(std::move(member->run));
+    for (const auto& member : team_) {
+      // Who is done stands there until all are.
+      if (member->run.end_s < run_.mission_s) log_pose(member->run.log, run_.mission_s, member->robot.pose());
+      run_.robots.push_back(std::move(member->run));
+    }
   }
 
   const GuardProblem& problem_;
