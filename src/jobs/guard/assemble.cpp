@@ -59,7 +59,7 @@ void PlanClock::make_stop(double begin_s) {
   for (const PlannedHit& hit : stop.hits) {
     aim({hit.shot.gun.yaw_rad - forward, hit.shot.gun.pitch_rad});
     landed_s_ = std::max(landed_s_, time_s_ + hit.shot.flight_s);
-    if (!is_left_flying(plan_, hit.shot)) time_s_ += hit.shot.flight_s;
+    if (is_awaited(hit.shot, plan_.on_the_move)) time_s_ += hit.shot.flight_s;
     gun_free_s_ = time_s_;
   }
   if (stop.call) aim({});

@@ -8,11 +8,6 @@ namespace outrider {
 /// A plan without stops: its places counted, the targets without a firing region told unreachable.
 GuardPlan begin_plan(const GuardProblem& problem, const FiringMap& firing_map, const GuardOptions& options);
 
-/// Returns true if the robot goes on while the ball of a shot from rest is in the air.
-inline bool is_left_flying(const GuardPlan& plan, const PlannedShot& shot) {
-  return plan.on_the_move && shot.survives;
-}
-
 /// The time and the supplies of a plan that is carried out stop by stop, if nothing goes wrong: turns,
 /// drives, aims, flights and fills in their order; on the move, aims and flights beside the drives. The
 /// arguments must outlive it.

@@ -91,7 +91,7 @@ std::vector<std::size_t> soonest(const GunModel& gun, const GuardOptions& option
 }  // namespace
 
 double service_time(const PlannedShot& shot, const GuardOptions& options) {
-  if (options.shoot_on_the_move && shot.survives) return 0.0;
+  if (!is_awaited(shot, options.shoot_on_the_move)) return 0.0;
   return shot.flight_s / std::max(shot.hit_rate, 0.05);
 }
 

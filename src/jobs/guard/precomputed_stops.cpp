@@ -72,8 +72,8 @@ void take(const std::vector<Offer>& offers, PrecomputedStops& precomputed) {
     if (!planned && good[offer.target] != 0 && offer.shot->hit_rate < good_rate) continue;
     if (!std::isfinite(precomputed.table.drives[offer.stop].time_s)) continue;  // from the start
     const PlannedShot& shot = *offer.shot;
-    const bool awaited = !precomputed.on_the_move || !shot.survives;
-    const double wait_s = awaited ? shot.flight_s / std::max(shot.hit_rate, least_rate) : 0.0;
+    const double wait_s =
+        is_awaited(shot, precomputed.on_the_move) ? shot.flight_s / std::max(shot.hit_rate, least_rate) : 0.0;
     precomputed.table.services[offer.stop].push_back(
         {static_cast<std::uint32_t>(offer.target), shot.gun.yaw_rad, shot.gun.pitch_rad, wait_s});
     precomputed.reachable[offer.target] = 1;

@@ -205,7 +205,7 @@ Fire fire(StopTasks& tasks, double time_s) {
   TargetRecord& record = tasks.records[target];
   ++record.shots;
   const PlannedShot& shot = *record.shot;
-  const bool awaited = !tasks.on_the_move || !shot.survives;
+  const bool awaited = is_awaited(shot, tasks.on_the_move);
   if (awaited) {
     tasks.fired = true;
   } else {

@@ -20,6 +20,9 @@ struct PlannedHit {
   PlannedShot shot;
 };
 
+/// Returns true if the robot waits until the ball of a shot from rest has landed (GuardPlan::on_the_move).
+inline bool is_awaited(const PlannedShot& shot, bool on_the_move) { return !on_the_move || !shot.survives; }
+
 /// A stop of the plan.
 struct PlannedStop {
   Vec2 position;

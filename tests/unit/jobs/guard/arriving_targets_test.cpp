@@ -248,6 +248,30 @@ TEST(ArrivingTargets, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
   }
 }
 
+/// A drive was to shoot later, and ended at a waypoint because the cat came in.
+TEST(ArrivingTargets, ShotsOfADriveThatEndedBeforeAreNotFired) {
+  const Yard yard = yard_with_corners();
+  const std::vector<Intruder> two = {{"fox", 0, "gate", {}, 0.0, 0.0}, {"cat", 1, "gate", {}, 2.0, 2.0}};
+  const auto watch = arrival_yard(yard.problem, yard.firing_map, two);
+  ASSERT_TRUE(watch.has_value());
+  const ArrivalPlan plan{*watch, yard.precomputed, *find_replan_policy("each_arrival")};
+  for (const double leaves_s : {1.5, 4.0}) {
+    ArrivingTargets targets;
+    targets.inside = {{0, 0.0, 0}};
+    StopTasks tasks = tasks_of(plan);
+    tasks.queue.push_back({{2.0, 3.0}, {0}});
+    tasks.arrived = true;
+    tasks.records[0].shots = 2;
+    tasks.flying = {{0, leaves_s + 1.0, true, leaves_s}};
+    Observation seen{2.0, {{-2.0, -1.0}, 0.0}};
+    seen.targets = TargetReport{{{1, 2.0, 1}}, {}, false};
+    note_arrivals(targets, tasks, seen, plan);
+    EXPECT_FALSE(tasks.arrived);
+    EXPECT_EQ(tasks.flying.empty(), leaves_s > seen.time_s);
+    EXPECT_EQ(tasks.records[0].shots, leaves_s > seen.time_s ? 1 : 2);
+  }
+}
+
 TEST(ArrivingTargets, OfNobodyIsOverAtOnce) {
   Rng rng(54);
   const Yard yard = random_yard(rng, true);

@@ -60,12 +60,14 @@ ArrivalOptions eight_intruders() {
 }
 
 /// Intruders that come by one of two doors, as the options say; they are drawn from the seed.
-Outcome<Run> run_arrivals(const GuardProblem& problem, const ArrivalOptions& arrivals, std::uint64_t seed) {
+Outcome<Run> run_arrivals(const GuardProblem& problem, const ArrivalOptions& arrivals, std::uint64_t seed,
+                          bool on_the_move = false) {
   const auto firing_map = build_firing_map(problem, coarse());
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
   if (auto ok = check_supplies(problem, *firing_map); !ok) return pass_on(ok);
-  const auto plan = plan_guard(problem, *firing_map, coarse(), {});
+  auto plan = plan_guard(problem, *firing_map, coarse(), {});
   if (!plan) return tl::unexpected<Fault>(plan.error());
+  plan->on_the_move = on_the_move;
   if (!arrivals.any()) {
     return logged_run({}, [&](Log& log) {
       return simulate_surviving_targets(problem, *firing_map, *plan, arrivals, coarse(), seed, log);
@@ -103,7 +105,7 @@ Premises run_with_limited_stores(const ArrivalOptions& arrivals, std::uint64_t f
     GuardProblem problem = testing::random_guard_problem(rng, 3, 4, 3.0);
     limit_stores(problem);
     problem.supplies.battery_wh = rng.uniform(0.15, 0.5);
-    const auto run = run_arrivals(problem, arrivals, 1 + static_cast<std::uint64_t>(i % 3));
+    const auto run = run_arrivals(problem, arrivals, 1 + static_cast<std::uint64_t>(i % 3), i % 2 != 0);
     if (!run) {
       EXPECT_EQ(run.error().where, "supplies.stations") << run.error().sentence;
       continue;  // a station stands in an obstacle
@@ -176,7 +178,7 @@ TEST(Combinations, IntrudersKeepComingOverHills) {
       at.z += field.height(xy(at));
     }
     for (Target& target : problem.targets) target.base.z += field.height(xy(target.base));
-    const auto run = run_arrivals(problem, eight_intruders(), 1);
+    const auto run = run_arrivals(problem, eight_intruders(), 1, i % 2 != 0);
     ASSERT_TRUE(run) << to_string(run.error());
     expect_everybody_accounted_for(*run, 8);
     const Replayed told = replay_shots(*run, problem, boxes_of(problem));
