@@ -98,10 +98,8 @@ void SimulatedRobot::turn_gun(const std::vector<Vec2>& waypoints, const FollowWa
       shoots ? command.shots[shots_done].shot : Shot{command.aim->yaw_rad, command.aim->pitch_rad, 0.0};
   const Stance stance =
       shoots ? body.stance_on(from, to, command.shots[shots_done].after_s) : body.stance_on(to, to, 0.0);
-  const GunAngles angles = angles_of(stance, barrel);
-  const GunState joints{wrap_angle(angles.yaw_rad - heading_on(stance, heading_of(to - from))),
-                        angles.pitch_rad};
-  gun_motion_ = GunMotion{devices_.gun->state(), joints, body.time_s()};
+  gun_motion_ = GunMotion{devices_.gun->state(),
+                          SimulatedGun::joints_towards(barrel, stance, heading_of(to - from)), body.time_s()};
 }
 
 /// Drives the straight that ends at waypoint `leg`, and shoots on the way.

@@ -66,6 +66,11 @@ SimulatedGun::Turn SimulatedGun::turn_towards(double yaw_rad, double pitch_rad, 
   return turn;
 }
 
+GunState SimulatedGun::joints_towards(const Shot& barrel, const Stance& stance, double heading_rad) {
+  const GunAngles angles = angles_of(stance, barrel);
+  return {wrap_angle(angles.yaw_rad - heading_on(stance, heading_rad)), angles.pitch_rad};
+}
+
 void SimulatedGun::be_on(const Turn& turn, double after_s) {
   const auto part = [after_s](double total_s) {
     return total_s > 0.0 ? std::min(1.0, after_s / total_s) : 1.0;

@@ -8,8 +8,6 @@
 namespace outrider {
 namespace {
 
-constexpr double instant_s = 1e-9;  ///< times closer than this are one
-
 void sense_body(TwistBody& body, Observation& seen) {
   seen.odometry = logged_pose(body.odometry());
   seen.touching = body.take_touch();

@@ -11,11 +11,6 @@
 #include "outrider/sim/execution_errors.hpp"
 
 namespace outrider {
-namespace {
-
-constexpr double same_time_s = 1e-9;  // times closer than this are one
-
-}  // namespace
 
 std::size_t elsewhere(std::size_t place, std::size_t places, Rng& rng) {
   const std::size_t other = rng.below(places - 1);
@@ -48,7 +43,7 @@ TargetReport SimulatedTargets::look(double time_s) {
     report.arrivals.push_back({told_, one.settles_s, one.place});
   }
   std::erase_if(survived_, [&](const Survived& one) {
-    const bool known = one.hit_s <= time_s + same_time_s;
+    const bool known = one.hit_s <= time_s + instant_s;
     if (known) report.arrivals.push_back(one.arrival);
     return known;
   });

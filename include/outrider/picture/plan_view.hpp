@@ -3,14 +3,11 @@
 // What is drawn follows from the channels of the log (docs/log.md), never from the job. From below to above:
 //
 //   ground   /map with /map_updates, /cost_grid, /firing_regions, /costmap, /expanded, /coverage_area,
-//   /terrain,
-//            /solids or else /walls
+//            /terrain, /solids or else /walls
 //   lines    /plan, /robot_N/plan and /plan/NAME, /odom, /reference, /target_pose, /belief with ellipses of
-//   two standard
-//            deviations, every .../pose and .../trajectory, /loops
+//            two standard deviations, every .../pose and .../trajectory, /loops
 //   marks    the robot at its start and at its end, drawn to size, /landmarks, /goal_pose, /refusals,
-//   /supplies,
-//            /tags, /waypoints, /shots, /targets and /target_positions
+//            /supplies, /tags, /waypoints, /shots, /targets and /target_positions
 //
 // A single track is the darker the later. Several paths on /plan/NAME have one colour, but one each, of ten,
 // if their poses have times: they are those of robots that drive at once. The legend names exactly what is

@@ -66,6 +66,8 @@ class SimulatedGun {
   /// Returns the motion to a yaw in the world frame and a pitch, for a robot with that heading.
   [[nodiscard]] Turn turn_towards(double yaw_rad, double pitch_rad, const Stance& stance,
                                   double heading_rad) const;
+  /// Returns the joints with which the barrel of a robot with that heading points that way.
+  [[nodiscard]] static GunState joints_towards(const Shot& barrel, const Stance& stance, double heading_rad);
   /// Sets the joints to their state `after_s` after the turn began.
   void be_on(const Turn& turn, double after_s);
   /// Sets the joints to their state `after_s` after they began to turn from `from` to `to`.

@@ -15,6 +15,8 @@
 
 namespace outrider {
 
+inline constexpr double instant_s = 1e-9;  ///< times closer than this are one
+
 /// The behaviour of the simulated targets.
 struct TargetSimParams {
   /// Arriving intruders in the order of entering. They are the first targets of the list; the targets after

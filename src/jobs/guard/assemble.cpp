@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "outrider/ballistics/stance.hpp"
 #include "reason.hpp"
 
 namespace outrider {
@@ -55,9 +54,8 @@ void PlanClock::make_stop(double begin_s) {
   gun_ = gun_after(stop.passing, gun_);
   time_s_ += drive.time_s;
   heading_rad_ = drive.heading_rad;
-  const double forward = heading_on(stance_at(firing_map_.rules, stop.position), heading_rad_);
   for (const PlannedHit& hit : stop.hits) {
-    aim({hit.shot.gun.yaw_rad - forward, hit.shot.gun.pitch_rad});
+    aim(joints_of(firing_map_, {stop.position, heading_rad_}, hit.shot.gun));
     landed_s_ = std::max(landed_s_, time_s_ + hit.shot.flight_s);
     if (is_awaited(hit.shot, plan_.on_the_move)) time_s_ += hit.shot.flight_s;
     gun_free_s_ = time_s_;

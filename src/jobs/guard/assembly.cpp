@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "assemble.hpp"
-#include "outrider/ballistics/stance.hpp"
 #include "outrider/jobs/guard/supply_plan.hpp"
 
 namespace outrider {
@@ -62,30 +61,31 @@ std::optional<GuardPlan> Assembly::plan_of(const Choice& choice) {
     const auto& [place, targets, call] = chosen;
     PlannedStop stop{place, way(pose, place), {}, call};
     if (stop.waypoints.empty()) return std::nullopt;
-    if (call) {  // drives to stations are for the store alone
+    if (call) {  // the drive there is for the store alone, and the gun comes to rest
       if (!left.empty()) return std::nullopt;
       left = *++segment;
-      pose = {place, drive(pose, stop.waypoints).heading_rad};
       gun = {};
-      result.stops.push_back(std::move(stop));
-      continue;
+    } else {
+      stop.passing = passing_.along(pose.heading_rad, stop.waypoints, gun, left);
+      for (const PassingHit& hit : stop.passing) std::erase(left, hit.target);
+      gun = gun_after(stop.passing, gun);
     }
-    stop.passing = passing_.along(pose.heading_rad, stop.waypoints, gun, left);
-    for (const PassingHit& hit : stop.passing) std::erase(left, hit.target);
-    gun = gun_after(stop.passing, gun);
     pose = {place, drive(pose, stop.waypoints).heading_rad};
-    const double ahead = heading_on(stance_at(firing_map_.rules, place), pose.heading_rad);
     for (const std::size_t target : targets) {
       const auto& shot = shot_from(place, target, gun.pitch_rad);
       if (!shot) return std::nullopt;
       stop.hits.push_back({target, *shot});
-      gun = {wrap_angle(shot->gun.yaw_rad - ahead), shot->gun.pitch_rad};
+      gun = joints_of(firing_map_, pose, shot->gun);
     }
     result.stops.push_back(std::move(stop));
   }
   if (!left.empty()) return std::nullopt;
-  if (problem_.supplies.any() && !supplies_suffice(problem_, firing_map_, result)) return std::nullopt;
-  result.cost_s = mission_time(problem_, firing_map_, result);
+  PlanClock clock(problem_, firing_map_, result);
+  while (!clock.done()) {
+    clock.make_stop();
+    if (!suffices(problem_.supplies, clock.level())) return std::nullopt;
+  }
+  result.cost_s = clock.end_s();
   return result;
 }
 

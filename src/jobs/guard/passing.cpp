@@ -141,6 +141,11 @@ Platform platform_on(const RobotModel& robot, Vec2 from, Vec2 to, double after_s
   return {at, xy(velocity), velocity.z};
 }
 
+GunState joints_of(const FiringMap& firing_map, const Pose2& robot, const GunAngles& barrel) {
+  const double ahead = heading_on(stance_at(firing_map.rules, robot.position), robot.heading_rad);
+  return {wrap_angle(barrel.yaw_rad - ahead), barrel.pitch_rad};
+}
+
 double last_landing_s(const std::vector<PassingHit>& passing) {
   double last = 0.0;
   for (const PassingHit& hit : passing) last = std::max(last, hit.leaves_s + hit.shot.flight_s);
@@ -183,9 +188,8 @@ const std::vector<PassingShots::LegShot>& PassingShots::from_leg(const Straight&
     const Vec2 at =
         platform_on(problem_.robot, straight.from, straight.to, k * moment_s, firing_map_.ground.terrain())
             .position;
-    const double ahead =
-        heading_on(stance_at(firing_map_.rules, at), heading_of(straight.to - straight.from));
-    entry->second.push_back({k, *shot, {wrap_angle(shot->gun.yaw_rad - ahead), shot->gun.pitch_rad}});
+    const Pose2 robot{at, heading_of(straight.to - straight.from)};
+    entry->second.push_back({k, *shot, joints_of(firing_map_, robot, shot->gun)});
   }
   return entry->second;
 }

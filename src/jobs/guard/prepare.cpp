@@ -97,14 +97,17 @@ Outcome<GuardPlan> plan_targets(const GuardScenario& scenario, const GuardProble
   auto planner = find_guard_planner(scenario.options.planner);
   if (!planner) return pass_on(planner);
   GuardOptions options = scenario.options;
-  const bool on_the_move = options.shoot_on_the_move && why_from_rest(asked_of(scenario)).empty();
-  const bool anew = scenario.arrivals.any() || scenario.arrivals.leave < 1.0;  // stops are planned anew
-  const bool supplied = problem.supplies.any();
-  options.shoot_on_the_move = on_the_move && !anew && !supplied;
-  auto plan = planner->plan(problem, firing_map, options, budget, observe);
-  if (plan && anew) plan->on_the_move = on_the_move;
-  if (!plan || anew) return plan;
-  options.shoot_on_the_move = on_the_move;
+  if (!why_from_rest(asked_of(scenario)).empty()) options.shoot_on_the_move = false;
+  // What the mission or the stations change later is a plan from rest.
+  const bool changes = scenario.arrivals.any() || scenario.arrivals.leave < 1.0;
+  GuardOptions drafting = options;
+  if (changes || problem.supplies.any()) drafting.shoot_on_the_move = false;
+  auto plan = planner->plan(problem, firing_map, drafting, budget, observe);
+  if (!plan) return plan;
+  if (changes) {
+    plan->on_the_move = options.shoot_on_the_move;
+    return plan;
+  }
   return supply_plan(problem, firing_map, std::move(*plan), options, budget);
 }
 

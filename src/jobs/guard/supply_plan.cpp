@@ -127,13 +127,10 @@ std::vector<SupplyLevel> planned_levels(const GuardProblem& problem, const Firin
   return after;
 }
 
-bool supplies_suffice(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan) {
+bool suffices(const Supplies& supplies, const SupplyLevel& level) {
   constexpr double rounding = 1e-9;
-  const Supplies& supplies = problem.supplies;
   const double spare = supplies.ends(Store::charge) ? supplies.reserve * supplies.full(Store::charge) : 0.0;
-  return std::ranges::all_of(planned_levels(problem, firing_map, plan), [&](const SupplyLevel& level) {
-    return level.water >= -rounding && level.charge >= spare - rounding;
-  });
+  return level.water >= -rounding && level.charge >= spare - rounding;
 }
 
 }  // namespace outrider

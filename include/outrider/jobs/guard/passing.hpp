@@ -38,6 +38,9 @@ std::vector<Straight> straights(const RobotModel& robot, double heading_rad,
 Platform platform_on(const RobotModel& robot, Vec2 from, Vec2 to, double after_s,
                      const HeightField* terrain = nullptr);
 
+/// Returns the joints of the gun, relative to the body of a robot there, for a barrel with these angles.
+GunState joints_of(const FiringMap& firing_map, const Pose2& robot, const GunAngles& barrel);
+
 /// A planned shot in passing.
 struct PassingHit {
   std::size_t target = 0;

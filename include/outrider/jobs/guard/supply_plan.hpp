@@ -28,11 +28,11 @@ std::vector<Station> stations_in_reach(const GuardProblem& problem, const Firing
 Outcome<SupplyTable> supply_table(const GuardProblem& problem, const FiringMap& firing_map,
                                   const GuardPlan& plan, std::size_t stops, const Budget& budget);
 
-/// Returns the plan with the station stops that the limited supplies require; `plan` itself, which is from
-/// rest, if no store is limited. Targets for which the supplies do not suffice are in `unsupplied`, each with
-/// a reason. With `options.shoot_on_the_move` shots are then moved to drives between the stations
-/// (passing_plan.hpp). The lower bounds of `plan` also hold for the result from rest; on the move they are
-/// those of mission_bound(). Faults: those of supply_table().
+/// Returns the plan with the station stops that the limited supplies require; `plan` itself if no store is
+/// limited. Else `plan` has to be from rest. Targets for which the supplies do not suffice are in
+/// `unsupplied`, each with a reason. With `options.shoot_on_the_move` shots are then moved to drives between
+/// the stations (passing_plan.hpp). The lower bounds of `plan` also hold for the result from rest; on the
+/// move they are those of mission_bound(). Faults: those of supply_table().
 Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const FiringMap& firing_map, GuardPlan plan,
                                const GuardOptions& options, const Budget& budget);
 
@@ -41,7 +41,7 @@ Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const FiringMap& fir
 std::vector<SupplyLevel> planned_levels(const GuardProblem& problem, const FiringMap& firing_map,
                                         const GuardPlan& plan);
 
-/// Returns true if no store is below zero after any stop, and the charge not below its reserve.
-bool supplies_suffice(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan);
+/// Returns true if the water is not below zero, and the charge not below its reserve.
+bool suffices(const Supplies& supplies, const SupplyLevel& level);
 
 }  // namespace outrider

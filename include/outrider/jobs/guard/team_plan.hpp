@@ -12,8 +12,8 @@
 // somewhere is never driven into, and no two robots wait for each other. Among the possible next drives the
 // one that begins soonest is admitted; dead ends are left by backtracking.
 //
-// Level ground, targets that stand still, no stations. Plans do not look at balls that
-// touch other robots; whoever carries them out does (team_run.hpp).
+// Level ground, targets that stand still, no stations. Plans do not look at balls that touch other robots;
+// whoever carries them out does (team_run.hpp).
 #pragma once
 
 #include <vector>

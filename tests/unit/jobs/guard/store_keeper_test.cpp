@@ -83,7 +83,8 @@ TEST(SupplyRun, WithoutErrorsTakesWhatItsPlanSays) {
     const auto mission = planned(std::move(problem), on_the_move);
     if (!mission) continue;  // a station stands in an obstacle
     ASSERT_EQ(mission->plan.on_the_move, on_the_move);
-    EXPECT_TRUE(supplies_suffice(mission->problem, mission->firing_map, mission->plan));
+    for (const SupplyLevel& level : planned_levels(mission->problem, mission->firing_map, mission->plan))
+      EXPECT_TRUE(suffices(mission->problem.supplies, level));
     const auto run = testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), 1);
     expect_sound_levels(run);
     EXPECT_NEAR(metric(run, "mission_s"), mission->plan.cost_s, 1e-6) << i;

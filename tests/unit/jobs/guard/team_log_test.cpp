@@ -23,7 +23,8 @@ TEST(AppendTeam, MergesByTimeAndKeepsEveryRobotApart) {
     shot.target = std::string(1, static_cast<char>('a' + r));
     robot.append(topic::shots, 3.0 - static_cast<double>(r), shot);
   }
-  for (std::size_t r = 0; r < 3; ++r) {  // each robot is told of all targets, and of the change of its own
+  for (std::size_t r = 0; r < 3;
+       ++r) {  // each robot logs all targets at first, and then what changes of its own
     for (const char* name : {"a", "b", "c"}) {
       outrider_msgs::Target target;
       target.name = name;
