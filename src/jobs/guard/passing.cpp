@@ -14,6 +14,9 @@ constexpr double settle_s = 0.1;       // that the gun is in its place before a 
 constexpr double passing_ratio = 0.7;  // largest error_ratio
 constexpr std::size_t most_flown = 4;  // shots that a moment is given up after
 
+/// The time of a moment since the beginning of its leg.
+double moment_after_s(std::size_t moment) { return static_cast<double>(moment + 1) * moment_s; }
+
 /// Where the robot may be instead when it shoots, under the extreme errors of the moment and the way.
 std::vector<Platform> displaced_platforms(const GuardProblem& problem, const HeightField* terrain,
                                           const Straight& straight, bool last, double after_s) {
@@ -178,82 +181,88 @@ std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const Firin
   return std::nullopt;
 }
 
-const std::vector<PassingShots::LegShot>& PassingShots::from_leg(const Straight& straight, bool last,
-                                                                 std::size_t target) {
-  const Leg leg{straight.from.x, straight.from.y, straight.to.x, straight.to.y, last, target};
-  const auto [entry, added] = solved_.try_emplace(leg);
-  for (int k = 1; added && k * moment_s < straight.length_s; ++k) {
-    const auto shot = passing_shot(problem_, firing_map_, target, straight, last, k * moment_s);
-    if (!shot) continue;
+/// Finds the targets that a robot could hit from rest at each moment, without solving a shot.
+PassingShots::Leg PassingShots::look_along(const Straight& straight) const {
+  const HeightField* const terrain = firing_map_.ground.terrain();
+  Leg leg;
+  for (std::size_t m = 0; moment_after_s(m) < straight.length_s; ++m) {
+    std::vector<Chance>& chances = leg.moments.emplace_back();
     const Vec2 at =
-        platform_on(problem_.robot, straight.from, straight.to, k * moment_s, firing_map_.ground.terrain())
-            .position;
+        platform_on(problem_.robot, straight.from, straight.to, moment_after_s(m), terrain).position;
+    const Cell cell = firing_map_.frame.cell_at(at);
+    if (!firing_map_.frame.contains(cell)) continue;
+    const std::size_t index = firing_map_.frame.index(cell);
+    for (std::uint32_t target = 0; target < problem_.targets.size(); ++target) {
+      if (firing_map_.regions[target].pitch[index] != FiringRegion::no_shot)
+        chances.push_back({target, unsolved});
+    }
+  }
+  return leg;
+}
+
+PassingShots::Leg& PassingShots::leg_along(const Straight& straight, bool last) {
+  const auto [entry, added] =
+      legs_.try_emplace({straight.from.x, straight.from.y, straight.to.x, straight.to.y, last});
+  if (added) entry->second = look_along(straight);
+  return entry->second;
+}
+
+const PassingShots::LegShot* PassingShots::shot_of(Leg& leg, Chance& chance, const Straight& straight,
+                                                   bool last, double after_s) const {
+  if (chance.shot == unsolved) {
+    const auto shot = passing_shot(problem_, firing_map_, chance.target, straight, last, after_s);
+    chance.shot = shot ? static_cast<std::uint32_t>(leg.shots.size()) : no_shot;
+    if (!shot) return nullptr;
+    const HeightField* const terrain = firing_map_.ground.terrain();
+    const Vec2 at = platform_on(problem_.robot, straight.from, straight.to, after_s, terrain).position;
     const Pose2 robot{at, heading_of(straight.to - straight.from)};
-    entry->second.push_back({k, *shot, joints_of(firing_map_, robot, shot->gun)});
+    leg.shots.push_back({*shot, joints_of(firing_map_, robot, shot->gun)});
   }
-  return entry->second;
+  return chance.shot == no_shot ? nullptr : &leg.shots[chance.shot];
 }
 
-PassingShots::Way& PassingShots::way_along(double heading_rad, const std::vector<Vec2>& waypoints) {
-  std::vector<double> key{heading_rad};
-  for (const Vec2 point : waypoints) key.insert(key.end(), {point.x, point.y});
-  const auto [entry, added] = ways_.try_emplace(std::move(key));
-  if (added) {
-    entry->second = {straights(problem_.robot, heading_rad, waypoints, firing_map_.ground.terrain()), {}};
-    entry->second.offers.resize(problem_.targets.size());
+/// Fires at the target whose last moment comes first, of those that can be hit now with the gun in time.
+void PassingShots::fire(Salvo& salvo, Leg& leg, std::size_t moment, const Straight& straight, bool last) {
+  const double after_s = moment_after_s(moment), leaves_s = straight.begin_s + after_s;
+  if (salvo.ready_s > leaves_s) return;
+  std::vector<Chance*> now;
+  for (Chance& chance : leg.moments[moment]) {
+    if (salvo.wanted[chance.target]) now.push_back(&chance);
   }
-  return entry->second;
-}
-
-const std::vector<PassingShots::Offer>& PassingShots::offers_on(Way& way, std::size_t target) {
-  auto& offers = way.offers[target];
-  if (offers) return *offers;
-  offers.emplace();
-  const auto& straights = way.straights;
-  for (std::size_t j = 0; j < straights.size(); ++j) {
-    for (const LegShot& shot : from_leg(straights[j], j + 1 == straights.size(), target))
-      offers->push_back({j, straights[j].begin_s + shot.moment * moment_s, &shot});
+  std::ranges::stable_sort(now, {}, [&](const Chance* chance) { return salvo.last_s[chance->target]; });
+  for (Chance* chance : now) {
+    const LegShot* const shot = shot_of(leg, *chance, straight, last, after_s);
+    if (shot == nullptr) continue;
+    const double aim_s = aim_time(problem_.gun, shot->gun.yaw_rad - salvo.gun.yaw_rad,
+                                  shot->gun.pitch_rad - salvo.gun.pitch_rad);
+    if (salvo.ready_s + aim_s > leaves_s) continue;
+    salvo.chosen.push_back({chance->target, straight.leg, after_s, leaves_s, shot->shot, shot->gun});
+    salvo.gun = shot->gun;
+    salvo.ready_s = leaves_s + settle_s;
+    salvo.wanted[chance->target] = false;
+    return;
   }
-  return *offers;
 }
 
 std::vector<PassingHit> PassingShots::along(double heading_rad, const std::vector<Vec2>& waypoints,
                                             GunState gun, const std::vector<std::size_t>& targets) {
-  Way& way = way_along(heading_rad, waypoints);
-  std::vector<Offered> offered;
-  for (const std::size_t target : targets) {
-    const auto& offers = offers_on(way, target);
-    if (!offers.empty()) offered.push_back({target, offers, offers.back().leaves_s});
-  }
-  std::vector<PassingHit> chosen;
-  double free_s = 0.0;  // since when the gun may turn to the next shot
-  for (std::size_t j = 0; j < way.straights.size() && !offered.empty(); ++j) {
-    const Straight& straight = way.straights[j];
-    const auto in_time = [&](const Offer& offer) {
-      const GunState& to = offer.of->gun;
-      return free_s + settle_s +
-                 aim_time(problem_.gun, to.yaw_rad - gun.yaw_rad, to.pitch_rad - gun.pitch_rad) <=
-             offer.leaves_s;
-    };
-    for (int k = 1; k * moment_s < straight.length_s; ++k) {
-      Offered* urgent = nullptr;  // of the targets with an offer now, that whose last offer comes first
-      const Offer* now = nullptr;
-      for (Offered& one : offered) {
-        if (one.left.empty() || one.left.front().straight != j || one.left.front().of->moment != k) continue;
-        const Offer& offer = one.left.front();
-        one.left = one.left.subspan(1);
-        if (urgent != nullptr && urgent->last_s <= one.last_s) continue;
-        if (in_time(offer)) urgent = &one, now = &offer;
-      }
-      if (urgent == nullptr) continue;
-      chosen.push_back(
-          {urgent->target, straight.leg, k * moment_s, now->leaves_s, now->of->shot, now->of->gun});
-      gun = now->of->gun;
-      free_s = now->leaves_s;
-      urgent->left = {};
+  const auto path = straights(problem_.robot, heading_rad, waypoints, firing_map_.ground.terrain());
+  const std::size_t count = problem_.targets.size();
+  Salvo salvo{gun, settle_s, std::vector<bool>(count), std::vector<double>(count), {}};
+  for (const std::size_t target : targets) salvo.wanted[target] = true;
+  std::vector<Leg*> legs;
+  for (const Straight& straight : path) {
+    Leg& leg = *legs.emplace_back(&leg_along(straight, &straight == &path.back()));
+    for (std::size_t m = 0; m < leg.moments.size(); ++m) {
+      for (const Chance& chance : leg.moments[m])
+        salvo.last_s[chance.target] = straight.begin_s + moment_after_s(m);
     }
   }
-  return chosen;
+  for (std::size_t j = 0; j < path.size(); ++j) {
+    for (std::size_t m = 0; m < legs[j]->moments.size(); ++m)
+      fire(salvo, *legs[j], m, path[j], j + 1 == path.size());
+  }
+  return salvo.chosen;
 }
 
 }  // namespace outrider

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "one_route.hpp"
 #include "routes_graph.hpp"
 #include "routes_parallel.hpp"
 #include "routes_search.hpp"
@@ -139,36 +140,22 @@ Outcome<Route> Routes::route(const Pose2& start, Vec2 goal) const {
     return Route{{start.position}, drive_cost(t.robot, start.heading_rad, {start.position})};
   }
 
-  Budget unlimited;
-  const std::vector<Node> ends = open_nodes({start.position, goal});
-  auto direct = routes::sight_lines(t.ground, t.robot, {ends[0]}, {ends[1]}, unlimited);
-  if (!direct) return pass_on(direct);
   // On flat ground the straight line is the fastest: its direction lies between those of the legs of any
   // other way, which turns as far at least, is no shorter, and halts besides.
-  if (!direct->lines.empty() && t.ground.terrain() == nullptr) {
+  if (t.ground.terrain() == nullptr && t.ground.segment_free({start.position, goal}, t.robot.radius_m)) {
     return Route{{start.position, goal}, drive_cost(t.robot, start.heading_rad, {start.position, goal})};
   }
-  auto from_ends = routes::sight_lines(t.ground, t.robot, ends, t.nodes, unlimited);
-  if (!from_ends) return pass_on(from_ends);
-  const SightLines to_ends = routes::reversed(*from_ends, ends, t.nodes);
-  std::vector<SightLine> direct_line(direct->lines);
-  for (SightLine& line : direct_line) line.to = 1;
-
-  RouteTree tree;
-  const RouteQuery query{from_ends->row(0), direct_line, wrap_angle(start.heading_rad), 1, 2};
-  BudgetMeter meter(unlimited);
-  routes::search_routes(t.robot, t.lines, to_ends, query, meter, tree);
-  if (!std::isfinite(tree.arrivals[1].drive.time_s)) {
+  const Pose2 from{start.position, wrap_angle(start.heading_rad)};
+  auto waypoints = routes::one_route({t.ground, t.robot, t.nodes, t.lines}, from, goal);
+  if (!waypoints) {
     return fault(
         FaultCode::no_path,
         fmt::format("no route leads from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f}) over the {} nodes; extra "
                     "nodes from a grid path may open a narrow passage",
                     start.position.x, start.position.y, goal.x, goal.y, t.nodes.size()));
   }
-  Route route;
-  route.waypoints = points_of(tree, t.nodes, start.position, 1, goal);
-  route.cost = drive_cost(t.robot, start.heading_rad, route.waypoints, t.ground.terrain());
-  return route;
+  const DriveCost cost = drive_cost(t.robot, start.heading_rad, *waypoints, t.ground.terrain());
+  return Route{std::move(*waypoints), cost};
 }
 
 const RobotModel& Corners::robot() const { return table_->robot; }
@@ -206,8 +193,8 @@ Outcome<Routes> routes_over(const Corners& corners, const std::vector<Vec2>& sto
   RouteTable table{corners.table(), stops, std::vector<RouteTree>(stops.size())};
   Status searched = routes::in_parallel(stops.size(), remaining, [&](std::size_t i, BudgetMeter& meter) {
     RouteTree& tree = table.trees[i];
-    const RouteQuery query{stop_lines->row(i), direct->row(i), std::nullopt,
-                           static_cast<std::uint32_t>(i + 1), static_cast<std::uint32_t>(stops.size())};
+    const RouteQuery query{stop_lines->row(i), direct->row(i), static_cast<std::uint32_t>(i + 1),
+                           static_cast<std::uint32_t>(stops.size())};
     if (!routes::search_routes(c.robot, c.lines, to_stops, query, meter, tree)) return false;
     for (std::size_t k = i + 1; k < stops.size(); ++k) {
       if (distance(stops[i], stops[k]) <= same_place_m)

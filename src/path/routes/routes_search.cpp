@@ -5,32 +5,12 @@
 #include <limits>
 #include <utility>
 
-#include "outrider/core/units.hpp"
+#include "turn_time.hpp"
 
 namespace outrider::routes {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
-
-/// Computes duration() of a turn between two headings, with its constant part precomputed.
-class TurnTime {
- public:
-  explicit TurnTime(const Limits& limits)
-      : limits_(limits),
-        ramp_s_(limits.speed / limits.acceleration),
-        full_speed_rad_(limits.speed * ramp_s_) {}
-
-  double operator()(double from_rad, double to_rad) const {
-    const double apart = std::abs(from_rad - to_rad);  // both in (-pi, pi]
-    const double angle = std::min(apart, 2.0 * pi - apart);
-    return angle > full_speed_rad_ ? angle / limits_.speed + ramp_s_ : duration(angle, limits_);
-  }
-
- private:
-  Limits limits_;
-  double ramp_s_;
-  double full_speed_rad_;
-};
 
 struct RouteLabel {
   double time_s = 0.0;
@@ -59,7 +39,6 @@ class Search {
   Search(const RobotModel& robot, const SightLines& node_lines, const SightLines& target_lines,
          const RouteQuery& query, RouteTree& tree)
       : turn_(robot.turning()),
-        half_turn_s_(turn_(0.0, pi)),
         node_lines_(node_lines),
         target_lines_(target_lines),
         query_(query),
@@ -70,14 +49,11 @@ class Search {
   bool run(BudgetMeter& meter) {
     tree_.steps.clear();
     tree_.arrivals.assign(query_.targets, {});
-    const auto first_turn = [&](const SightLine& line) {
-      return query_.heading_rad ? turn_(*query_.heading_rad, line.heading_rad) : 0.0;
-    };
     for (const SightLine& line : query_.direct) {
-      arrive(line.to, first_turn(line) + line.drive_s, line.heading_rad, no_label);
+      arrive(line.to, line.drive_s, line.heading_rad, no_label);
     }
     for (const SightLine& line : query_.nodes) {
-      push(line.to, first_turn(line) + line.drive_s, line.heading_rad, no_label);
+      push(line.to, line.drive_s, line.heading_rad, no_label);
     }
     for (std::size_t turn = 0; !queue_.empty(); ++turn) {
       if (turn % 64 == 0) look_ahead();
@@ -104,7 +80,7 @@ class Search {
     Best& best = best_[node];
     if (time_s >= std::min(best.hopeless_s, horizon_s_)) return;
     if (time_s >= best.time_s + turn_(best.heading_rad, heading_rad)) return;
-    if (time_s < best.time_s) best = {time_s, heading_rad, time_s + half_turn_s_};
+    if (time_s < best.time_s) best = {time_s, heading_rad, time_s + turn_.half_turn_s()};
     const auto label = static_cast<std::uint32_t>(labels_.size());
     labels_.push_back({time_s, heading_rad, node, no_label});
     tree_.steps.push_back({node, before});
@@ -176,7 +152,6 @@ class Search {
   }
 
   TurnTime turn_;
-  double half_turn_s_;
   const SightLines& node_lines_;
   const SightLines& target_lines_;
   const RouteQuery& query_;

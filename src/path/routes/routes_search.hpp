@@ -1,7 +1,8 @@
 // The label search of routes.hpp: from one place to all others.
 #pragma once
 
-#include <optional>
+#include <span>
+#include <vector>
 
 #include "outrider/core/budget.hpp"
 #include "outrider/path/routes/routes.hpp"
@@ -31,7 +32,6 @@ struct RouteTree {
 struct RouteQuery {
   std::span<const SightLine> nodes;   ///< lines of sight from the start to nodes
   std::span<const SightLine> direct;  ///< lines of sight from the start to targets
-  std::optional<double> heading_rad;  ///< if set, the first turn is counted
   std::uint32_t first_target = 0;     ///< earlier targets are ignored
   std::uint32_t targets = 0;          ///< number of targets
 };

@@ -65,46 +65,48 @@ class PassingShots {
       : problem_(problem), firing_map_(firing_map) {}
 
   /// Chooses shots along a path. It tries firing times 0.2 s apart. At each of them it considers the targets
-  /// that can be hit and that the gun can be aimed at in time, and shoots at the one whose last chance on the
-  /// path comes first. Each target is shot at no more than once. Returns the shots in the order of firing.
-  /// Solves O(firing times * targets) shots; then O(firing times * targets that can be hit from the path).
+  /// that can be hit and that the gun can be aimed at in time, and shoots at the one that the robot is in the
+  /// firing region of for the shortest time to come. Each target is shot at no more than once. Returns the
+  /// shots in the order of firing. Solves the shots that it considers, once each; O(sum of the targets in
+  /// whose regions the robot is, over the firing times).
   std::vector<PassingHit> along(double heading_rad, const std::vector<Vec2>& waypoints, GunState gun,
                                 const std::vector<std::size_t>& targets);
 
  private:
-  /// A possible shot at one of the firing times of a leg.
+  /// A shot at one of the firing times of a leg.
   struct LegShot {
-    int moment = 0;  ///< number of the firing time
     PlannedShot shot;
     GunState gun;  ///< joints of the gun
   };
-  /// The same on a path.
-  struct Offer {
-    std::size_t straight = 0;  ///< index of the leg among those of the path
-    double leaves_s = 0.0;     ///< firing time, counted from the beginning of the path
-    const LegShot* of = nullptr;
+  static constexpr std::uint32_t unsolved = 0xffffffff, no_shot = 0xfffffffe;
+  /// A target that a standing robot could hit from where the robot is at some firing time.
+  struct Chance {
+    std::uint32_t target = 0;
+    std::uint32_t shot = unsolved;  ///< index in the leg
   };
-  /// A target with its possible shots along a path that are still to come.
-  struct Offered {
-    std::size_t target = 0;
-    std::span<const Offer> left = {};
-    double last_s = 0.0;  ///< firing time of the last of all
+  struct Leg {
+    std::vector<std::vector<Chance>> moments;  ///< by firing time
+    std::vector<LegShot> shots;
   };
-  /// A path with the possible shots along it, solved for one target after another as they are asked for.
-  struct Way {
-    std::vector<Straight> straights;
-    std::vector<std::optional<std::vector<Offer>>> offers;  ///< by target, in the order of time
-  };
-  using Leg = std::tuple<double, double, double, double, bool, std::size_t>;
 
-  Way& way_along(double heading_rad, const std::vector<Vec2>& waypoints);
-  const std::vector<Offer>& offers_on(Way& way, std::size_t target);
-  const std::vector<LegShot>& from_leg(const Straight& straight, bool last, std::size_t target);
+  /// The shots along one path while they are chosen.
+  struct Salvo {
+    GunState gun;
+    double ready_s = 0.0;      ///< when the gun may fire if it need not turn, from the beginning of the path
+    std::vector<bool> wanted;  ///< by target: it is to be hit, and is not yet
+    std::vector<double> last_s;  ///< by target: the last firing time inside its region
+    std::vector<PassingHit> chosen;
+  };
+
+  [[nodiscard]] Leg look_along(const Straight& straight) const;
+  Leg& leg_along(const Straight& straight, bool last);
+  void fire(Salvo& salvo, Leg& leg, std::size_t moment, const Straight& straight, bool last);
+  const LegShot* shot_of(Leg& leg, Chance& chance, const Straight& straight, bool last, double after_s) const;
 
   const GuardProblem& problem_;
   const FiringMap& firing_map_;
-  std::map<Leg, std::vector<LegShot>> solved_;
-  std::map<std::vector<double>, Way> ways_;  // by the heading and the waypoints
+  std::map<std::tuple<double, double, double, double, bool>, Leg>
+      legs_;  // by ends, and whether it is the last
 };
 
 /// Returns the shot at the target's centre that lands soonest, or nothing if there is none. Candidates are

@@ -8,6 +8,7 @@
 
 #include "routes_twin.hpp"
 #include "support/random_cases.hpp"
+#include "support/random_terrain.hpp"
 
 namespace outrider {
 namespace {
@@ -175,19 +176,36 @@ TEST(Routes, BackIsThereReversed) {
   }
 }
 
+void expect_times_of_the_table(const Routes& routes, const Yard& yard) {
+  for (std::size_t i = 0; i < yard.stops.size(); ++i) {
+    for (std::size_t j = 0; j < yard.stops.size(); ++j) {
+      const Drive drive = routes.between(i, j);
+      if (i == j || drive.time_s == inf) continue;
+      const auto route = routes.route({yard.stops[i], drive.departure_rad}, yard.stops[j]);
+      ASSERT_TRUE(route);
+      EXPECT_NEAR(route->cost.time_s, drive.time_s, 1e-6);
+      const auto turned = routes.route({yard.stops[i], drive.departure_rad + 2.0}, yard.stops[j]);
+      ASSERT_TRUE(turned);
+      EXPECT_GE(turned->cost.time_s, drive.time_s - 1e-6);
+      EXPECT_LE(turned->cost.time_s, drive.time_s + duration(2.0, yard.robot.turning()) + 1e-6);
+    }
+  }
+}
+
 TEST(Routes, ARouteFromTheBestHeadingTakesTheTimeOfTheTable) {
   const Yard yard = big_yard(9, 60, 12);
   const auto routes = routes_of(yard);
   ASSERT_TRUE(routes);
-  for (std::size_t i = 0; i < yard.stops.size(); ++i) {
-    for (std::size_t j = 0; j < yard.stops.size(); ++j) {
-      const Drive drive = routes->between(i, j);
-      if (i == j || drive.time_s == inf) continue;
-      const auto route = routes->route({yard.stops[i], drive.departure_rad}, yard.stops[j]);
-      ASSERT_TRUE(route);
-      EXPECT_NEAR(route->cost.time_s, drive.time_s, 1e-6);
-    }
-  }
+  expect_times_of_the_table(*routes, yard);
+}
+
+TEST(Routes, ARouteOnAHillTakesTheTimeOfTheTable) {
+  const Yard yard = big_yard(10, 40, 10);
+  const auto hill = std::make_shared<const HeightField>(testing::hill(11.0, 0.5, 6.0, 8.0));
+  const CollisionMap ground(yard.bounds, yard.obstacles, hill);
+  const auto routes = routes_between(ground, yard.robot, yard.stops, {}, {}, {});
+  ASSERT_TRUE(routes) << to_string(routes.error());
+  expect_times_of_the_table(*routes, yard);
 }
 
 TEST(Routes, AMirroredOrTurnedYardTakesTheSameTimes) {
