@@ -18,27 +18,70 @@ void leave_company(const Instance& instance, std::uint32_t goal, std::vector<std
   for (const std::uint32_t node : instance.nodes_of[goal]) --company[instance.nodes[node].stop];
 }
 
-/// Inserts all goals, the one with the least score next.
-Route cheapest_insertion(const Instance& instance, double sharing) {
-  Route route;
-  std::vector<std::uint32_t> missing(instance.goals);
-  std::iota(missing.begin(), missing.end(), 0U);
-  std::vector<std::uint32_t> company = count_company(instance, missing);
-  while (!missing.empty()) {
-    std::size_t index = 0;
-    Insertion best;
-    for (std::size_t i = 0; i < missing.size(); ++i) {
-      const Insertion candidate = best_insertion(instance, route, missing[i], sharing, company);
-      if (candidate.score >= best.score) continue;
-      best = candidate;
-      index = i;
-    }
-    leave_company(instance, missing[index], company);
-    missing.erase(missing.begin() + static_cast<std::ptrdiff_t>(index));
-    splice(instance, route, best.position, best.position, {&best.node, 1});
+/// Inserts all goals, the one with the least score next. The best insertion of each goal is kept, and found
+/// anew only where the route or the company of its stop has changed.
+class CheapestInsertion {
+ public:
+  CheapestInsertion(const Instance& instance, double sharing)
+      : instance_(instance), sharing_(sharing), missing_(instance.goals), best_(instance.goals) {
+    std::iota(missing_.begin(), missing_.end(), 0U);
+    company_ = count_company(instance, missing_);
   }
-  return route;
-}
+
+  Route run() {
+    for (const std::uint32_t goal : missing_)
+      best_[goal] = best_insertion(instance_, route_, goal, sharing_, company_);
+    while (!missing_.empty()) {
+      const auto next = std::ranges::min_element(missing_, {}, [&](auto goal) { return best_[goal].score; });
+      const std::uint32_t goal = *next;
+      missing_.erase(next);
+      insert(goal);
+    }
+    return std::move(route_);
+  }
+
+ private:
+  static constexpr int visits_before = 3;  // of a change, from which on insertions cost something else
+  static constexpr int visits_after = 2;
+
+  void insert(std::uint32_t goal) {
+    const Insertion chosen = best_[goal];
+    leave_company(instance_, goal, company_);
+    splice(instance_, route_, chosen.position, chosen.position, {&chosen.node, 1});
+    const auto [begin, end] = changed_around(chosen.position);
+    for (const std::uint32_t other : missing_) {
+      Insertion& best = best_[other];
+      const std::uint32_t stop = instance_.nodes[best.node].stop;
+      const bool was_near = best.position + 1 >= begin && best.position < end;
+      if (was_near || instance_.node(stop, goal) != none) {
+        best = best_insertion(instance_, route_, other, sharing_, company_);
+        continue;
+      }
+      if (best.position >= chosen.position) ++best.position;
+      find_better(instance_, route_, other, sharing_, company_, begin, end, best);
+    }
+  }
+
+  /// The positions at which an insertion may cost something else since that one: whole visits.
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> changed_around(std::uint32_t position) const {
+    std::uint32_t begin = first_of_visit(position), end = position;
+    for (int k = 0; k < visits_before && begin > 0; ++k) begin = first_of_visit(begin - 1);
+    for (int k = 0; k <= visits_after && end < route_.size(); ++k) end = route_.visit_end[end] + 1;
+    return {begin, end == route_.size() ? end + 1 : end};
+  }
+
+  [[nodiscard]] std::uint32_t first_of_visit(std::uint32_t position) const {
+    while (position > 0 && route_.visit_end[position - 1] >= position) --position;
+    return position;
+  }
+
+  const Instance& instance_;
+  double sharing_;
+  Route route_;
+  std::vector<std::uint32_t> missing_;
+  std::vector<std::uint32_t> company_;
+  std::vector<Insertion> best_;  // by goal
+};
 
 Route nearest_next(const Instance& instance) {
   Route route;
@@ -78,7 +121,7 @@ void insert_all(const Instance& instance, Route& route, const std::vector<std::u
 Route construct(const Instance& instance) {
   Route best = nearest_next(instance);
   for (const double sharing : {0.0, 0.3, 1.0}) {
-    Route route = cheapest_insertion(instance, sharing);
+    Route route = CheapestInsertion(instance, sharing).run();
     if (route.cost < best.cost) best = std::move(route);
   }
   return best;

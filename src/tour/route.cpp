@@ -13,11 +13,13 @@ void consider(const Instance& instance, const Route& route, std::uint32_t positi
   if (cost / divisor < best.score) best = {cost, cost / divisor, position, node};
 }
 
-void insert_in_visits(const Instance& instance, const Route& route, std::uint32_t goal, Insertion& best) {
-  if (const std::uint32_t node = instance.node(0, goal); node != none) {
+/// Visits that begin at the positions [first, end), and the start if that is 0.
+void insert_in_visits(const Instance& instance, const Route& route, std::uint32_t goal, std::uint32_t first,
+                      std::uint32_t end, Insertion& best) {
+  if (const std::uint32_t node = instance.node(0, goal); first == 0 && node != none) {
     consider(instance, route, 0, node, 1.0, best);
   }
-  for (std::uint32_t begin = 0; begin < route.size(); begin = route.visit_end[begin] + 1) {
+  for (std::uint32_t begin = first; begin < std::min(end, route.size()); begin = route.visit_end[begin] + 1) {
     const std::uint32_t node = instance.node(route.after[begin].stop, goal);
     if (node == none) continue;
     for (std::uint32_t position = begin; position <= route.visit_end[begin] + 1; ++position) {
@@ -92,14 +94,19 @@ void splice(const Instance& instance, Route& route, std::uint32_t begin, std::ui
   refresh(instance, route);
 }
 
+void find_better(const Instance& instance, const Route& route, std::uint32_t goal, double sharing,
+                 std::span<const std::uint32_t> company, std::uint32_t begin, std::uint32_t end,
+                 Insertion& best) {
+  insert_in_visits(instance, route, goal, begin, end, best);
+  for (std::uint32_t p = begin; p < std::min(end, route.size()); p = route.visit_end[p] + 1)
+    insert_visit(instance, route, goal, p, sharing, company, best);
+  if (end > route.size()) insert_visit(instance, route, goal, route.size(), sharing, company, best);
+}
+
 Insertion best_insertion(const Instance& instance, const Route& route, std::uint32_t goal, double sharing,
                          std::span<const std::uint32_t> company) {
   Insertion best;
-  insert_in_visits(instance, route, goal, best);
-  for (std::uint32_t begin = 0; begin < route.size(); begin = route.visit_end[begin] + 1) {
-    insert_visit(instance, route, goal, begin, sharing, company, best);
-  }
-  insert_visit(instance, route, goal, route.size(), sharing, company, best);
+  find_better(instance, route, goal, sharing, company, 0, route.size() + 1, best);
   return best;
 }
 

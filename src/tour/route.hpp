@@ -44,4 +44,11 @@ struct Insertion {
 Insertion best_insertion(const Instance& instance, const Route& route, std::uint32_t goal, double sharing,
                          std::span<const std::uint32_t> company);
 
+/// The same as far as it concerns the positions [begin, end), where `begin` and `end` are the first ones of
+/// visits or the size of the route, and `end` is one more if the end of the route counts. Replaces `best`
+/// where an insertion has a lower score.
+void find_better(const Instance& instance, const Route& route, std::uint32_t goal, double sharing,
+                 std::span<const std::uint32_t> company, std::uint32_t begin, std::uint32_t end,
+                 Insertion& best);
+
 }  // namespace outrider::tour
