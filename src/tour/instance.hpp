@@ -74,6 +74,8 @@ struct State {
   double heading = 0.0;
   double yaw = 0.0;  // of the gun relative to the body
   double pitch = 0.0;
+
+  friend bool operator==(const State&, const State&) = default;
 };
 
 inline State start_of(const Instance& instance) { return {0, instance.heading, 0.0, 0.0}; }

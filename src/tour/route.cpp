@@ -48,24 +48,36 @@ void insert_visit(const Instance& instance, const Route& route, std::uint32_t go
   }
 }
 
+/// Fills what follows from the steps and states.
+void sum_up(Route& route) {
+  const std::uint32_t size = route.size();
+  route.cost = 0.0;
+  for (const double step : route.step) route.cost += step;
+  route.visit_end.resize(size);
+  for (std::uint32_t p = size; p-- > 0;) {
+    const bool ends = p + 1 == size || route.after[p + 1].stop != route.after[p].stop;
+    route.visit_end[p] = ends ? p : route.visit_end[p + 1];
+  }
+}
+
+template <class T>
+void replace(std::vector<T>& values, std::uint32_t begin, std::uint32_t end, std::size_t by) {
+  values.erase(values.begin() + begin, values.begin() + end);
+  values.insert(values.begin() + begin, by, T{});
+}
+
 }  // namespace
 
 void refresh(const Instance& instance, Route& route) {
   const std::uint32_t size = route.size();
   route.after.resize(size);
   route.step.resize(size);
-  route.visit_end.resize(size);
-  route.cost = 0.0;
   State state = start_of(instance);
   for (std::uint32_t p = 0; p < size; ++p) {
     route.step[p] = advance(instance, state, instance.nodes[route.nodes[p]]);
     route.after[p] = state;
-    route.cost += route.step[p];
   }
-  for (std::uint32_t p = size; p-- > 0;) {
-    const bool ends = p + 1 == size || route.after[p + 1].stop != route.after[p].stop;
-    route.visit_end[p] = ends ? p : route.visit_end[p + 1];
-  }
+  sum_up(route);
 }
 
 double splice_cost(const Instance& instance, const Route& route, std::uint32_t begin, std::uint32_t end,
@@ -89,9 +101,18 @@ double splice_cost(const Instance& instance, const Route& route, std::uint32_t b
 
 void splice(const Instance& instance, Route& route, std::uint32_t begin, std::uint32_t end,
             std::span<const std::uint32_t> replacement) {
-  route.nodes.erase(route.nodes.begin() + begin, route.nodes.begin() + end);
-  route.nodes.insert(route.nodes.begin() + begin, replacement.begin(), replacement.end());
-  refresh(instance, route);
+  const std::size_t count = replacement.size();
+  State state = state_before(instance, route, begin);
+  replace(route.nodes, begin, end, count);
+  std::ranges::copy(replacement, route.nodes.begin() + begin);
+  replace(route.after, begin, end, count);
+  replace(route.step, begin, end, count);
+  for (std::uint32_t p = begin; p < route.size(); ++p) {
+    route.step[p] = advance(instance, state, instance.nodes[route.nodes[p]]);
+    if (p >= begin + count && state == route.after[p]) break;  // from here on as before
+    route.after[p] = state;
+  }
+  sum_up(route);
 }
 
 void find_better(const Instance& instance, const Route& route, std::uint32_t goal, double sharing,

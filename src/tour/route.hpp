@@ -27,7 +27,8 @@ void refresh(const Instance& instance, Route& route);
 double splice_cost(const Instance& instance, const Route& route, std::uint32_t begin, std::uint32_t end,
                    std::span<const std::uint32_t> replacement);
 
-/// Replaces the nodes at [begin, end) and refreshes.
+/// Replaces the nodes at [begin, end) of a fresh route, and refreshes what changes. O(n) sums; drives and
+/// aims only until all is as before.
 void splice(const Instance& instance, Route& route, std::uint32_t begin, std::uint32_t end,
             std::span<const std::uint32_t> replacement);
 

@@ -68,12 +68,14 @@ bool can_point(const ShotRules& rules, const Stance& stance, const Shot& shot) {
   return stance.level() || (pitch >= rules.gun.pitch_low_rad && pitch <= rules.gun.pitch_high_rad);
 }
 
-/// The shots at the target's centre that forgive enough, the soonest there first.
+/// The first shots at the target's centre that forgive enough, from the lowest pitch up: a flatter one is
+/// sooner there.
 std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, const Platform& platform) {
   const Stance stance = stance_at(rules, platform.position);
   std::vector<Candidate> found;
   std::optional<Aimed> before;
   for (const double pitch : pitch_lattice(rules)) {
+    if (found.size() == most_flown) break;
     auto aimed = aim_through(rules, platform, pitch, target.centre(), before ? &*before : nullptr);
     if (!aimed && before) aimed = aim_through(rules, platform, pitch, target.centre());
     before = aimed;
@@ -81,9 +83,6 @@ std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, 
     const double off = error_ratio(rules, target, *aimed);
     if (off <= passing_ratio) found.push_back({*aimed, off});
   }
-  std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
-    return a.aimed.flight_s < b.aimed.flight_s;
-  });
   return found;
 }
 
@@ -173,9 +172,8 @@ std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const Firin
 
   const FlightSpace& space = firing_map.space(target);
   const auto shot_with_errors = displaced_platforms(problem, terrain, straight, last, after_s);
-  const auto shots = candidates(firing_map.rules, aim, platform);
-  for (std::size_t i = 0; i < std::min(shots.size(), most_flown); ++i) {
-    const auto shot = flown(firing_map.rules, space, aim, platform, shots[i]);
+  for (const Candidate& candidate : candidates(firing_map.rules, aim, platform)) {
+    const auto shot = flown(firing_map.rules, space, aim, platform, candidate);
     if (shot && survives(firing_map.rules, space, aim, shot->shot, shot_with_errors)) return shot;
   }
   return std::nullopt;

@@ -59,6 +59,29 @@ Candidate candidate(const FiringMap& firing_map, const SureHits& hits, std::size
 
 using Tiles = std::map<std::pair<int, int>, std::vector<Candidate>>;
 
+std::pair<int, int> tile_of(const GridFrame& frame, std::size_t cell, double tile_m) {
+  const Vec2 p = frame.centre(frame.cell(cell)) - frame.origin;
+  return {static_cast<int>(p.y / tile_m), static_cast<int>(p.x / tile_m)};
+}
+
+std::size_t count_tiles(const GridFrame& frame, const std::vector<Candidate>& cells, double tile_m) {
+  if (cells.empty()) return 0;
+  const auto [rows, columns] = tile_of(frame, frame.size() - 1, tile_m);
+  std::vector<bool> occupied(static_cast<std::size_t>(rows + 1) * static_cast<std::size_t>(columns + 1));
+  for (const Candidate& one : cells) {
+    const auto [y, x] = tile_of(frame, one.cell, tile_m);
+    occupied[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns + 1) +
+             static_cast<std::size_t>(x)] = true;
+  }
+  return static_cast<std::size_t>(std::ranges::count(occupied, true));
+}
+
+Tiles tiles_of(const GridFrame& frame, const std::vector<Candidate>& cells, double tile_m) {
+  Tiles tiles;
+  for (const Candidate& one : cells) tiles[tile_of(frame, one.cell, tile_m)].push_back(one);
+  return tiles;
+}
+
 /// The cells of one tile reduced to one for each set of targets that no other set there contains.
 std::vector<std::size_t> largest_sets(const SureHits& hits, std::vector<Candidate> cells) {
   std::ranges::stable_sort(cells, [](const Candidate& a, const Candidate& b) {
@@ -160,16 +183,15 @@ std::vector<std::size_t> choose_stops(const FiringMap& firing_map, const SureHit
     if (counts(i)) useful.push_back(candidate(firing_map, hits, i));
   }
   for (;; tile_m *= 1.25) {
-    Tiles tiles;
-    for (const Candidate& one : useful) {
-      const Vec2 p = firing_map.frame.centre(firing_map.frame.cell(one.cell)) - firing_map.frame.origin;
-      tiles[{static_cast<int>(p.y / tile_m), static_cast<int>(p.x / tile_m)}].push_back(one);
-    }
+    const std::size_t occupied = count_tiles(firing_map.frame, useful, tile_m);
+    if (occupied > std::max<std::size_t>(most, 1)) continue;  // each has a cell at least
+    Tiles tiles = tiles_of(firing_map.frame, useful, tile_m);
+    const bool divided = tiles.size() > 1;
     std::vector<std::size_t> chosen;
-    for (auto& [where, cells] : tiles) {
-      for (const std::size_t cell : largest_sets(hits, std::move(cells))) chosen.push_back(cell);
+    for (auto tile = tiles.begin(); tile != tiles.end() && (chosen.size() <= most || !divided); ++tile) {
+      for (const std::size_t cell : largest_sets(hits, std::move(tile->second))) chosen.push_back(cell);
     }
-    if (chosen.size() > most && tiles.size() > 1) continue;
+    if (chosen.size() > most && divided) continue;
     if (chosen.size() > most) chosen = covers(hits, std::move(chosen), most);
     std::sort(chosen.begin(), chosen.end());
     return chosen;
