@@ -32,6 +32,19 @@ struct Wiring {
   std::vector<RosWriter> writers;
 };
 
+/// Adds the writers of outputs that have none yet.
+Status wire_outputs(Wiring& wiring, RosNode& network, const Node& node, const TopicNames& names) {
+  while (wiring.writers.size() < node.outputs().size()) {
+    const NodeTopic& topic = node.outputs()[wiring.writers.size()];
+    auto name = names.name_of(topic.name);
+    if (!name) return pass_on(name);
+    auto writer = network.writer(*name, *topic.type, topic.delivery);
+    if (!writer) return pass_on(writer);
+    wiring.writers.push_back(std::move(*writer));
+  }
+  return {};
+}
+
 Outcome<Wiring> wire(RosNode& network, const Node& node, const TopicNames& names,
                      const MessageFaults& faults) {
   Wiring wiring;
@@ -46,13 +59,7 @@ Outcome<Wiring> wire(RosNode& network, const Node& node, const TopicNames& names
     wiring.links.emplace_back(once ? MessageFaults{} : faults, rng.child(wiring.readers.size()));
     wiring.readers.push_back(std::move(*reader));
   }
-  for (const NodeTopic& topic : node.outputs()) {
-    auto name = names.name_of(topic.name);
-    if (!name) return pass_on(name);
-    auto writer = network.writer(*name, *topic.type, topic.delivery);
-    if (!writer) return pass_on(writer);
-    wiring.writers.push_back(std::move(*writer));
-  }
+  if (auto ok = wire_outputs(wiring, network, node, names); !ok) return pass_on(ok);
   return wiring;
 }
 
@@ -103,6 +110,10 @@ Status run_node(Node& node, const RunNodeOptions& options, const std::stop_token
       if (!due_s || *now_s + 1e-9 >= *due_s || back) {
         node.tick(*now_s);
         due_s = *now_s + node.period_s();
+      }
+      if (wiring->writers.size() < node.outputs().size()) {
+        if (auto ok = wire_outputs(*wiring, *network, node, *names); !ok) return ok;
+        if (auto ok = network->announce(as); !ok) return ok;
       }
       if (auto ok = send_all(node, *wiring, hear); !ok) return ok;
     }
