@@ -13,9 +13,11 @@
 namespace outrider::cli {
 namespace {
 
-Outcome<MapperNodeOptions> checked(MapperNodeOptions options) { return options; }
 Outcome<PlannerNodeOptions> checked(PlannerNodeOptions options) { return options; }
 Outcome<FollowerNodeOptions> checked(FollowerNodeOptions options) { return options; }
+Outcome<MapperNodeOptions> checked(MapperNodeOptions options) {
+  return MapperNode::checked(std::move(options));
+}
 Outcome<ExplorerNodeOptions> checked(ExplorerNodeOptions options) {
   return ExplorerNode::checked(std::move(options));
 }
