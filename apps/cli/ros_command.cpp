@@ -45,6 +45,7 @@ void add_node(Command& ros, const std::string& name, const std::string& sentence
     const auto good = checked(*options);
     if (!good) return print_fault(good.error(), false);
     Made node(*good);
+    request->parameters = describe(*options);
     return run_ros_node(node, *request, words, stop);
   });
 }

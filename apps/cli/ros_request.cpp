@@ -22,6 +22,8 @@ void add_ros_remap(Command& command) {
 
 int run_ros_node(Node& node, RosRequest request, const Command& words, const std::stop_token& stop) {
   if (words.given("--remap")) request.renames = words.values("--remap");
+  request.parameters.push_back(
+      {"", "", {{"use_sim_time", "", 0, 0, "the time comes from /clock", &request.sim_time}}});
   if (auto ok = run_on_ros(node, request, stop); !ok) return print_fault(ok.error(), false);
   const NodeStatus& end = node.status();
   if (node.is_over()) show("{}: {}\n", end.state, end.sentence);

@@ -10,6 +10,7 @@
 #include "node_clock.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/ros2/names.hpp"
+#include "outrider/ros2/service.hpp"
 
 namespace outrider {
 namespace {
@@ -81,6 +82,19 @@ Status send_all(Node& node, Wiring& wiring, const HearNode& hear) {
   return {};
 }
 
+Outcome<std::vector<RosService>> parameter_services(RosNode& network, const RosNamespace& as,
+                                                    const std::vector<OptionGroup>& parameters) {
+  std::vector<RosService> services;
+  const auto node = resolve_topic(as.node, as);
+  if (!node) return tl::unexpected<Fault>(node.error());
+  for (NodeService& service : NodeParameters(parameters).services()) {
+    auto opened = RosService::open(network, *node, std::move(service));
+    if (!opened) return pass_on(opened);
+    services.push_back(std::move(*opened));
+  }
+  return services;
+}
+
 }  // namespace
 
 Status run_node(Node& node, const RunNodeOptions& options, const std::stop_token& stop,
@@ -96,12 +110,15 @@ Status run_node(Node& node, const RunNodeOptions& options, const std::stop_token
   if (!wiring) return pass_on(wiring);
   auto clock = RunClock::of(*network, options);
   if (!clock) return pass_on(clock);
+  auto services = parameter_services(*network, as, options.parameters);
+  if (!services) return pass_on(services);
   if (auto ok = network->announce(as); !ok) return ok;
   std::optional<double> due_s;
   std::optional<double> over_wall_s;
   while (!stop.stop_requested()) {
     if (node.is_over() && !over_wall_s) over_wall_s = wall_s();
     if (over_wall_s && wall_s() - *over_wall_s > farewell_s) break;
+    for (RosService& service : *services) service.answer();
     if (const auto why = clock->silent()) hear({0.0, NodeLevel::warning, *why});
     const auto now_s = clock->now(node.period_s());
     if (now_s) {
