@@ -99,10 +99,12 @@ Outcome<RosNode> RosNode::open(const RosNodeOptions& options) {
   if (auto ok = check_domain(options.domain, "domain"); !ok) return pass_on(ok);
   const auto domain = static_cast<dds_domainid_t>(options.domain);
   if (options.localhost_only) {
-    // A domain that this process has already is left as it is.
+    // A domain that this process has already is left as it is. Without multicast each process is sought at
+    // the ports of the first 33.
     dds_create_domain(domain,
                       "<General><Interfaces><NetworkInterface name='lo' multicast='false'/></Interfaces>"
                       "</General><Discovery><ParticipantIndex>auto</ParticipantIndex>"
+                      "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
                       "<Peers><Peer address='localhost'/></Peers></Discovery>"
                       "<Tracing><Verbosity>none</Verbosity></Tracing>");
   }

@@ -24,7 +24,7 @@ namespace outrider {
 
 struct RosNodeOptions {
   std::int64_t domain = 0;      ///< 0 to 232; only nodes of one domain see each other
-  bool localhost_only = false;  ///< only nodes of this machine, and of Cyclone DDS
+  bool localhost_only = false;  ///< only nodes of this machine that are limited to it too, at most 33
 };
 
 /// Returns what ROS_DOMAIN_ID and ROS_LOCALHOST_ONLY say; 0 and false where they are not set. Faults:
