@@ -9,6 +9,7 @@
 #include "outrider/io/map_server.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/drive/job.hpp"
+#include "outrider/jobs/explore/scenario.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/nodes/cover_mission_node.hpp"
