@@ -10,7 +10,8 @@ Status check_ros() { return {}; }
 Status run_on_ros(Node& node, const RosRequest& request, const std::stop_token& stop) {
   auto network = ros_environment();
   if (!network) return pass_on(network);
-  RunNodeOptions options{*network, request.space, request.renames, NodeClock::system, 1.0, request.faults};
+  RunNodeOptions options{*network, request.space,  request.renames,   NodeClock::system,
+                         1.0,      request.faults, request.parameters};
   if (request.sim_time) options.clock = NodeClock::simulated;
   if (request.own_rate > 0.0) {
     options.clock = NodeClock::own;

@@ -14,11 +14,12 @@ namespace outrider::cli {
 
 /// How a node is connected.
 struct RosRequest {
-  std::string space;                 ///< namespace
-  std::vector<std::string> renames;  ///< from:=to
-  bool sim_time = false;             ///< the time comes from /clock
-  double own_rate = 0.0;             ///< above 0: the node is the simulation, and runs at that rate
-  MessageFaults faults;              ///< of the messages that come
+  std::string space;                         ///< namespace
+  std::vector<std::string> renames;          ///< from:=to
+  bool sim_time = false;                     ///< the time comes from /clock
+  double own_rate = 0.0;                     ///< above 0: the node is the simulation, and runs at that rate
+  MessageFaults faults;                      ///< of the messages that come
+  std::vector<OptionGroup> parameters = {};  ///< of the node, which its services show
 };
 
 /// Returns a fault if Outrider was built without ROS 2.

@@ -15,7 +15,7 @@ void log_mount(Log& log, const std::string& device, const Pose2& robot_T_device,
   log.append(topic::static_transforms, 0.0, std::move(transforms));
 }
 
-void log_camera(Log& log, const Camera& camera) {
+sensor_msgs::CameraInfo camera_message(const Camera& camera) {
   sensor_msgs::CameraInfo info;
   info.header = header_of(0.0, "camera");
   info.width = static_cast<std::uint32_t>(camera.width_px);
@@ -25,8 +25,10 @@ void log_camera(Log& log, const Camera& camera) {
   info.k = {camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0, 1.0};
   info.r = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
   info.p = {camera.fx, 0.0, camera.cx, 0.0, 0.0, camera.fy, camera.cy, 0.0, 0.0, 0.0, 1.0, 0.0};
-  log.append(topic::camera, 0.0, std::move(info));
+  return info;
 }
+
+void log_camera(Log& log, const Camera& camera) { log.append(topic::camera, 0.0, camera_message(camera)); }
 
 sensor_msgs::LaserScan scan_message(const LaserScan& scan, double stamp_s) {
   sensor_msgs::LaserScan message;

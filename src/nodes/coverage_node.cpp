@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "outrider/core/text.hpp"
+#include "outrider/io/values.hpp"
 #include "outrider/log/conversions.hpp"
 
 namespace outrider {
@@ -19,11 +20,16 @@ constexpr std::uint64_t most_expansions = 20'000'000;
 std::vector<OptionGroup> describe(CoverageNodeOptions& options) {
   auto groups = describe(options.cover);
   groups.front().options.push_back({"period", "s", 0.1, 1e6, "the path is sent so often", &options.period_s});
+  groups.front().options.push_back({"from_map", "", 0, 0,
+                                    "the area is the free space of the map that comes on the topic map",
+                                    &options.from_map});
   groups.push_back({"frame", "names of the frames", describe(options.frames)});
   return groups;
 }
 
 Outcome<CoverageNodeOptions> CoverageNode::checked(CoverageNodeOptions options) {
+  if (options.from_map && !options.cover.area.empty())
+    return bad_input("with from_map the area is the map on the topic; leave one of the two out", "area");
   if (options.cover.area.empty()) return options;
   auto task = load_task(options.cover);
   if (!task) return pass_on(task);
@@ -34,10 +40,15 @@ Outcome<CoverageNodeOptions> CoverageNode::checked(CoverageNodeOptions options) 
 
 CoverageNode::CoverageNode(CoverageNodeOptions options)
     : Node("coverage", 0.1), options_(std::move(options)) {
-  listen<geometry_msgs::PolygonStamped>("area", Delivery::latched,
-                                        [this](const auto& area) { return take_area(area); });
+  if (options_.from_map) {
+    listen<nav_msgs::OccupancyGrid>("map", Delivery::latched,
+                                    [this](const auto& map) { return take_map(map); });
+  } else {
+    listen<geometry_msgs::PolygonStamped>("area", Delivery::latched,
+                                          [this](const auto& area) { return take_area(area); });
+  }
   plan_output_ = add_output<nav_msgs::Path>("plan", Delivery::reliable);
-  set_status(NodeLevel::info, "waiting", "no area has come yet");
+  set_status(NodeLevel::info, "waiting", options_.from_map ? "no map has come yet" : "no area has come yet");
   if (options_.cover.area.empty()) return;
   if (auto task = load_task(options_.cover)) task_ = std::move(*task);
   new_task_ = task_.has_value();
@@ -64,6 +75,27 @@ Status CoverageNode::take_area(const geometry_msgs::PolygonStamped& area) {
   CoverTask task{options_.cover.problem, *method, {}, {}, {}};
   task.problem.boundary = std::move(boundary);
   task_ = std::move(task);
+  new_task_ = true;
+  return {};
+}
+
+Status CoverageNode::take_map(const nav_msgs::OccupancyGrid& message) {
+  auto map = checked_map(message);
+  if (!map) return pass_on(map);
+  if (map->frame == map_.frame && map->cells == map_.cells) return {};  // it was sent again
+  auto method = find_cover_method(options_.cover.method);
+  if (!method) return pass_on(method);
+  std::optional<Pose2> start;
+  if (!options_.cover.start.empty()) {
+    auto given = parse_pose(options_.cover.start, "start");
+    if (!given) return pass_on(given);
+    start = *given;
+  }
+  auto area = area_of_map({*map, 0.0}, "map", map_options(options_.cover, start));
+  if (!area) return pass_on(area);
+  if (!area->note.empty()) tell(NodeLevel::warning, area->note);
+  map_ = std::move(*map);
+  task_ = task_of(options_.cover, *method, std::move(*area), start);
   new_task_ = true;
   return {};
 }

@@ -17,14 +17,34 @@ constexpr std::size_t most_waiting = 10;  // scans
 MapperNodeOptions::MapperNodeOptions() : slam(near_sighted_slam()) {}
 
 std::vector<OptionGroup> describe(MapperNodeOptions& options) {
-  return {{"",
-           "the map",
-           {{"map_period", "s", 0.0, 1e6, "the map is sent at most so often", &options.map_period_s},
-            {"patience", "s", 0.05, 1e6, "without a scan, after which it no longer says where the robot is",
-             &options.patience_s}}},
-          {"frame", "names of the frames", describe(options.frames)},
-          {"slam", "how it knows where it is", describe(options.slam)},
-          {"occupancy", "the map that it makes", describe(options.slam.map)}};
+  return {
+      {"",
+       "the map",
+       {{"map_period", "s", 0.0, 1e6, "the map is sent at most so often", &options.map_period_s},
+        {"patience", "s", 0.05, 1e6, "without a scan, after which it no longer says where the robot is",
+         &options.patience_s},
+        file_option(
+            "keep",
+            "YAML file in which the map is kept, and from which a mapper goes on that is started anew",
+            &options.keep),
+        {"keep_period", "s", 0.1, 1e6, "the files are written at most so often", &options.keep_period_s}}},
+      {"frame", "names of the frames", describe(options.frames)},
+      {"slam", "how it knows where it is", describe(options.slam)},
+      {"occupancy", "the map that it makes", describe(options.slam.map)}};
+}
+
+Outcome<MapperNodeOptions> MapperNode::checked(MapperNodeOptions options) {
+  if (options.keep.empty()) return options;
+  if (!options.keep.ends_with(".yaml")) return bad_input("give a name that ends in .yaml", "keep");
+  auto kept = load_kept_map(options.keep);
+  if (!kept) return pass_on(kept);
+  if (*kept && (*kept)->occupancy.frame.resolution_m != options.slam.map.resolution_m) {
+    return bad_input(fmt::format("its cells have {:g} m, and those of this mapper {:g} m; give the same, or "
+                                 "another file",
+                                 (*kept)->occupancy.frame.resolution_m, options.slam.map.resolution_m),
+                     options.keep);
+  }
+  return options;
 }
 
 MapperNode::MapperNode(MapperNodeOptions options)
@@ -38,6 +58,30 @@ MapperNode::MapperNode(MapperNodeOptions options)
   pose_output_ = add_output<geometry_msgs::PoseWithCovarianceStamped>("pose", Delivery::reliable);
   transform_output_ = add_output<tf2_msgs::TFMessage>("/tf", Delivery::reliable);
   set_status(NodeLevel::info, "waiting", "no scan has come yet");
+  if (options_.keep.empty()) return;
+  if (auto kept = load_kept_map(options_.keep)) kept_ = std::move(*kept);
+}
+
+/// Begins a map, or goes on with the one that was kept.
+Status MapperNode::begin(const Pose2& odometry, const LaserScan& scan, double time_s) {
+  Pose2 start = odometry;
+  begun_s_ = time_s;
+  const auto place = kept_ ? place_on(*kept_, odometry, scan, options_.slam) : std::nullopt;
+  if (place) {
+    start = *place;
+    begun_s_ = kept_->begun_s;
+    tell(NodeLevel::info, "the kept map fits; it goes on with it");
+  } else if (kept_) {
+    kept_.reset();
+    tell(NodeLevel::warning,
+         "the scan does not fit the kept map where the odometry says that the robot is; "
+         "another map begins");
+  }
+  auto begun = LaserSlam::begin(options_.slam, start);
+  if (!begun) return pass_on(begun);
+  slam_ = std::move(*begun);
+  odometry_ = odometry;
+  return {};
 }
 
 Status MapperNode::take_scan(const sensor_msgs::LaserScan& scan) {
@@ -77,16 +121,13 @@ Status MapperNode::map(const Waiting& waiting) {
   if (!level) return tl::unexpected<Fault>(level.error());
   const auto odometry = frames_.odom_T_robot(waiting.time_s);
   if (!odometry) return bad_input("its odometry is not finite");
+  const LaserScan scan = scan_of(waiting.scan, level->upside_down, waiting.time_s);
   if (!slam_) {
     options_.slam.robot_T_laser = level->robot_T_laser;
-    auto begun = LaserSlam::begin(options_.slam, *odometry);
-    if (!begun) return pass_on(begun);
-    slam_ = std::move(*begun);
-    odometry_ = *odometry;
-    begun_s_ = waiting.time_s;
+    if (auto ok = begin(*odometry, scan, waiting.time_s); !ok) return ok;
   }
   const Pose2 motion = wrap_heading(relative_pose(odometry_, *odometry));
-  auto step = slam_->advance(motion, scan_of(waiting.scan, level->upside_down, waiting.time_s));
+  auto step = slam_->advance(motion, scan);
   if (!step) return pass_on(step);
   odometry_ = *odometry;
   map_T_odom_ = wrap_heading(compose(step->pose, inverse(odometry_)));
@@ -114,9 +155,15 @@ void MapperNode::send_pose(double time_s) {
 }
 
 void MapperNode::send_map() {
-  send(map_output_, map_message(slam_->map().occupancy(), now_s(), options_.frames.map, begun_s_));
+  const Grid<std::uint8_t>& seen = slam_->map().occupancy();
+  const Grid<std::uint8_t> map = kept_ ? overlaid(kept_->occupancy, seen) : seen;
+  send(map_output_, map_message(map, now_s(), options_.frames.map, begun_s_));
   map_sent_s_ = now_s();
   map_changed_ = false;
+  if (options_.keep.empty() || now_s() - kept_s_ < options_.keep_period_s) return;
+  kept_s_ = now_s();
+  if (auto ok = save(options_.keep, {map, begun_s_, map_T_odom_}); !ok)
+    tell(NodeLevel::warning, "the map was not kept: " + to_string(ok.error()));
 }
 
 void MapperNode::act() {

@@ -65,6 +65,10 @@ void SimNode::measure() {
   send_late(odometry_output_, odometry);
   tf2_msgs::TFMessage transforms;
   transforms.transforms.push_back(transform_of(time_s, seen.odometry, odom_frame, base_frame));
+  if (options_.localised) {
+    const Pose2 map_T_odom = wrap_heading(compose(robot_.pose(), inverse(seen.odometry)));
+    transforms.transforms.push_back(transform_of(time_s, map_T_odom, "map", odom_frame));
+  }
   send_late(transform_output_, transforms);
   if (seen.scan) send_late(scan_output_, scan_message(*seen.scan, time_s));
   send(pose_output_, stamped(time_s, robot_.pose(), "world"));

@@ -74,6 +74,9 @@ Outcome<std::string> TopicNames::name_of(std::string_view topic) const {
 
 std::string topic_on_wire(std::string_view topic) { return fmt::format("rt{}", topic); }
 
+std::string request_on_wire(std::string_view service) { return fmt::format("rq{}Request", service); }
+std::string reply_on_wire(std::string_view service) { return fmt::format("rr{}Reply", service); }
+
 std::string type_on_wire(std::string_view type) {
   std::string name;
   for (std::size_t slash = type.find('/'); slash != std::string_view::npos; slash = type.find('/')) {

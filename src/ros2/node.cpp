@@ -99,10 +99,12 @@ Outcome<RosNode> RosNode::open(const RosNodeOptions& options) {
   if (auto ok = check_domain(options.domain, "domain"); !ok) return pass_on(ok);
   const auto domain = static_cast<dds_domainid_t>(options.domain);
   if (options.localhost_only) {
-    // A domain that this process has already is left as it is.
+    // A domain that this process has already is left as it is. Without multicast each process is sought at
+    // the ports of the first 33.
     dds_create_domain(domain,
                       "<General><Interfaces><NetworkInterface name='lo' multicast='false'/></Interfaces>"
                       "</General><Discovery><ParticipantIndex>auto</ParticipantIndex>"
+                      "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
                       "<Peers><Peer address='localhost'/></Peers></Discovery>"
                       "<Tracing><Verbosity>none</Verbosity></Tracing>");
   }
@@ -132,24 +134,45 @@ Outcome<std::shared_ptr<Wire>> end_of(dds_entity_t participant, std::shared_ptr<
 
 }  // namespace
 
-Outcome<RosWriter> RosNode::writer(const std::string& topic, const MessageType& type, Delivery qos) {
-  const auto name = resolve_topic(topic);
-  if (!name) return tl::unexpected<Fault>(name.error());
-  auto wire = end_of<RosWriter::Wire>(participant_->entity.handle(), participant_, topic_on_wire(*name), type,
-                                      qos, dds_create_writer);
+Outcome<RosWriter> RosNode::writer_on_wire(const std::string& topic, const MessageType& type, Delivery qos) {
+  auto wire = end_of<RosWriter::Wire>(participant_->entity.handle(), participant_, topic, type, qos,
+                                      dds_create_writer);
   if (!wire) return pass_on(wire);
   participant_->writers.push_back((*wire)->entity.handle());
   return RosWriter(std::move(*wire));
 }
 
-Outcome<RosReader> RosNode::reader(const std::string& topic, const MessageType& type, Delivery qos) {
-  const auto name = resolve_topic(topic);
-  if (!name) return tl::unexpected<Fault>(name.error());
-  auto wire = end_of<RosReader::Wire>(participant_->entity.handle(), participant_, topic_on_wire(*name), type,
-                                      qos, dds_create_reader);
+Outcome<RosReader> RosNode::reader_on_wire(const std::string& topic, const MessageType& type, Delivery qos) {
+  auto wire = end_of<RosReader::Wire>(participant_->entity.handle(), participant_, topic, type, qos,
+                                      dds_create_reader);
   if (!wire) return pass_on(wire);
   participant_->readers.push_back((*wire)->entity.handle());
   return RosReader(std::move(*wire));
+}
+
+Outcome<RosWriter> RosNode::writer(const std::string& topic, const MessageType& type, Delivery qos) {
+  const auto name = resolve_topic(topic);
+  if (!name) return tl::unexpected<Fault>(name.error());
+  return writer_on_wire(topic_on_wire(*name), type, qos);
+}
+
+Outcome<RosReader> RosNode::reader(const std::string& topic, const MessageType& type, Delivery qos) {
+  const auto name = resolve_topic(topic);
+  if (!name) return tl::unexpected<Fault>(name.error());
+  return reader_on_wire(topic_on_wire(*name), type, qos);
+}
+
+Outcome<RosReader> RosNode::request_reader(const std::string& service, const MessageType& request) {
+  return reader_on_wire(request_on_wire(service), request, Delivery::reliable);
+}
+Outcome<RosWriter> RosNode::reply_writer(const std::string& service, const MessageType& response) {
+  return writer_on_wire(reply_on_wire(service), response, Delivery::reliable);
+}
+Outcome<RosWriter> RosNode::request_writer(const std::string& service, const MessageType& request) {
+  return writer_on_wire(request_on_wire(service), request, Delivery::reliable);
+}
+Outcome<RosReader> RosNode::reply_reader(const std::string& service, const MessageType& response) {
+  return reader_on_wire(reply_on_wire(service), response, Delivery::reliable);
 }
 
 namespace {

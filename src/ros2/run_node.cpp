@@ -10,6 +10,7 @@
 #include "node_clock.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/ros2/names.hpp"
+#include "outrider/ros2/service.hpp"
 
 namespace outrider {
 namespace {
@@ -32,6 +33,19 @@ struct Wiring {
   std::vector<RosWriter> writers;
 };
 
+/// Adds the writers of outputs that have none yet.
+Status wire_outputs(Wiring& wiring, RosNode& network, const Node& node, const TopicNames& names) {
+  while (wiring.writers.size() < node.outputs().size()) {
+    const NodeTopic& topic = node.outputs()[wiring.writers.size()];
+    auto name = names.name_of(topic.name);
+    if (!name) return pass_on(name);
+    auto writer = network.writer(*name, *topic.type, topic.delivery);
+    if (!writer) return pass_on(writer);
+    wiring.writers.push_back(std::move(*writer));
+  }
+  return {};
+}
+
 Outcome<Wiring> wire(RosNode& network, const Node& node, const TopicNames& names,
                      const MessageFaults& faults) {
   Wiring wiring;
@@ -46,13 +60,7 @@ Outcome<Wiring> wire(RosNode& network, const Node& node, const TopicNames& names
     wiring.links.emplace_back(once ? MessageFaults{} : faults, rng.child(wiring.readers.size()));
     wiring.readers.push_back(std::move(*reader));
   }
-  for (const NodeTopic& topic : node.outputs()) {
-    auto name = names.name_of(topic.name);
-    if (!name) return pass_on(name);
-    auto writer = network.writer(*name, *topic.type, topic.delivery);
-    if (!writer) return pass_on(writer);
-    wiring.writers.push_back(std::move(*writer));
-  }
+  if (auto ok = wire_outputs(wiring, network, node, names); !ok) return pass_on(ok);
   return wiring;
 }
 
@@ -74,6 +82,19 @@ Status send_all(Node& node, Wiring& wiring, const HearNode& hear) {
   return {};
 }
 
+Outcome<std::vector<RosService>> parameter_services(RosNode& network, const RosNamespace& as,
+                                                    const std::vector<OptionGroup>& parameters) {
+  std::vector<RosService> services;
+  const auto node = resolve_topic(as.node, as);
+  if (!node) return tl::unexpected<Fault>(node.error());
+  for (NodeService& service : NodeParameters(parameters).services()) {
+    auto opened = RosService::open(network, *node, std::move(service));
+    if (!opened) return pass_on(opened);
+    services.push_back(std::move(*opened));
+  }
+  return services;
+}
+
 }  // namespace
 
 Status run_node(Node& node, const RunNodeOptions& options, const std::stop_token& stop,
@@ -89,12 +110,15 @@ Status run_node(Node& node, const RunNodeOptions& options, const std::stop_token
   if (!wiring) return pass_on(wiring);
   auto clock = RunClock::of(*network, options);
   if (!clock) return pass_on(clock);
+  auto services = parameter_services(*network, as, options.parameters);
+  if (!services) return pass_on(services);
   if (auto ok = network->announce(as); !ok) return ok;
   std::optional<double> due_s;
   std::optional<double> over_wall_s;
   while (!stop.stop_requested()) {
     if (node.is_over() && !over_wall_s) over_wall_s = wall_s();
     if (over_wall_s && wall_s() - *over_wall_s > farewell_s) break;
+    for (RosService& service : *services) service.answer();
     if (const auto why = clock->silent()) hear({0.0, NodeLevel::warning, *why});
     const auto now_s = clock->now(node.period_s());
     if (now_s) {
@@ -103,6 +127,10 @@ Status run_node(Node& node, const RunNodeOptions& options, const std::stop_token
       if (!due_s || *now_s + 1e-9 >= *due_s || back) {
         node.tick(*now_s);
         due_s = *now_s + node.period_s();
+      }
+      if (wiring->writers.size() < node.outputs().size()) {
+        if (auto ok = wire_outputs(*wiring, *network, node, *names); !ok) return ok;
+        if (auto ok = network->announce(as); !ok) return ok;
       }
       if (auto ok = send_all(node, *wiring, hear); !ok) return ok;
     }

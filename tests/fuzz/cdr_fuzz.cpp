@@ -7,6 +7,9 @@
 
 #include "outrider/log/codecs.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/nodes/node_messages.hpp"
+#include "outrider/nodes/parameter_messages.hpp"
+#include "outrider/nodes/tag_messages.hpp"
 #include "read_fuzzed_log.hpp"
 
 namespace {
@@ -23,10 +26,25 @@ void read(MessageEncoding encoding, std::string_view bytes) {
   require(outrider::encode(encoding, *again) == written);
 }
 
-constexpr std::array readers = {
-    read<outrider::sensor_msgs::LaserScan>,  read<outrider::nav_msgs::Odometry>,
-    read<outrider::tf2_msgs::TFMessage>,     read<outrider::sensor_msgs::CameraInfo>,
-    read<outrider::sensor_msgs::JointState>, read<outrider::nav_msgs::OccupancyGrid>};
+constexpr std::array readers = {read<outrider::sensor_msgs::LaserScan>,
+                                read<outrider::nav_msgs::Odometry>,
+                                read<outrider::tf2_msgs::TFMessage>,
+                                read<outrider::sensor_msgs::CameraInfo>,
+                                read<outrider::sensor_msgs::JointState>,
+                                read<outrider::nav_msgs::OccupancyGrid>,
+                                read<outrider::nav_msgs::Path>,
+                                read<outrider::geometry_msgs::PoseStamped>,
+                                read<outrider::geometry_msgs::Twist>,
+                                read<outrider::geometry_msgs::TwistStamped>,
+                                read<outrider::geometry_msgs::PolygonStamped>,
+                                read<outrider::rosgraph_msgs::Clock>,
+                                read<outrider::diagnostic_msgs::DiagnosticStatus>,
+                                read<outrider::sensor_msgs::Image>,
+                                read<outrider::apriltag_msgs::AprilTagDetectionArray>,
+                                read<outrider::rcl_interfaces::ListParametersRequest>,
+                                read<outrider::rcl_interfaces::GetParametersRequest>,
+                                read<outrider::rcl_interfaces::SetParametersRequest>,
+                                read<outrider::rcl_interfaces::DescribeParametersResponse>};
 
 }  // namespace
 

@@ -10,20 +10,54 @@
 #include <memory>
 #include <string>
 
+#include "outrider/nodes/coverage_node.hpp"
+#include "outrider/nodes/drive_mission_node.hpp"
+#include "outrider/nodes/explore_mission_node.hpp"
 #include "outrider/nodes/explorer_node.hpp"
 #include "outrider/nodes/follower_node.hpp"
 #include "outrider/nodes/mapper_node.hpp"
 #include "outrider/nodes/planner_node.hpp"
+#include "outrider/nodes/pursue_mission_node.hpp"
 
 namespace {
 
 using namespace outrider;
 
+/// A robot that drives to a waypoint by one tag.
+std::unique_ptr<Node> driver() {
+  DriveMissionNodeOptions options;
+  options.task.tags.tags = {upright_tag(1, {2.0, 0.0, 0.3}, 3.14)};
+  options.task.world.bounds = {{-5.0, -5.0}, {5.0, 5.0}};
+  options.task.waypoints = {Waypoint{{{1.0, 0.0}, 0.0}, true}};
+  return std::make_unique<DriveMissionNode>(options);
+}
+
+std::unique_ptr<Node> pursuer() {
+  PursuitTask task;
+  task.problem.costs = std::make_shared<CostGrid>(GridFrame{{0.0, 0.0}, 1.0, 8, 8}, 1U);
+  task.problem.threshold = 100;
+  task.problem.target.assign(50, Cell{4, 4});
+  task.robots = {Cell{1, 1}};
+  return std::make_unique<PursueMissionNode>(PursueMissionNodeOptions(), task, "field");
+}
+
+std::unique_ptr<Node> coverer() {
+  CoverageNodeOptions options;
+  options.from_map = true;
+  return std::make_unique<CoverageNode>(options);
+}
+
 std::unique_ptr<Node> node_of(std::uint8_t choice) {
-  if (choice % 4 == 0) return std::make_unique<MapperNode>(MapperNodeOptions());
-  if (choice % 4 == 1) return std::make_unique<PlannerNode>(PlannerNodeOptions());
-  if (choice % 4 == 2) return std::make_unique<ExplorerNode>(ExplorerNodeOptions());
-  return std::make_unique<FollowerNode>(FollowerNodeOptions());
+  switch (choice % 8) {
+    case 0: return std::make_unique<MapperNode>(MapperNodeOptions());
+    case 1: return std::make_unique<PlannerNode>(PlannerNodeOptions());
+    case 2: return std::make_unique<ExplorerNode>(ExplorerNodeOptions());
+    case 3: return std::make_unique<FollowerNode>(FollowerNodeOptions());
+    case 4: return driver();
+    case 5: return pursuer();
+    case 6: return coverer();
+    default: return std::make_unique<ExploreMissionNode>(ExploreMissionNodeOptions());
+  }
 }
 
 /// What a robot is told must be a motion.

@@ -1,7 +1,7 @@
 // A node on another implementation of DDS, which knows the types from their ROS 2 definitions and nothing of
 // Outrider.
 //
-//   fastdds_peer DOMAIN
+//   fastdds_peer DOMAIN [local]
 //
 // It answers every geometry_msgs/msg/Twist on /asked by one of twice its numbers on /answered. For each
 // nav_msgs/msg/OccupancyGrid on /map, latched, it sends a Twist on /map_seen: width, height, resolution, the
@@ -13,6 +13,7 @@
 #include <fastcdr/Cdr.h>
 #include <unistd.h>
 
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -27,6 +28,7 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/TopicDataType.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
+#include <memory>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -207,10 +209,21 @@ Twist summed(OccupancyGrid& map) {
 
 }  // namespace
 
+/// With ROS_LOCALHOST_ONLY=1 nodes on Fast DDS use the loopback interface alone.
+fast::DomainParticipantQos on_this_machine() {
+  fast::DomainParticipantQos qos = fast::PARTICIPANT_QOS_DEFAULT;
+  auto transport = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  transport->interfaceWhiteList = {"127.0.0.1"};
+  qos.transport().use_builtin_transports = false;
+  qos.transport().user_transports = {transport};
+  return qos;
+}
+
 int main(int count, char** words) {
-  if (count != 2) return 2;
+  if (count != 2 && count != 3) return 2;
   auto* participant = fast::DomainParticipantFactory::get_instance()->create_participant(
-      static_cast<std::uint32_t>(std::atoi(words[1])), fast::PARTICIPANT_QOS_DEFAULT);
+      static_cast<std::uint32_t>(std::atoi(words[1])),
+      count == 3 ? on_this_machine() : fast::PARTICIPANT_QOS_DEFAULT);
   if (participant == nullptr) return 1;
   auto* publisher = participant->create_publisher(fast::PUBLISHER_QOS_DEFAULT);
   auto* subscriber = participant->create_subscriber(fast::SUBSCRIBER_QOS_DEFAULT);

@@ -26,15 +26,16 @@ using nav_msgs::OccupancyGrid;
 
 class FastDds : public ::testing::Test {
  protected:
-  void SetUp() override {
+  void SetUp() override { open(false); }
+  void open(bool local) {
     const std::string domain = std::to_string(domain_);
     peer_ = fork();
     ASSERT_GE(peer_, 0);
     if (peer_ == 0) {
-      execl(FASTDDS_PEER, FASTDDS_PEER, domain.c_str(), nullptr);
+      execl(FASTDDS_PEER, FASTDDS_PEER, domain.c_str(), local ? "local" : nullptr, nullptr);
       _exit(127);
     }
-    auto node = RosNode::open({domain_, false});
+    auto node = RosNode::open({domain_, local});
     ASSERT_TRUE(node) << to_string(node.error());
     node_ = std::move(*node);
   }
@@ -143,6 +144,26 @@ TEST_F(FastDds, IsCommanded) {
   ASSERT_TRUE(eventually([&] { return seen.take(&told).value_or(false); }));
   EXPECT_EQ(told.linear.x, 0.25);
   EXPECT_EQ(told.angular.z, -1.5);
+}
+
+/// Both with ROS_LOCALHOST_ONLY=1.
+class FastDdsOnThisMachine : public FastDds {
+ protected:
+  void SetUp() override {
+    domain_ = 78;  // the process has the other domain already, on all interfaces
+    open(true);
+  }
+};
+
+TEST_F(FastDdsOnThisMachine, AnswersWhatItIsAsked) {
+  RosWriter asked = writer("/asked", message_type<Twist>(), Delivery::reliable);
+  RosReader answered = reader("/answered", message_type<Twist>(), Delivery::reliable);
+  ASSERT_TRUE(eventually([&] { return asked.readers() == 1 && answered.writers() == 1; }));
+  Twist twist, answer;
+  twist.linear.x = 0.5;
+  ASSERT_TRUE(asked.send(&twist));
+  ASSERT_TRUE(eventually([&] { return answered.take(&answer).value_or(false); }));
+  EXPECT_EQ(answer.linear.x, 1.0);
 }
 
 }  // namespace

@@ -15,6 +15,9 @@ namespace outrider {
 /// mounted once.
 void log_mount(Log& log, const std::string& device, const Pose2& robot_T_device, double height_m);
 
+/// Returns the message of a camera in the frame "camera", without a time.
+sensor_msgs::CameraInfo camera_message(const Camera& camera);
+
 /// Logs the intrinsic parameters of a camera in the frame "camera".
 void log_camera(Log& log, const Camera& camera);
 

@@ -8,6 +8,11 @@
 // scan, so that others notice when a mapper is started anew and places on the map before hold no more. Where
 // the laser stands on the robot comes from /tf and /tf_static; the scans wait for it, and for the odometry of
 // their time. While no scan comes, map -> odom is not sent, so that others notice.
+//
+// With `keep` the map is kept in files, and a mapper that is started anew goes on with it, with the same load
+// time, if its first scan fits where the odometry says that the robot is (nodes/kept_map.hpp): so if the
+// robot and its odometry went on meanwhile. Otherwise it begins another map and says so. What was mapped
+// before stays as it is where nothing new is seen.
 #pragma once
 
 #include <deque>
@@ -15,6 +20,7 @@
 
 #include "outrider/log/ros_sensor_messages.hpp"
 #include "outrider/nodes/checked.hpp"
+#include "outrider/nodes/kept_map.hpp"
 #include "outrider/nodes/node.hpp"
 #include "outrider/nodes/robot_frames.hpp"
 #include "outrider/slam/laser_slam.hpp"
@@ -23,9 +29,11 @@ namespace outrider {
 
 struct MapperNodeOptions {
   FrameNames frames;
-  double map_period_s = 1.0;  ///< the map is sent at most so often
-  double patience_s = 1.0;    ///< time without a scan after which it no longer says where the robot is
-  LaserSlamOptions slam;      ///< its mount comes from the transforms
+  double map_period_s = 1.0;   ///< the map is sent at most so often
+  double patience_s = 1.0;     ///< time without a scan after which it no longer says where the robot is
+  std::string keep;            ///< YAML file in which the map is kept; empty: it is not kept
+  double keep_period_s = 2.0;  ///< the files are written at most so often
+  LaserSlamOptions slam;       ///< its mount comes from the transforms
 
   MapperNodeOptions();
 };
@@ -33,6 +41,8 @@ std::vector<OptionGroup> describe(MapperNodeOptions& options);
 
 class MapperNode final : public Node {
  public:
+  /// Fault: bad_input for a kept map that cannot be read, or whose cells have another size.
+  static Outcome<MapperNodeOptions> checked(MapperNodeOptions options);
   explicit MapperNode(MapperNodeOptions options);
 
  private:
@@ -48,6 +58,7 @@ class MapperNode final : public Node {
   Status map(const Waiting& waiting);
   void send_pose(double time_s);
   void send_map();
+  Status begin(const Pose2& odometry, const LaserScan& scan, double time_s);
 
   MapperNodeOptions options_;
   RobotFrames frames_;
@@ -58,7 +69,9 @@ class MapperNode final : public Node {
   Pose2 map_T_odom_;
   std::optional<double> mapped_s_;  ///< when it was mapped
   double map_sent_s_ = -1e9;
-  double begun_s_ = 0.0;  ///< time of the first scan that was mapped
+  double begun_s_ = 0.0;         ///< time of the first scan that was mapped
+  std::optional<KeptMap> kept_;  ///< of the mapper before
+  double kept_s_ = -1e9;         ///< when the files were written
   bool map_changed_ = false;
   std::size_t map_output_, pose_output_, transform_output_;
 };

@@ -100,10 +100,14 @@ class Node {
   }
   /// Listens to /tf and /tf_static for `frames`, which must live as long as the node.
   void listen_to_transforms(RobotFrames& frames);
-  /// Adds a topic to the outputs and returns its index.
+  /// Adds a topic to the outputs, also later, and returns its index.
   template <class Message>
   std::size_t add_output(std::string topic, Delivery delivery) {
-    outputs_.push_back({std::move(topic), &message_type<Message>(), delivery});
+    return add_output(std::move(topic), message_type<Message>(), delivery);
+  }
+  /// The same for a type that is chosen at run time.
+  std::size_t add_output(std::string topic, const MessageType& type, Delivery delivery) {
+    outputs_.push_back({std::move(topic), &type, delivery});
     return outputs_.size() - 1;
   }
   template <class Message>

@@ -6,10 +6,11 @@
 //                                                        sim/pose    geometry_msgs/PoseStamped: the true one
 //                                                        sim/status  contacts, and when no command comes
 //
-// The odometry begins at 0 where the robot starts; the true pose is that in the world. The robot stops if no
-// command has come for `patience`, as the bases of real robots do. Faults: what it measures and the commands
-// to it are lost or late; /clock, /tf_static and what tells the truth are not. Its time begins with the
-// first tick. Same world, options, messages and times: same outputs.
+// The odometry begins at 0 where the robot starts; the true pose is that in the world. With `localised` the
+// frame of the world is that of the map, and the transform from map to odometry is sent. The robot stops if
+// no command has come for `patience`, as the bases of real robots do. Faults: what it measures and the
+// commands to it are lost or late; /clock, /tf_static and what tells the truth are not. Its time begins with
+// the first tick. Same world, options, messages and times: same outputs.
 #pragma once
 
 #include <cstdint>
@@ -30,6 +31,7 @@ struct SimNodeOptions {
   ExplorerSimParams sim;
   std::uint64_t seed = 1;
   bool plain_twist = false;  ///< commands are Twist, not TwistStamped
+  bool localised = false;    ///< it sends map -> odom too, without errors
   double patience_s = 0.5;
   MessageFaults faults;
 };

@@ -46,6 +46,11 @@ class TopicNames {
 /// Returns the name of an absolute topic on the wire.
 std::string topic_on_wire(std::string_view topic);
 
+/// Return the names of the two topics of an absolute service on the wire: "rq/mapper/get_parametersRequest"
+/// and "rr/mapper/get_parametersReply".
+std::string request_on_wire(std::string_view service);
+std::string reply_on_wire(std::string_view service);
+
 /// Returns the name of a message type, such as "sensor_msgs/msg/LaserScan", on the wire.
 std::string type_on_wire(std::string_view type);
 

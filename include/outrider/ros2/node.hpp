@@ -24,7 +24,7 @@ namespace outrider {
 
 struct RosNodeOptions {
   std::int64_t domain = 0;      ///< 0 to 232; only nodes of one domain see each other
-  bool localhost_only = false;  ///< only nodes of this machine, and of Cyclone DDS
+  bool localhost_only = false;  ///< only nodes of this machine that are limited to it too, at most 33
 };
 
 /// Returns what ROS_DOMAIN_ID and ROS_LOCALHOST_ONLY say; 0 and false where they are not set. Faults:
@@ -76,12 +76,21 @@ class RosNode {
   Outcome<RosWriter> writer(const std::string& topic, const MessageType& type, Delivery qos);
   Outcome<RosReader> reader(const std::string& topic, const MessageType& type, Delivery qos);
 
+  /// Return the ends of a service on the side of its server. `service` is absolute. Faults: as above.
+  Outcome<RosReader> request_reader(const std::string& service, const MessageType& request);
+  Outcome<RosWriter> reply_writer(const std::string& service, const MessageType& response);
+  /// Return the ends on the side of a client.
+  Outcome<RosWriter> request_writer(const std::string& service, const MessageType& request);
+  Outcome<RosReader> reply_reader(const std::string& service, const MessageType& response);
+
   /// Says on the topic ros_discovery_info that this is the node of that name, and that its readers and
   /// writers so far are the node's: so `ros2 node list` and `ros2 node info` show it. Latched.
   Status announce(const RosNamespace& as);
 
  private:
   struct Participant;
+  Outcome<RosWriter> writer_on_wire(const std::string& topic, const MessageType& type, Delivery qos);
+  Outcome<RosReader> reader_on_wire(const std::string& topic, const MessageType& type, Delivery qos);
   explicit RosNode(std::shared_ptr<Participant> participant) : participant_(std::move(participant)) {}
   std::shared_ptr<Participant> participant_;
 };

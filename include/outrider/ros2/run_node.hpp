@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "outrider/core/options.hpp"
 #include "outrider/nodes/message_faults.hpp"
 #include "outrider/nodes/node.hpp"
 #include "outrider/ros2/node.hpp"
@@ -24,8 +25,9 @@ struct RunNodeOptions {
   std::string space;                 ///< namespace
   std::vector<std::string> renames;  ///< from:=to
   NodeClock clock = NodeClock::system;
-  double rate = 1.0;     ///< of its own clock
-  MessageFaults faults;  ///< of the messages that come, but for /clock and /tf_static
+  double rate = 1.0;                         ///< of its own clock
+  MessageFaults faults;                      ///< of the messages that come, but for /clock and /tf_static
+  std::vector<OptionGroup> parameters = {};  ///< shown by services (nodes/parameters.hpp)
 };
 
 using HearNode = std::function<void(const NodeEvent&)>;

@@ -39,6 +39,8 @@ class SimulatedTagCamera {
   /// Returns the newest image whose tags are known at a time.
   const std::optional<TagImage>& newest(double time_s);
   [[nodiscard]] std::int64_t images() const { return images_; }  ///< taken so far
+  /// Returns the last image; null if images are not rendered.
+  [[nodiscard]] const RenderedImage* rendered() const { return rendering_ ? &rendering_->image() : nullptr; }
 
  private:
   TagMap tags_;

@@ -92,7 +92,7 @@ Job cover_job() {
           .example = "cover scenarios/cover/room.txt --width 0.2 --out out",
           .blank = [] { return std::make_unique<CoverJob>(); },
           .file_option = "area",
-          .file_sentence = "polygon with holes: GeoJSON, GML, YAML or text; may be gzip-compressed",
+          .file_sentence = "polygon with holes: GeoJSON, GML, YAML or text; or the YAML file of a saved map",
           .summary = cover_summary};
 }
 

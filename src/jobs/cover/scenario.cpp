@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "outrider/core/units.hpp"
 #include "outrider/io/cover_area.hpp"
 #include "outrider/io/text.hpp"
 #include "outrider/io/values.hpp"
 #include "outrider/jobs/cover/plan.hpp"
+#include "outrider/jobs/cover/saved_map.hpp"
 
 namespace outrider {
 namespace {
@@ -20,14 +23,37 @@ Outcome<Units> units_of(const CoverScenario& scenario) {
 }
 
 Status check_names(const CoverScenario& scenario) {
-  if (scenario.area.empty()) return bad_input("missing; give the file of the polygon to cover", "area");
+  if (scenario.area.empty())
+    return bad_input("missing; give the file of the polygon to cover, or a saved map", "area");
   return {};
+}
+
+/// Reads the area: the free space of a saved map, or polygons. `start` is in its coordinates.
+Outcome<CoverArea> load_area(const CoverScenario& scenario, Units units, const std::optional<Pose2>& start) {
+  auto map = saved_map(scenario.area);
+  if (!map) return pass_on(map);
+  if (!*map) return load_cover_area(scenario.area, units);
+  if (units == Units::degrees) return bad_input("a saved map is in metres; leave units at auto", "units");
+  if (scenario.problem.transfers) {
+    return bad_input(
+        "between the parts of a saved map are walls, through which no transfer leads; leave it out",
+        "transfers");
+  }
+  return area_of_map(**map, scenario.area, map_options(scenario, start));
 }
 
 }  // namespace
 
+SavedMapOptions map_options(const CoverScenario& scenario, const std::optional<Pose2>& start) {
+  SavedMapOptions options;
+  options.radius_m = 0.5 * std::min(scenario.problem.width_m, scenario.problem.strip_m());
+  options.tolerance_m = scenario.map_tolerance_m;
+  if (start) options.start = start->position;
+  return options;
+}
+
 std::vector<OptionGroup> describe(CoverScenario& scenario) {
-  std::vector<Option> top{file_option("area", "file of the polygon to cover", &scenario.area),
+  std::vector<Option> top{file_option("area", "file of the polygon to cover, or a saved map", &scenario.area),
                           {"units", "", 0, 0, "of its numbers: auto, degrees or metres", &scenario.units}};
   for (Option& option : describe(scenario.problem)) top.push_back(std::move(option));
   const std::vector<Option> rest{
@@ -37,6 +63,9 @@ std::vector<OptionGroup> describe(CoverScenario& scenario) {
        "x,y,heading of the robot at first, in the coordinates of the area and degrees; empty: where its "
        "track begins",
        &scenario.start},
+      {"map_tolerance", "m", 0.0, 10.0,
+       "how far inside the free space of a saved map its simplified edge may be; 0: two cells",
+       &scenario.map_tolerance_m},
       {"error_factor", "", 1.0, 100.0, "how many times slower than its slowest pace the robot may be",
        &scenario.error_factor},
       {"seed", "", 0, 1e15, "seed of the simulated drive", &scenario.seed}};
@@ -55,18 +84,25 @@ Outcome<CoverTask> load_task(const CoverScenario& scenario) {
   if (!method) return pass_on(method);
   auto units = units_of(scenario);
   if (!units) return pass_on(units);
-  CoverTask task{scenario.problem, *method, {}, {}, {}};
-  auto area = load_cover_area(scenario.area, *units);
-  if (!area) return pass_on(area);
-  task.note = std::move(area->note);
-  task.frame = std::move(area->frame);
+  std::optional<Pose2> start;
   if (!scenario.start.empty()) {
-    auto start = parse_pose(scenario.start, "start");
-    if (!start) return pass_on(start);
-    task.problem.start = Pose2{task.frame.to_local(start->position), wrap_angle(start->heading_rad)};
+    auto given = parse_pose(scenario.start, "start");
+    if (!given) return pass_on(given);
+    start = *given;
   }
-  for (std::size_t i = 0; i < area->polygons.size(); ++i) {
-    AreaPolygon& polygon = area->polygons[i];
+  auto area = load_area(scenario, *units, start);
+  if (!area) return pass_on(area);
+  return task_of(scenario, *method, std::move(*area), start);
+}
+
+CoverTask task_of(const CoverScenario& scenario, const CoverMethod& method, CoverArea area,
+                  const std::optional<Pose2>& start) {
+  CoverTask task{scenario.problem, method, {}, {}, {}};
+  task.note = std::move(area.note);
+  task.frame = std::move(area.frame);
+  if (start) task.problem.start = Pose2{task.frame.to_local(start->position), wrap_angle(start->heading_rad)};
+  for (std::size_t i = 0; i < area.polygons.size(); ++i) {
+    AreaPolygon& polygon = area.polygons[i];
     const std::string of = i == 0 ? "" : fmt::format(" of area {}", i + 1);
     AreaOutline outline{std::move(polygon.boundary.corners), {}};
     task.places.push_back({"boundary" + of, std::move(polygon.boundary.where)});

@@ -57,27 +57,6 @@ Ideal ideal_of(const DriveTask& task) {
   return ideal;
 }
 
-/// Logs what stands still: the world, the tags, the camera and the waypoints.
-void log_start(Log& log, const DriveTask& task, std::uint64_t seed) {
-  constexpr double any_m = std::numeric_limits<double>::infinity();  // every solid is in its way
-  log_scene(log, run_info("drive", seed, task.world, task.radius_m), task.world, any_m);
-  outrider_msgs::Tags tags;
-  for (const Tag& tag : task.tags.tags) {
-    tags.tags.push_back({tag.id, point_of(tag.world_T_tag.position),
-                         heading_of(xy(-1.0 * tag.world_T_tag.rotation.axes[2])), tag.size_m});
-  }
-  const bool sees = task.closed_loop && !tags.tags.empty();
-  if (!tags.tags.empty()) log.append(topic::tags, 0.0, std::move(tags));
-  if (sees) {
-    log_camera(log, task.eye.camera);
-    log_mount(log, "camera", {{task.eye.ahead_m, 0.0}, 0.0}, task.eye.height_m);
-  }
-  std::vector<Vec2> way = {task.start.position};
-  for (const Waypoint& waypoint : task.waypoints) way.push_back(waypoint.pose.position);
-  log_plan(log, 0.0, way);
-  log_markers(log);
-}
-
 /// Logs the drive.
 class Recorder {
  public:
@@ -85,18 +64,10 @@ class Recorder {
       : task_(task),
         ground_(ground),
         log_(log),
+        waypoints_(waypoints_message(task)),
         outcomes_(task.waypoints.size(), "not reached"),
         nearest_m_(task.waypoints.size(), unknown) {
     clearance_m = task.radius_m + look_around_m;
-    waypoints_.closed_loop = task.closed_loop;
-    for (const Waypoint& waypoint : task.waypoints) {
-      waypoints_.waypoints.push_back({point_of(waypoint.pose.position),
-                                      waypoint.pose.heading_rad,
-                                      waypoint.stop,
-                                      unknown,
-                                      {unknown, unknown},
-                                      unknown});
-    }
     log.append(topic::waypoints, 0.0, waypoints_);
   }
 
@@ -286,9 +257,10 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
   return report;
 }
 
-/// In the open loop the camera is blind.
-SimulatedRobot simulated_robot(const DriveTask& task, const DriveSimParams& params, bool rendered,
-                               std::uint64_t seed) {
+}  // namespace
+
+SimulatedRobot simulated_driver(const DriveTask& task, const DriveSimParams& params, bool rendered,
+                                std::uint64_t seed) {
   const Rng rng(seed);
   TagCameraOptions options;
   options.rate_hz = task.eye.rate_hz;
@@ -305,13 +277,11 @@ SimulatedRobot simulated_robot(const DriveTask& task, const DriveSimParams& para
                         {.camera = std::move(camera)}, params.kidnapping);
 }
 
-}  // namespace
-
 Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,
                  Log& log, const RunWatch& watch) {
   log_start(log, task, seed);
   const CollisionMap ground = CollisionMap::of(task.world, task.eye.height_m);
-  SimulatedRobot robot = simulated_robot(task, params, rendered, seed);
+  SimulatedRobot robot = simulated_driver(task, params, rendered, seed);
   DriveMission mission = begin(task);
   Recorder recorder(task, ground, log);
   const bool finished = run_mission(mission, robot, watch.stop, [&](const Observation&, const Command*) {

@@ -13,6 +13,7 @@
 #include "outrider/nodes/mapper_node.hpp"
 #include "outrider/nodes/planner_node.hpp"
 #include "outrider/nodes/sim_node.hpp"
+#include "support/data.hpp"
 #include "support/node_bus.hpp"
 
 namespace outrider {
@@ -46,7 +47,7 @@ class Office {
       options.sim = setup.sim;
       bus.start(std::make_unique<SimNode>(setup.world, options));
     }
-    if (name == "mapper") bus.start(std::make_unique<MapperNode>(MapperNodeOptions()));
+    if (name == "mapper") bus.start(std::make_unique<MapperNode>(mapper));
     if (name == "planner") bus.start(std::make_unique<PlannerNode>(PlannerNodeOptions()));
     if (name == "follower") bus.start(std::make_unique<FollowerNode>(FollowerNodeOptions()));
     ExplorerNodeOptions explorer;
@@ -86,6 +87,7 @@ class Office {
   [[nodiscard]] std::int64_t contacts() const { return sim().body<TwistBody>().contacts(); }
 
   ExploreSetup setup;
+  MapperNodeOptions mapper;
   NodeBus bus;
   Grid<std::uint8_t> map;
   bool moving = false;
@@ -166,6 +168,75 @@ TEST_P(OneIsKilled, AndStartedAnew) {
   if (name == "mapper") return expect_rest(office);
   ASSERT_TRUE(office.explored());
   expect_mapped(office);
+}
+
+TEST(FiveNodes, AMapperThatKeepsItsMapGoesOnWithIt) {
+  const test::Folder folder;
+  Office office({.loss = 0.01, .delay_s = 0.1});
+  office.mapper.keep = (folder.path / "map.yaml").string();
+  office.start("mapper");
+  office.bus.run(80.0);
+  const Grid<std::uint8_t> before = office.map;
+  office.bus.kill("mapper");
+  office.bus.run(90.0);
+  office.start("mapper");
+  office.bus.run(95.0);
+  EXPECT_NE(office.bus.status("explorer").state, "map_lost");
+  std::size_t lost = 0, known = 0;  // cells that the kept map is up to 2 s behind, and those before
+  for (std::size_t i = 0; i < before.cells.size(); ++i) {
+    if (before.cells[i] == unknown_cell) continue;
+    const Cell now = office.map.frame.cell_at(before.frame.centre(before.frame.cell(i)));
+    ++known;
+    lost += !office.map.contains(now) || office.map[now] == unknown_cell;
+  }
+  EXPECT_LT(static_cast<double>(lost), 0.1 * static_cast<double>(known));
+  ASSERT_TRUE(office.explored());
+  const std::string& end = office.bus.status("explorer").state;
+  EXPECT_TRUE(end == "complete" || end == "left_over") << office.bus.status("explorer").sentence;
+  EXPECT_EQ(office.contacts(), 0);
+  EXPECT_LT(distance(office.sim().pose().position, office.setup.task.start.position), 0.3);
+  const MapQuality quality = office.quality();
+  EXPECT_GT(quality.explored_fraction, 0.98);
+  EXPECT_LT(quality.map_error_m, 0.05);
+}
+
+TEST(FiveNodes, AKeptMapOfAnotherPlaceIsNotGoneOnWith) {
+  const test::Folder folder;
+  Office office({});
+  office.mapper.keep = (folder.path / "map.yaml").string();
+  office.start("mapper");
+  office.bus.run(60.0);
+  office.bus.kill("mapper");
+  KeptMap kept = load_kept_map(office.mapper.keep).value().value();
+  kept.map_T_odom.position.x += 1.0;  // as if the odometry had begun anew
+  ASSERT_TRUE(save(office.mapper.keep, kept));
+  office.start("mapper");
+  office.bus.run(70.0);
+  EXPECT_EQ(office.bus.status("explorer").state, "map_lost");
+}
+
+TEST(KeptMap, ComesBackAsItWasAndWhatIsNoneIsRefused) {
+  const test::Folder folder;
+  const std::string path = (folder.path / "map.yaml").string();
+  EXPECT_FALSE(load_kept_map(path).value());
+  KeptMap kept{Grid<std::uint8_t>({{-1.0, 0.5}, 0.05, 30, 20}, unknown_cell),
+               1'732'624'153.123456789,
+               {{0.1, -2.0}, 3.0}};
+  kept.occupancy[{4, 5}] = occupied_cell;
+  kept.occupancy[{6, 5}] = free_cell;
+  ASSERT_TRUE(save(path, kept));
+  const KeptMap back = load_kept_map(path).value().value();
+  EXPECT_EQ(back.occupancy.frame, kept.occupancy.frame);
+  EXPECT_EQ(back.occupancy.cells, kept.occupancy.cells);
+  EXPECT_EQ(back.begun_s, kept.begun_s);
+  EXPECT_EQ(back.map_T_odom, kept.map_T_odom);
+  MapperNodeOptions options;
+  options.keep = path;
+  options.slam.map.resolution_m = 0.1;
+  EXPECT_EQ(MapperNode::checked(options).error().where, path);
+  folder.write("map.state", "begun now");
+  EXPECT_NE(MapperNode::checked(options).error().sentence.find("it has to say 'begun TIME'"),
+            std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(FiveNodes, OneIsKilled,

@@ -1,6 +1,7 @@
 // What each node does alone.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -158,6 +159,46 @@ TEST_F(Follower, StopsWhenTheMapIsTooOldIfAsked) {
   feed(3.1, 5.0);
   static_cast<void>(commanded(3.1));
   EXPECT_EQ(follower->status().sentence, "no map has come for 2 s");
+}
+
+TEST(CoverageNode, CoversTheFreeSpaceOfASavedMap) {
+  CoverageNodeOptions options;
+  options.from_map = true;
+  options.cover.problem.width_m = 0.3;
+  CoverageNode coverage(options);
+  EXPECT_EQ(coverage.status().sentence, "no map has come yet");
+  const auto saved = room(true);
+  give(coverage, "map", saved, 1.0);
+  coverage.tick(1.0);
+  EXPECT_EQ(coverage.status().state, "planned") << coverage.status().sentence;
+  const auto path = newest<nav_msgs::Path>(coverage, "plan");
+  ASSERT_TRUE(path);
+  const auto is_free = [&](double x, double y) {
+    return saved.data[static_cast<std::size_t>(y / 0.05) * 80 + static_cast<std::size_t>(x / 0.05)] == 0;
+  };
+  bool left = false, right = false;
+  for (const auto& stamped : path->poses) {
+    const auto& at = stamped.pose.position;
+    for (double turn = 0.0; turn < 6.3; turn += 0.1)
+      ASSERT_TRUE(is_free(at.x + 0.149 * std::cos(turn), at.y + 0.149 * std::sin(turn)))
+          << at.x << ", " << at.y;
+    left = left || at.x < 1.0;
+    right = right || at.x > 3.0;
+  }
+  EXPECT_TRUE(left && right);
+  give(coverage, "map", saved, 2.0);
+  coverage.tick(2.0);
+  EXPECT_FALSE(newest<nav_msgs::Path>(coverage, "plan"));  // the map was sent again
+  give(coverage, "map", room(false), 3.0);
+  coverage.tick(3.0);
+  ASSERT_TRUE(newest<nav_msgs::Path>(coverage, "plan"));
+}
+
+TEST(CoverageNode, AFileAndTheMapOfATopicAreNotBothTheArea) {
+  CoverageNodeOptions options;
+  options.from_map = true;
+  options.cover.area = "field.geojson";
+  EXPECT_EQ(CoverageNode::checked(options).error().where, "area");
 }
 
 TEST(CoverageNode, SendsATrackWithItsProof) {

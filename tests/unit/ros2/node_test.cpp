@@ -8,6 +8,7 @@
 
 #include "outrider/log/codecs.hpp"
 #include "outrider/log/ros_messages.hpp"
+#include "outrider/ros2/service.hpp"
 #include "support/eventually.hpp"
 
 namespace outrider {
@@ -164,6 +165,46 @@ TEST(RosNode, OddNamesAndDomainsAreRefused) {
   unsetenv("ROS_DOMAIN_ID");
   unsetenv("ROS_LOCALHOST_ONLY");
   EXPECT_EQ(ros_environment()->domain, 0);
+}
+
+/// A client as rmw_cyclonedds makes one: the request follows 16 bytes that name it.
+TEST(RosService, AnswersClientsThatNameTheirRequestsInThePayload) {
+  RosNode one = node(), other = node();
+  double radius_m = 0.105;
+  const NodeParameters parameters{{{"robot", "", {{"radius", "m", 0.01, 1.0, "of the robot", &radius_m}}}}};
+  std::vector<RosService> services;
+  for (NodeService& service : parameters.services())
+    services.push_back(RosService::open(one, "/mapper", std::move(service)).value());
+  using rcl_interfaces::GetParametersRequest, rcl_interfaces::GetParametersResponse;
+  auto requests = other.request_writer("/mapper/get_parameters", message_type<GetParametersRequest>());
+  auto replies = other.reply_reader("/mapper/get_parameters", message_type<GetParametersResponse>());
+  ASSERT_TRUE(requests && replies);
+  ASSERT_TRUE(eventually([&] { return requests->readers() == 1 && replies->writers() == 1; }));
+  const std::string id = "client 1request9";
+  std::string request = encode(MessageEncoding::cdr, GetParametersRequest{{"robot.radius"}});
+  ASSERT_TRUE(requests->send_bytes("none"));  // is left without an answer
+  ASSERT_TRUE(requests->send_bytes(request));
+  ASSERT_TRUE(requests->send_bytes(request.insert(4, id)));
+  std::optional<std::string> reply;
+  ASSERT_TRUE(eventually([&] {
+    for (RosService& service : services) service.answer();
+    reply = replies->take_bytes();
+    return reply.has_value();
+  }));
+  EXPECT_EQ(reply->substr(4, 16), id);
+  const auto response = decode<GetParametersResponse>(MessageEncoding::cdr, reply->erase(4, 16));
+  ASSERT_TRUE(response);
+  EXPECT_EQ(response->values.front().double_value, 0.105);
+  EXPECT_FALSE(replies->take_bytes());
+}
+
+TEST(RosService, IdsOfBigEndianRequestsAreTurnedRound) {
+  const std::string little = encode(MessageEncoding::cdr, point(1.0)).substr(0, 4);
+  const NodeService echo{"echo", nullptr, nullptr, [&](std::string_view) { return little + "rest"; }};
+  std::string request(4, '\0');
+  request += "12345678ABCDEFGH";
+  EXPECT_EQ(response_to(request, echo), little + "87654321HGFEDCBArest");
+  EXPECT_FALSE(response_to(request.substr(0, 19), echo));
 }
 
 }  // namespace

@@ -8,19 +8,21 @@
 #include "outrider/core/options.hpp"
 #include "outrider/io/area_frame.hpp"
 #include "outrider/jobs/cover/plan.hpp"
+#include "outrider/jobs/cover/saved_map.hpp"
 
 namespace outrider {
 
 /// The settings of the job.
 struct CoverScenario {
-  std::string area;                 ///< path of an area (io/cover_area.hpp)
+  std::string area;                 ///< path of an area (io/cover_area.hpp) or a saved map (saved_map.hpp)
   std::string units = "auto";       ///< units of the area: auto, degrees or metres
   std::string method = "quickest";  ///< name of a row of cover_methods()
-  std::string start;          ///< "x,y,heading" in the coordinates of the area; empty: where the track begins
-  double error_factor = 1.0;  ///< see cover/time_bound.hpp
-  std::int64_t seed = 1;      ///< of the simulated drive
-  CoverProblem problem;       ///< its numbers are options; its polygons come from the file
-  CoverOptions options;       ///< of the planner
+  std::string start;  ///< "x,y,heading" in the coordinates of the area; empty: where the track begins
+  double map_tolerance_m = 0.0;  ///< see SavedMapOptions
+  double error_factor = 1.0;     ///< see cover/time_bound.hpp
+  std::int64_t seed = 1;         ///< of the simulated drive
+  CoverProblem problem;          ///< its numbers are options; its polygons come from the file
+  CoverOptions options;          ///< of the planner
 };
 
 /// Describes the options: the top-level keys, then the sections pace and order.
@@ -39,6 +41,13 @@ struct CoverTask {
 
 /// Reads the area and the names. Faults: bad_input with the file and line, or the key.
 Outcome<CoverTask> load_task(const CoverScenario& scenario);
+
+/// Returns the task of covering that area; `start` is in its coordinates.
+CoverTask task_of(const CoverScenario& scenario, const CoverMethod& method, CoverArea area,
+                  const std::optional<Pose2>& start);
+
+/// Returns how a map becomes the area of the scenario.
+SavedMapOptions map_options(const CoverScenario& scenario, const std::optional<Pose2>& start);
 
 /// Replaces the place "boundary" or "hole 2 of area 2" of a fault by the place in the file.
 Fault placed(Fault fault, const CoverTask& task);

@@ -8,7 +8,9 @@
 #include "outrider/control/calibrate.hpp"
 #include "outrider/job/watch.hpp"
 #include "outrider/jobs/drive/mission.hpp"
+#include "outrider/log/motion_messages.hpp"
 #include "outrider/sim/drive_sim_params.hpp"
+#include "outrider/sim/simulated_robot.hpp"
 
 namespace outrider {
 
@@ -33,6 +35,16 @@ namespace outrider {
 /// and the table "waypoints" has the waypoints, what became of each, and the errors at them.
 Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,
                  Log& log, const RunWatch& watch = {});
+
+/// Logs what stands still: the world, the tags, the camera and the waypoints.
+void log_start(Log& log, const DriveTask& task, std::uint64_t seed);
+
+/// Returns the waypoints as they are logged at first: none is reached.
+outrider_msgs::Waypoints waypoints_message(const DriveTask& task);
+
+/// Makes the robot of run_drive(), at the start. In the open loop its camera is blind.
+SimulatedRobot simulated_driver(const DriveTask& task, const DriveSimParams& params, bool rendered,
+                                std::uint64_t seed);
 
 /// Returns runs for the calibration of that robot. For each direction and each of 5 durations it drives
 /// `repeats` times from rest to rest with a full battery at the speeds of the task. The measured ends have

@@ -1,0 +1,51 @@
+// CoverMissionNode: the mission of the job cover (jobs/cover/mission.hpp) with its robot behind topics.
+//
+//   odom, /tf  where the robot is on the map   ->   cmd_vel
+//                                                   cover/status  what it does, and what it has covered
+//                                                   the channels of the run, as docs/jobs/cover.md has them
+//
+// The area is in metres of the map. The track is planned and proven once it is known where the robot is: it
+// begins there, unless the scenario says where; then the robot must stand within 0.3 m of it. Pieces are
+// driven by piece_driver.hpp, which does not look for what is not on the map. It stands still while odometry
+// or pose is older than its patience. At the end what the robot drove, by its own pose, is measured as the
+// simulated drive of the job is. States: waiting, covering, stopped, done, not_done, stuck, or the fault of
+// the planner.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "outrider/jobs/cover/mission.hpp"
+#include "outrider/jobs/cover/report.hpp"
+#include "outrider/jobs/cover/scenario.hpp"
+#include "outrider/nodes/mission_node.hpp"
+#include "outrider/nodes/piece_driver.hpp"
+
+namespace outrider {
+
+class CoverMissionNode final : public MissionNode {
+ public:
+  /// Fault: those of load_task(), and bad_input for an area in degrees, which no map is in.
+  static Status check(const CoverScenario& scenario);
+  CoverMissionNode(MissionNodeOptions options, CoverScenario scenario);
+
+  [[nodiscard]] const PieceDrive& drive() const { return drive_; }
+
+ private:
+  /// What is made once it is known where the robot is.
+  struct Work;
+
+  void act() override;
+  Status begin(const Pose2& pose);
+  void go_on(const Pose2& pose);
+  void note(const Pose2& pose);
+  void finish();
+
+  CoverScenario scenario_;
+  std::shared_ptr<Work> work_;
+  PieceDrive drive_;
+  double moved_on_s_ = 0.0;  ///< when it last got on
+  Vec2 stood_;
+};
+
+}  // namespace outrider

@@ -1,0 +1,71 @@
+// MissionNode: what the missions of all jobs have in common whose robot is on the other side of topics.
+//
+// It sends commands, as TwistStamped or Twist, and the messages of the run as they are logged: each channel
+// of the log is a latched topic of the same name and type with the same bytes. Left out are /tf and
+// /tf_static, since there the robot itself says where it is, and /rosout, where the node speaks. Times of the
+// log begin when the mission begins, and are those of the node on topics. Missions begin when begin_log() is
+// called.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "outrider/log/log.hpp"
+#include "outrider/motion/twist.hpp"
+#include "outrider/nodes/checked.hpp"
+#include "outrider/nodes/node.hpp"
+#include "outrider/nodes/robot_frames.hpp"
+
+namespace outrider {
+
+struct MissionNodeOptions {
+  FrameNames frames;
+  bool plain_twist = false;  ///< commands are Twist, not TwistStamped
+  double patience_s = 0.4;   ///< age of odometry or pose at which the robot stands still
+};
+std::vector<Option> describe(MissionNodeOptions& options);
+
+class MissionNode : public Node {
+ public:
+  ~MissionNode() override;
+  [[nodiscard]] bool is_over() const override { return over_; }
+  /// The messages of the run so far.
+  [[nodiscard]] const Log& log() const { return log_; }
+
+ protected:
+  MissionNode(std::string name, MissionNodeOptions options);
+
+  /// Listens to odometry and transforms, which say where the robot is.
+  void listen_to_pose();
+  /// Returns why the robot has to stand still because of its pose; empty if it does not.
+  [[nodiscard]] std::string why_pose_is_missing() const;
+  [[nodiscard]] const RobotFrames& frames() const { return frames_; }
+  [[nodiscard]] const MissionNodeOptions& options() const { return options_; }
+
+  void begin_log();
+  [[nodiscard]] Log& log() { return log_; }
+  /// Returns the time of the mission.
+  [[nodiscard]] double mission_s() const { return now_s() - began_s_; }
+  [[nodiscard]] double began_s() const { return began_s_; }
+
+  void command(const Twist2& twist);
+  /// Ends the mission; the robot stands.
+  void end(NodeLevel level, std::string state, std::string sentence);
+
+ private:
+  class Topics;
+
+  Status take_odometry(const nav_msgs::Odometry& odometry);
+
+  MissionNodeOptions options_;
+  RobotFrames frames_;
+  NewestStamp odometries_;
+  std::optional<double> odometry_came_s_;
+  std::unique_ptr<Topics> topics_;
+  Log log_;
+  double began_s_ = 0.0;
+  bool over_ = false;
+  std::size_t command_output_;
+};
+
+}  // namespace outrider

@@ -1,0 +1,108 @@
+#include "outrider/nodes/mission_node.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/known_messages.hpp"
+#include "outrider/log/topics.hpp"
+
+namespace outrider {
+
+std::vector<Option> describe(MissionNodeOptions& options) {
+  std::vector<Option> all{
+      {"plain_twist", "", 0, 0, "commands are geometry_msgs/Twist, not TwistStamped", &options.plain_twist},
+      {"patience", "s", 0.05, 1e6, "age of odometry or pose at which the robot stands still",
+       &options.patience_s}};
+  for (Option& option : describe(options.frames)) {
+    option.name = "frame_" + std::string(option.name);
+    all.push_back(std::move(option));
+  }
+  return all;
+}
+
+/// Sends what is logged.
+class MissionNode::Topics final : public LogSink {
+ public:
+  explicit Topics(MissionNode& node) : node_(node) {}
+
+  void add_channel(const Channel& channel) override {
+    const MessageType* type = find_message_type(channel.type);
+    const bool left_out = channel.topic == topic::transforms || channel.topic == topic::static_transforms ||
+                          channel.topic == topic::events || type == nullptr;
+    outputs_.push_back(left_out ? std::nullopt
+                                : std::optional(node_.add_output(channel.topic, *type, Delivery::latched)));
+  }
+  void append(std::size_t channel, std::int64_t, std::string_view data) override {
+    if (outputs_[channel]) node_.send_bytes({*outputs_[channel], std::string(data)});
+  }
+
+ private:
+  MissionNode& node_;
+  std::vector<std::optional<std::size_t>> outputs_;  ///< by channel
+};
+
+MissionNode::MissionNode(std::string name, MissionNodeOptions options)
+    : Node(std::move(name), 0.02, "~/status"),
+      options_(std::move(options)),
+      frames_(options_.frames),
+      topics_(std::make_unique<Topics>(*this)) {
+  command_output_ = options_.plain_twist
+                        ? add_output<geometry_msgs::Twist>("cmd_vel", Delivery::reliable)
+                        : add_output<geometry_msgs::TwistStamped>("cmd_vel", Delivery::reliable);
+}
+
+MissionNode::~MissionNode() { log_.remove_sink(*topics_); }
+
+void MissionNode::listen_to_pose() {
+  listen<nav_msgs::Odometry>("odom", Delivery::sensor,
+                             [this](const auto& odometry) { return take_odometry(odometry); });
+  listen_to_transforms(frames_);
+}
+
+Status MissionNode::take_odometry(const nav_msgs::Odometry& odometry) {
+  const std::optional<double> before_s = odometries_.newest_s();
+  const auto time_s = odometries_.take(odometry.header.stamp);
+  if (!time_s) return tl::unexpected<Fault>(time_s.error());
+  if (auto ok = frames_.add(odometry); !ok) return ok;
+  if (before_s != *time_s) odometry_came_s_ = now_s();
+  return {};
+}
+
+std::string MissionNode::why_pose_is_missing() const {
+  const auto missing = [&](const std::string& what, const std::optional<double>& came_s) {
+    if (!came_s) return fmt::format("no {} has come yet", what);
+    if (now_s() - *came_s > options_.patience_s)
+      return fmt::format("no {} has come for {:g} s", what, options_.patience_s);
+    return std::string();
+  };
+  const std::string why = missing("odometry", odometry_came_s_);
+  if (!why.empty()) return why;
+  return missing(fmt::format("transform from {} to {}", options_.frames.map, options_.frames.odom),
+                 frames_.localised_s());
+}
+
+void MissionNode::begin_log() {
+  began_s_ = now_s();
+  log_.begin_at(began_s_);
+  log_.add_sink(*topics_);
+}
+
+void MissionNode::command(const Twist2& twist) {
+  geometry_msgs::TwistStamped message;
+  message.header = header_of(now_s(), options_.frames.base);
+  message.twist.linear.x = twist.ahead_mps;
+  message.twist.linear.y = twist.left_mps;
+  message.twist.angular.z = twist.turn_radps;
+  options_.plain_twist ? send(command_output_, message.twist) : send(command_output_, message);
+}
+
+void MissionNode::end(NodeLevel level, std::string state, std::string sentence) {
+  over_ = true;
+  command({});
+  set_status(level, std::move(state), std::move(sentence));
+}
+
+}  // namespace outrider
