@@ -88,6 +88,17 @@ bool listed(std::string_view name, const std::vector<std::string>& prefixes, std
   });
 }
 
+/// Returns how many parameters or prefixes a request names.
+template <class Request>
+std::size_t count_of(const Request& request) {
+  if constexpr (requires { request.names; })
+    return request.names.size();
+  else if constexpr (requires { request.parameters; })
+    return request.parameters.size();
+  else
+    return request.prefixes.size();
+}
+
 /// Makes a service of a function from request to response.
 template <class Request, class Response>
 NodeService service(std::string name, std::function<Response(const Request&)> answer) {
@@ -95,6 +106,10 @@ NodeService service(std::string name, std::function<Response(const Request&)> an
           [answer = std::move(answer)](std::string_view cdr) -> Outcome<std::string> {
             const auto request = decode<Request>(MessageEncoding::cdr, cdr);
             if (!request) return tl::unexpected<Fault>(request.error());
+            if (const std::size_t count = count_of(*request); count > most_parameters_asked) {
+              return bad_input(fmt::format("the request names {} parameters; ask for at most {} at once",
+                                           count, most_parameters_asked));
+            }
             return encode(MessageEncoding::cdr, answer(*request));
           }};
 }

@@ -100,11 +100,11 @@ Outcome<RosNode> RosNode::open(const RosNodeOptions& options) {
   const auto domain = static_cast<dds_domainid_t>(options.domain);
   if (options.localhost_only) {
     // A domain that this process has already is left as it is. Without multicast each process is sought at
-    // the ports of the first 33.
+    // the ports of the first 33, every second: one of Fast DDS that starts later does not seek us there.
     dds_create_domain(domain,
                       "<General><Interfaces><NetworkInterface name='lo' multicast='false'/></Interfaces>"
                       "</General><Discovery><ParticipantIndex>auto</ParticipantIndex>"
-                      "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
+                      "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex><SPDPInterval>1s</SPDPInterval>"
                       "<Peers><Peer address='localhost'/></Peers></Discovery>"
                       "<Tracing><Verbosity>none</Verbosity></Tracing>");
   }

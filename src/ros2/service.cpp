@@ -9,6 +9,7 @@ namespace outrider {
 namespace {
 
 constexpr std::size_t encoding_bytes = 4, id_bytes = 16;
+constexpr int at_once = 10;  // requests, so that the node acts in between
 
 }  // namespace
 
@@ -36,7 +37,9 @@ Outcome<RosService> RosService::open(RosNode& network, const std::string& node, 
 }
 
 void RosService::answer() {
-  while (const auto request = requests_.take_bytes()) {
+  for (int i = 0; i < at_once; ++i) {
+    const auto request = requests_.take_bytes();
+    if (!request) return;
     if (const auto response = response_to(*request, service_))
       static_cast<void>(responses_.send_bytes(*response));
   }

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <numeric>
 #include <optional>
@@ -28,6 +29,10 @@ class FastDds : public ::testing::Test {
  protected:
   void SetUp() override { open(false); }
   void open(bool local) {
+    start_peer(local);
+    open_node(local);
+  }
+  void start_peer(bool local) {
     const std::string domain = std::to_string(domain_);
     peer_ = fork();
     ASSERT_GE(peer_, 0);
@@ -35,6 +40,8 @@ class FastDds : public ::testing::Test {
       execl(FASTDDS_PEER, FASTDDS_PEER, domain.c_str(), local ? "local" : nullptr, nullptr);
       _exit(127);
     }
+  }
+  void open_node(bool local) {
     auto node = RosNode::open({domain_, local});
     ASSERT_TRUE(node) << to_string(node.error());
     node_ = std::move(*node);
@@ -149,21 +156,31 @@ TEST_F(FastDds, IsCommanded) {
 /// Both with ROS_LOCALHOST_ONLY=1.
 class FastDdsOnThisMachine : public FastDds {
  protected:
-  void SetUp() override {
-    domain_ = 78;  // the process has the other domain already, on all interfaces
-    open(true);
+  void SetUp() override { domain_ = 78; }  // the process has the other domain already, on all interfaces
+
+  void expect_answer() {
+    RosWriter asked = writer("/asked", message_type<Twist>(), Delivery::reliable);
+    RosReader answered = reader("/answered", message_type<Twist>(), Delivery::reliable);
+    ASSERT_TRUE(eventually([&] { return asked.readers() == 1 && answered.writers() == 1; }));
+    Twist twist, answer;
+    twist.linear.x = 0.5;
+    ASSERT_TRUE(asked.send(&twist));
+    ASSERT_TRUE(eventually([&] { return answered.take(&answer).value_or(false); }));
+    EXPECT_EQ(answer.linear.x, 1.0);
   }
 };
 
 TEST_F(FastDdsOnThisMachine, AnswersWhatItIsAsked) {
-  RosWriter asked = writer("/asked", message_type<Twist>(), Delivery::reliable);
-  RosReader answered = reader("/answered", message_type<Twist>(), Delivery::reliable);
-  ASSERT_TRUE(eventually([&] { return asked.readers() == 1 && answered.writers() == 1; }));
-  Twist twist, answer;
-  twist.linear.x = 0.5;
-  ASSERT_TRUE(asked.send(&twist));
-  ASSERT_TRUE(eventually([&] { return answered.take(&answer).value_or(false); }));
-  EXPECT_EQ(answer.linear.x, 1.0);
+  open(true);
+  expect_answer();
+}
+
+/// By then the node announces itself less often than in the beginning.
+TEST_F(FastDdsOnThisMachine, IsFoundAlsoIfItStartsLater) {
+  open_node(true);
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  start_peer(true);
+  expect_answer();
 }
 
 }  // namespace

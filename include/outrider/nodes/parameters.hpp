@@ -4,6 +4,7 @@
 // Parameters cannot change while a node runs: to set one to another value is refused with a sentence.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -16,12 +17,16 @@
 
 namespace outrider {
 
+/// Most names in a request, so that an answer does not keep a node from acting.
+inline constexpr std::size_t most_parameters_asked = 1000;
+
 /// A service: its name beneath the node, its types, and its answer to an encoded request.
 struct NodeService {
   std::string name;  ///< such as "list_parameters"
   const MessageType* request = nullptr;
   const MessageType* response = nullptr;
-  /// Returns the encoded response. Fault: bad_input for bytes that are no request.
+  /// Returns the encoded response. Fault: bad_input for bytes that are no request, or that name more than
+  /// most_parameters_asked.
   std::function<Outcome<std::string>(std::string_view cdr)> answer;
 };
 

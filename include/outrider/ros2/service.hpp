@@ -16,8 +16,8 @@ class RosService {
   /// `name` is that of the node with its namespace. Faults: those of RosNode::reader().
   static Outcome<RosService> open(RosNode& network, const std::string& node, NodeService service);
 
-  /// Answers the requests that have come. Requests that are none are left without an answer, as are those
-  /// whose answer the network refuses.
+  /// Answers the requests that have come, at most 10. Requests that are none are left without an answer, as
+  /// are those whose answer the network refuses.
   void answer();
 
  private:

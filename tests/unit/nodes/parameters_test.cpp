@@ -102,5 +102,18 @@ TEST_F(Parameters, ServicesAnswerEncodedRequestsAndRefuseOthers) {
   EXPECT_EQ(response->values.front().string_value, "odom");
 }
 
+TEST_F(Parameters, AreNotAskedForWithoutEnd) {
+  using rcl_interfaces::GetParametersRequest;
+  const auto get = parameters.services()[1];
+  const auto asked = [&](std::size_t count) {
+    return get.answer(
+        encode(MessageEncoding::cdr, GetParametersRequest{std::vector<std::string>(count, "frame.odom")}));
+  };
+  EXPECT_TRUE(asked(most_parameters_asked));
+  const auto refused = asked(most_parameters_asked + 1);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().sentence, "the request names 1001 parameters; ask for at most 1000 at once");
+}
+
 }  // namespace
 }  // namespace outrider
