@@ -1,9 +1,9 @@
 #include "outrider/jobs/guard/stops.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace outrider {
 namespace {
@@ -30,29 +30,20 @@ bool hit_all_around(const FiringMap& firing_map, const FiringRegion& region, Cel
   });
 }
 
-bool contains(std::span<const std::uint64_t> large, std::span<const std::uint64_t> small) {
-  for (std::size_t w = 0; w < small.size(); ++w) {
-    if ((small[w] & ~large[w]) != 0) return false;
-  }
-  return true;
-}
-
 /// A cell from which targets can be hit.
 struct Candidate {
   std::size_t cell = 0;
-  int count = 0;      ///< number of targets
-  float worth = 0.0;  ///< how well it serves: forgiving shots first, room to stand second
+  int count = 0;           ///< number of targets
+  float worth = 0.0;       ///< how well it serves: forgiving shots first, room to stand second
+  std::uint64_t bits = 0;  ///< bit t % 64 for each target t: a set that contains another has all its bits
 };
 
 Candidate candidate(const FiringMap& firing_map, const SureHits& hits, std::size_t cell) {
-  Candidate one{cell, 0, firing_map.clearance_m[cell]};
-  const auto set = hits.at(cell);
-  for (std::size_t w = 0; w < set.size(); ++w) {
-    for (std::uint64_t left = set[w]; left != 0; left &= left - 1) {
-      const std::size_t target = 64 * w + static_cast<std::size_t>(std::countr_zero(left));
-      ++one.count;
-      one.worth += 1.0F - std::min(1.0F, firing_map.regions[target].error_ratio[cell]);
-    }
+  Candidate one{cell, 0, firing_map.clearance_m[cell], 0};
+  for (const std::uint32_t target : hits.at(cell)) {
+    ++one.count;
+    one.bits |= std::uint64_t{1} << (target % 64);
+    one.worth += 1.0F - std::min(1.0F, firing_map.regions[target].error_ratio[cell]);
   }
   return one;
 }
@@ -88,15 +79,16 @@ std::vector<std::size_t> largest_sets(const SureHits& hits, std::vector<Candidat
     return a.count != b.count ? a.count > b.count : a.worth > b.worth;
   });
   std::vector<std::size_t> kept;
-  std::vector<std::size_t> likely;  // the same, those first that contained a set lately
+  std::vector<const Candidate*> likely;  // the same, those first that contained a set lately
   for (const Candidate& one : cells) {
-    const auto larger =
-        std::ranges::find_if(likely, [&](std::size_t k) { return contains(hits.at(k), hits.at(one.cell)); });
+    const auto larger = std::ranges::find_if(likely, [&](const Candidate* k) {
+      return (one.bits & ~k->bits) == 0 && std::ranges::includes(hits.at(k->cell), hits.at(one.cell));
+    });
     if (larger != likely.end()) {
       std::rotate(likely.begin(), larger, larger + 1);
     } else {
       kept.push_back(one.cell);
-      likely.push_back(one.cell);
+      likely.push_back(&one);
     }
   }
   return kept;
@@ -105,17 +97,17 @@ std::vector<std::size_t> largest_sets(const SureHits& hits, std::vector<Candidat
 /// Takes the cells of a greedy cover out of `cells`, always the one with most targets that no earlier one
 /// has, and appends them to `chosen`. Returns false if nothing is left to cover.
 bool take_cover(const SureHits& hits, std::vector<std::size_t>& cells, std::vector<std::size_t>& chosen) {
-  std::vector<std::uint64_t> left(hits.words, ~std::uint64_t{0});
+  std::set<std::uint32_t> covered;
   for (bool first = true;; first = false) {
     auto best = cells.end();
-    int most = 0;
+    std::ptrdiff_t most = 0;
     for (auto cell = cells.begin(); cell != cells.end(); ++cell) {
-      int fresh = 0;
-      for (std::size_t w = 0; w < hits.words; ++w) fresh += std::popcount(hits.at(*cell)[w] & left[w]);
+      const auto fresh =
+          std::ranges::count_if(hits.at(*cell), [&](auto target) { return !covered.contains(target); });
       if (fresh > most) most = fresh, best = cell;
     }
     if (most == 0) return !first;
-    for (std::size_t w = 0; w < hits.words; ++w) left[w] &= ~hits.at(*best)[w];
+    covered.insert(hits.at(*best).begin(), hits.at(*best).end());
     chosen.push_back(*best);
     cells.erase(best);
   }
@@ -153,27 +145,63 @@ std::vector<std::size_t> sure_cells(const GuardProblem& problem, const FiringMap
   return sure.empty() ? possible : sure;
 }
 
+SureHits::SureHits(std::size_t cells, const std::vector<std::vector<std::uint32_t>>& cells_of)
+    : first_(cells + 1, 0) {
+  for (const auto& of_target : cells_of) {
+    for (const std::uint32_t cell : of_target) ++first_[cell + 1];
+  }
+  for (std::size_t cell = 0; cell < cells; ++cell) first_[cell + 1] += first_[cell];
+  targets_.resize(first_[cells]);
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (std::uint32_t target = 0; target < cells_of.size(); ++target) {
+    for (const std::uint32_t cell : cells_of[target]) targets_[next[cell]++] = target;
+  }
+}
+
+bool SureHits::has(std::size_t cell, std::size_t target) const {
+  return std::ranges::binary_search(at(cell), static_cast<std::uint32_t>(target));
+}
+
+void SureHits::add(std::size_t cell, std::size_t target) {
+  if (has(cell, target)) return;
+  const auto id = static_cast<std::uint32_t>(target);
+  const auto begin = targets_.begin() + static_cast<std::ptrdiff_t>(first_[cell]);
+  const auto end = targets_.begin() + static_cast<std::ptrdiff_t>(first_[cell + 1]);
+  targets_.insert(std::upper_bound(begin, end, id), id);
+  for (std::size_t later = cell + 1; later < first_.size(); ++later) ++first_[later];
+}
+
 void SureHits::keep_only(const std::vector<std::size_t>& kept) {
-  std::vector<std::uint64_t> mask(words, 0);
-  for (const std::size_t target : kept) mask[target / 64] |= std::uint64_t{1} << (target % 64);
-  for (std::size_t i = 0; i < targets.size(); ++i) targets[i] &= mask[i % words];
+  std::vector<bool> wanted;
+  for (const std::size_t target : kept) {
+    wanted.resize(std::max(wanted.size(), target + 1));
+    wanted[target] = true;
+  }
+  std::size_t size = 0;
+  for (std::size_t cell = 0, begin = 0; cell + 1 < first_.size(); ++cell) {
+    const std::size_t end = first_[cell + 1];
+    for (std::size_t i = begin; i < end; ++i) {
+      if (targets_[i] < wanted.size() && wanted[targets_[i]]) targets_[size++] = targets_[i];
+    }
+    begin = end;
+    first_[cell + 1] = size;
+  }
+  targets_.resize(size);
 }
 
 SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map) {
-  SureHits hits;
-  hits.words = std::max<std::size_t>(1, (problem.targets.size() + 63) / 64);
-  hits.targets.assign(firing_map.frame.size() * hits.words, 0);
+  std::vector<std::vector<std::uint32_t>> cells_of;
   for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
-    for (const std::size_t i : sure_cells(problem, firing_map, t)) hits.add(i, t);
+    const auto cells = sure_cells(problem, firing_map, t);
+    cells_of.emplace_back(cells.begin(), cells.end());
   }
-  return hits;
+  return {firing_map.frame.size(), cells_of};
 }
 
 std::vector<std::size_t> choose_stops(const FiringMap& firing_map, const SureHits& hits, double tile_m,
                                       std::size_t most, const std::vector<Vec2>& around, double near_m) {
   const auto counts = [&](std::size_t cell) {
-    const auto set = hits.at(cell);
-    if (std::all_of(set.begin(), set.end(), [](std::uint64_t w) { return w == 0; })) return false;
+    if (hits.at(cell).empty()) return false;
     const Vec2 p = firing_map.frame.centre(firing_map.frame.cell(cell));
     return around.empty() ||
            std::any_of(around.begin(), around.end(), [&](Vec2 a) { return distance(a, p) <= near_m; });

@@ -22,22 +22,26 @@ inline constexpr double there_m = 1e-6;
 std::vector<std::size_t> sure_cells(const GuardProblem& problem, const FiringMap& firing_map,
                                     std::size_t target);
 
-/// For each cell, the targets that have it among their sure_cells().
-struct SureHits {
-  std::size_t words = 1;               ///< number of 64-bit words per cell
-  std::vector<std::uint64_t> targets;  ///< bit sets of targets, cell by cell
+/// For each cell, the targets that have it among their sure_cells(). Takes 8 bytes a cell and 4 a hit.
+class SureHits {
+ public:
+  /// `cells_of`: by target, the cells from which it can be hit.
+  SureHits(std::size_t cells, const std::vector<std::vector<std::uint32_t>>& cells_of);
 
-  [[nodiscard]] std::span<const std::uint64_t> at(std::size_t cell) const {
-    return {targets.data() + cell * words, words};
+  /// Returns the targets of a cell, ascending.
+  [[nodiscard]] std::span<const std::uint32_t> at(std::size_t cell) const {
+    return {targets_.data() + first_[cell], targets_.data() + first_[cell + 1]};
   }
-  void add(std::size_t cell, std::size_t target) {
-    targets[cell * words + target / 64] |= std::uint64_t{1} << (target % 64);
-  }
-  [[nodiscard]] bool has(std::size_t cell, std::size_t target) const {
-    return (targets[cell * words + target / 64] >> (target % 64) & 1U) != 0;
-  }
-  /// Removes the hits of all other targets.
+  /// O(log of the targets of the cell).
+  [[nodiscard]] bool has(std::size_t cell, std::size_t target) const;
+  /// O(cells + hits).
+  void add(std::size_t cell, std::size_t target);
+  /// Removes the hits of all other targets. O(cells + hits).
   void keep_only(const std::vector<std::size_t>& kept);
+
+ private:
+  std::vector<std::size_t> first_;      // cell -> its first target; one more at the end
+  std::vector<std::uint32_t> targets_;  // cell by cell
 };
 
 /// Computes the sure hits of all cells.
