@@ -17,8 +17,10 @@ constexpr std::uint32_t none = NavigationMesh::none;
 constexpr std::size_t sides_an_expansion = 16;
 /// Number of blocks between start and goal from which on there are gates worth a bound.
 constexpr std::size_t several_blocks = 4;
-/// Most memory for legs that are kept beyond one query, bytes.
-constexpr std::size_t most_leg_bytes = std::size_t{64} << 20U;
+/// Returns the most memory for legs that are kept beyond one query, bytes.
+std::size_t most_leg_bytes(const GridMap& ground) {
+  return std::clamp(2 * ground.frame.size(), std::size_t{16} << 20U, std::size_t{64} << 20U);
+}
 
 }  // namespace
 
@@ -66,7 +68,7 @@ void Memory::find_what_is_worth() {
   if (!mesh.core.empty()) return;
   if (!forced.known() && spent_ > mesh.sides.size() / 8) forced.find(mesh);
   if (!landmark.known() && spent_between_gates_ > mesh.sides.size()) landmark.find(mesh);
-  if (legs.bytes() > most_leg_bytes) legs.forget();
+  if (legs.bytes() > most_leg_bytes(*ground)) legs.forget();
 }
 
 void Memory::begin_query() {

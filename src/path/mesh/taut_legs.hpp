@@ -126,7 +126,7 @@ class TautLegs {
     std::uint32_t& list = list_of(departure);
     if (list >= most_tries) return true;
     if (list + 1 < most_tries) ++list;
-    return (list == 3 || list == 12 || list == 48) && add(mesh, departure, std::size_t{sides_a_try} * list);
+    return (list == 6 || list == 24 || list == 60) && add(mesh, departure, std::size_t{sides_a_try} * list);
   }
   /// Calls visit(leg, block) for the known legs on which a path that arrives along `came` can continue, in
   /// the blocks for which enters(block) is true.
