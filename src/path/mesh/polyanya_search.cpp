@@ -240,7 +240,7 @@ bool Search::reaches_goal() {
   if (node_.cone.holds(arrow(node_.at, goal_)) && visible(ground_, node_.at, goal_)) return true;
   const Departure departure(node_.polygon);
   memory_.legs.each(
-      departure, departure.to_left() ? node_.cone.right : node_.cone.left,
+      mesh_, departure, departure.to_left() ? node_.cone.right : node_.cone.left,
       [this](std::uint32_t block) { return enters(block); },
       [this](const TautLegs::Leg& leg, std::uint32_t block) { reach(leg.departure, leg.way, block); });
   return false;

@@ -58,10 +58,7 @@ void TautLegs::store(std::vector<TautSweep::SeenTurn>& seen, bool to_left) {
     words_.insert(words_.end(), {seen[i].block, i + 1});
     ++words_[list];
   }
-  for (const Seen& turn : seen) {
-    words_.insert(words_.end(), {turn.departure.number(), static_cast<std::uint32_t>(turn.way.x),
-                                 static_cast<std::uint32_t>(turn.way.y)});
-  }
+  for (const Seen& turn : seen) words_.push_back(turn.departure.number());
 }
 
 }  // namespace outrider::polyanya_search

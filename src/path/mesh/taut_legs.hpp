@@ -9,12 +9,11 @@
 // departure looks over many polygons, more expansions are waited for, or the legs are never found: a search
 // needs few of those polygons.
 //
-// Memory: 8 bytes a turn, 12 a leg, and 8 for each block that a departure sees. Thread rule: one instance per
+// Memory: 8 bytes a turn, 4 a leg, and 8 for each block that a departure sees. Thread rule: one instance per
 // thread.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -131,23 +130,24 @@ class TautLegs {
   /// Calls visit(leg, block) for the known legs on which a path that arrives along `came` can continue, in
   /// the blocks for which enters(block) is true.
   template <class Enters, class Visit>
-  void each(Departure departure, Arrow came, Enters enters, Visit visit) {
+  void each(const NavigationMesh& mesh, Departure departure, Arrow came, Enters enters, Visit visit) {
+    const Cell at = mesh.turns[departure.turn()].at;
+    const bool to_left = departure.to_left();
     const std::uint32_t* const list = words_.data() + (list_of(departure) - most_tries);
-    const std::uint32_t blocks = list[0];
-    const std::uint32_t* const legs = list + 1 + 2 * std::size_t{blocks};
-    std::array<std::uint32_t, 16> entered;
-    for (std::uint32_t done = 0; done < blocks;) {
-      std::uint32_t count = 0;  // the blocks are chosen without a branch, which could not be predicted
-      for (const std::uint32_t end = std::min(blocks, done + 16); done < end; ++done) {
-        entered[count] = done;
-        count += enters(list[1 + 2 * done]) ? 1 : 0;
+    const std::uint32_t *head = list + 1, *leg = head + 2 * std::size_t{list[0]};
+    const std::uint32_t* const legs = leg;
+    for (; head != legs; head += 2) {
+      const std::uint32_t* const end = legs + head[1];
+      if (enters(head[0])) {
+        for (; leg != end; ++leg) {
+          const Departure next(*leg);
+          const Arrow way = arrow(at, mesh.turns[next.turn()].at);
+          const std::int64_t left = turned(came, way);
+          if (to_left ? left < 0 : left > 0) break;
+          visit(Leg{next, way}, head[0]);
+        }
       }
-      for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint32_t* const head = list + 1 + 2 * entered[i];
-        const std::uint32_t first = entered[i] == 0 ? 0 : head[-1];
-        each_of_block(departure, came, legs + 3 * std::size_t{first}, legs + 3 * std::size_t{head[1]},
-                      [&](const Leg& leg) { visit(leg, head[0]); });
-      }
+      leg = end;
     }
   }
 
@@ -159,23 +159,13 @@ class TautLegs {
   [[nodiscard]] std::uint32_t& list_of(Departure departure) {
     return lists_[departure.number() >> 3U << 1U | (departure.number() & 1U)];
   }
-  template <class Visit>
-  static void each_of_block(Departure departure, Arrow came, const std::uint32_t* leg,
-                            const std::uint32_t* end, Visit visit) {
-    const bool to_left = departure.to_left();
-    for (; leg != end; leg += 3) {
-      const Arrow way{static_cast<std::int32_t>(leg[1]), static_cast<std::int32_t>(leg[2])};
-      const std::int64_t left = turned(came, way);
-      if (to_left ? left < 0 : left > 0) return;
-      visit(Leg{Departure(leg[0]), way});
-    }
-  }
   bool add(const NavigationMesh& mesh, Departure departure, std::size_t most_sides);
   void store(std::vector<TautSweep::SeenTurn>& seen, bool to_left);
 
   // By departure: number of expansions, or its place in words_ + most_tries.
   std::vector<std::uint32_t> lists_;
-  // A list: number of blocks; of each the block and the number of legs up to its last; three words a leg.
+  // A list: number of blocks; of each the block and the number of legs up to its last; the departures at
+  // the ends of the legs.
   std::vector<std::uint32_t> words_;
   TautSweep sweep_;
 };
