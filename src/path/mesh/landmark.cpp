@@ -30,20 +30,17 @@ double gap(const Gate& p, const Gate& q) {
 
 void Landmark::find(const NavigationMesh& mesh) {
   distances_.assign(mesh.turns.size(), unknown);
-  for (const NavigationMesh::Side& side : mesh.sides) {
-    if (side.turn != no_turn && mesh.turns[side.turn].polygons > 0 && distances_[side.turn] == unknown)
-      search(mesh, side.turn);
-  }
-  find_gates(mesh);
-}
-
-void Landmark::find_gates(const NavigationMesh& mesh) {
   std::vector<std::uint32_t> gates(mesh.top.size(), none), count(mesh.top.size(), 0);  // sides by block
-  for (std::uint32_t s = 0; s < mesh.sides.size(); ++s) {
-    const NavigationMesh::Side& side = mesh.sides[s];
-    if (side.polygon == none || s > side.behind || mesh.is_gone(side.polygon)) continue;
-    gates[side.block] = s;
-    ++count[side.block];
+  for (std::uint32_t polygon = 0; polygon < mesh.polygons();
+       ++polygon) {  // roots come before what hangs on them
+    if (mesh.is_gone(polygon)) continue;
+    for (std::uint32_t s = mesh.first[polygon]; s < mesh.first[polygon + 1]; ++s) {
+      const NavigationMesh::Side& side = mesh.sides[s];
+      if (side.turn != no_turn && distances_[side.turn] == unknown) search(mesh, side.turn);
+      if (side.polygon == none || s > side.behind) continue;
+      gates[side.block] = s;
+      ++count[side.block];
+    }
   }
   gates_.assign(mesh.top.size(), {});
   for (std::size_t block = 0; block < gates_.size(); ++block) {

@@ -54,7 +54,6 @@ class Landmark {
   [[nodiscard]] const Gate& gate(std::uint32_t block) const { return gates_[block]; }
 
  private:
-  void find_gates(const NavigationMesh& mesh);
   [[nodiscard]] Gate gate_at(const NavigationMesh& mesh, std::uint32_t s) const;
   [[nodiscard]] double most_to(const NavigationMesh& mesh, std::uint32_t polygon, Cell corner) const;
   void search(const NavigationMesh& mesh, std::uint32_t landmark);
