@@ -104,10 +104,7 @@ Outcome<std::vector<Cell>> Search::run(BudgetMeter& meter) {
     if (roots_.g(node_.root) < node_.g) continue;
     if (!meter.spend()) return meter.refusal();
     if (memory_.found_blocks() && !join_ends(false)) break;
-    if (trace_ != nullptr) {
-      trace_->record({ground_.index(node_.at), ground_.index(at(roots_.parent(node_.root))), least_, node_.g,
-                      least_ - node_.g});
-    }
+    if (trace_ != nullptr) record();
     if (reaches_goal()) return way_to(node_.root);
   }
   return fault(FaultCode::no_path, "nothing joins the start and the goal");
@@ -222,6 +219,19 @@ bool Search::join_ends(bool begins) {
 /// Reports a node to the trace, which identifies it by its root.
 void Search::open(Cell root) {
   if (opened_.insert(ground_.index(root)).second) trace_->open(ground_.index(root));
+}
+
+/// Records the node that is expanded, with the lengths of the whole path.
+void Search::record() {
+  const auto beyond = [](const std::vector<Cell>& way, Cell end) {
+    double sum = way.empty() ? 0.0 : length(way.back(), end);
+    for (std::size_t i = 1; i < way.size(); ++i) sum += length(way[i - 1], way[i]);
+    return sum;
+  };
+  const double before = beyond(memory_.before_start, start_), after = beyond(memory_.after_goal, goal_);
+  const Cell parent = at(roots_.parent(node_.root));
+  trace_->record({ground_.index(node_.at), ground_.index(parent), before + least_ + after, before + node_.g,
+                  least_ - node_.g + after});
 }
 
 void Search::add(const MeshNode& node, double f) {

@@ -87,7 +87,7 @@ class Search {
   bool join(std::uint32_t a, std::uint32_t b);
   bool climb(std::uint32_t& polygon, std::vector<std::uint32_t>& blocks);
 
-  void record(double f);
+  void record();
   void open(Cell root);
   bool reaches_goal();
   [[nodiscard]] bool sees_goal() const;
