@@ -37,6 +37,8 @@ void ForcedTurns::find(const NavigationMesh& mesh) {
   }
   std::erase(by_order, none);
   last_ = mesh.order;
+  up_.assign(mesh.polygons(), none);
+  for (const std::uint32_t p : by_order) up_[p] = only_side_up(mesh, p);
   for (auto p = by_order.rbegin(); p != by_order.rend(); ++p) {
     last_[*p] = mesh.order[*p] + behind[*p];
     if (mesh.up[*p] != none) behind[mesh.top[mesh.up[*p]]] += behind[*p] + 1;
@@ -60,7 +62,7 @@ ForcedTurn ForcedTurns::from(const NavigationMesh& mesh, Cell corner, std::uint3
     return ForcedTurn{edge.turn, mesh.order[polygon], last_[polygon]};
   };
   for (bool begins = true;; begins = false) {
-    const std::uint32_t s = only_side_up(mesh, polygon);
+    const std::uint32_t s = up_[polygon];
     if (s == none) return {};
     const std::uint32_t next = s + 1 == mesh.first[polygon + 1] ? mesh.first[polygon] : s + 1;
     const NavigationMesh::Side &from = mesh.sides[s], &to = mesh.sides[next];

@@ -66,7 +66,7 @@ void Memory::forget() {
 /// Finds what spares expansions once there have been so many that finding it takes no longer.
 void Memory::find_what_is_worth() {
   if (!mesh.core.empty()) return;
-  if (!forced.known() && spent_ > mesh.sides.size() / 8) forced.find(mesh);
+  if (!forced.known() && spent_between_gates_ > mesh.sides.size() / 8) forced.find(mesh);
   if (!landmark.known() && spent_between_gates_ > mesh.sides.size()) landmark.find(mesh);
   if (legs.bytes() > most_leg_bytes(*ground)) legs.forget();
 }
