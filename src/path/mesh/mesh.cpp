@@ -62,7 +62,7 @@ void NavigationMesh::polygons_at(Cell corner, Cell free_cell, const GridFrame& f
 
 std::size_t NavigationMesh::memory() const {
   return bytes(sides) + bytes(first) + bytes(turns) + bytes(around) + bytes(polygon_of) + bytes(up) +
-         bytes(depth) + bytes(top) + bytes(core);
+         bytes(order) + bytes(top) + bytes(core);
 }
 
 NavigationMesh navigation_mesh(const GridMap& ground) {

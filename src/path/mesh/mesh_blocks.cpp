@@ -80,20 +80,21 @@ class BlockSearch {
 void find_blocks(NavigationMesh& mesh) {
   const auto count = static_cast<std::uint32_t>(mesh.polygons());
   mesh.up.resize(count, none);
-  mesh.depth.assign(count, 0);
+  mesh.order.assign(count, 0);
   mesh.top.clear();
   mesh.core.clear();
   BlockSearch search(mesh);
   for (std::uint32_t p = 0; p < count; ++p) {
     if (!mesh.is_gone(p) && !search.reached(p)) search.search(p);
   }
-  for (const std::uint32_t p : search.reached()) {
+  for (std::uint32_t place = 0; place < search.reached().size(); ++place) {
+    const std::uint32_t p = search.reached()[place];
+    mesh.order[p] = place;
     mesh.up[p] = none;
     for (std::uint32_t s = mesh.first[p]; s < mesh.first[p + 1]; ++s) {
       const std::uint32_t block = mesh.sides[s].block;
       if (block == none || mesh.top[block] == p) continue;
       mesh.up[p] = block;
-      mesh.depth[p] = mesh.depth[mesh.top[block]] + 1;
       break;
     }
   }

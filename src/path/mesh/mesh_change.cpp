@@ -42,7 +42,7 @@ class Change {
     const auto before = static_cast<std::uint32_t>(mesh_.polygons());
     add_polygons(mesh_, ground_, cut.corners, join_triangles(cut), turns_at(cut.corners));
     mesh_.up.resize(mesh_.polygons(), block_);
-    mesh_.depth.resize(mesh_.polygons(), 0);
+    mesh_.order.resize(mesh_.polygons(), 0);
     std::sort(rim_.begin(), rim_.end());
     for (std::uint32_t p = before; p < mesh_.polygons(); ++p) link(p);
     return true;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/landmark.hpp"
 #include "mesh/mesh_blocks.hpp"
 #include "mesh/mesh_change.hpp"
 #include "mesh_oracle.hpp"
@@ -104,6 +105,26 @@ TEST_F(ChangesOfMeshes, LeaveAllBlocksOnWaysWithoutDetours) {
   });
 }
 
+TEST_F(ChangesOfMeshes, LeaveGatesWhereABlockHasOneSide) {
+  int gates = 0;
+  each("gates", 40, 12, 30, [&](const Blocked& /*grid*/, NavigationMesh mesh) {
+    find_blocks(mesh);
+    std::vector<int> sides(mesh.top.size(), 0);  // by block, each counted from both polygons
+    for (std::uint32_t p = 0; p < mesh.polygons(); ++p) {
+      for (std::uint32_t s = mesh.first[p]; s < mesh.first[p + 1]; ++s) {
+        if (!mesh.is_gone(p) && mesh.sides[s].polygon != NavigationMesh::none) ++sides[mesh.sides[s].block];
+      }
+    }
+    polyanya_search::Landmark landmark;
+    landmark.find(mesh);
+    for (std::uint32_t block = 0; block < sides.size(); ++block) {
+      ASSERT_EQ(landmark.is_gate(block), sides[block] == 2);
+      gates += sides[block] == 2 ? 1 : 0;
+    }
+  });
+  EXPECT_GT(gates, 1000);
+}
+
 TEST(PolyanyaOnChangedMeshes, IsTheShortestPathOverAllVertices) {
   Rng rng = Rng(7).child("vertices");
   int joined = 0, apart = 0;
@@ -130,6 +151,35 @@ TEST(PolyanyaOnChangedMeshes, IsTheShortestPathOverAllVertices) {
   }
   EXPECT_GT(joined, 1000);
   EXPECT_GT(apart, 300);
+}
+
+/// As many queries as it takes until legs, forced turns and a landmark are found on meshes with gaps.
+TEST(PolyanyaOnChangedMeshes, IsAsLongAfterManyQueries) {
+  Rng rng = Rng(9).child("many queries");
+  int joined = 0, less_work = 0;
+  for (int i = 0; i < outrider::testing::cases(8); ++i) {
+    Blocked grid = strewn(rng, 40, 40, 0.3);
+    Workspace workspace;
+    for (int step = 0; step < 4; ++step) {
+      change(rng, grid);
+      const auto ground = std::make_shared<const GridMap>(GridMap::of(grid, GridModel::corners).value());
+      for (int k = 0; k < 150; ++k) {
+        const Problem problem{ground,
+                              {rng.uniform(0, grid.frame.width), rng.uniform(0, grid.frame.height)},
+                              {rng.uniform(0, grid.frame.width), rng.uniform(0, grid.frame.height)}};
+        Workspace fresh;
+        const auto plan = polyanya(problem, {}, {}, workspace), truth = polyanya(problem, {}, {}, fresh);
+        ASSERT_EQ(plan.has_value(), truth.has_value()) << "grid " << i << ", step " << step;
+        if (!plan) continue;
+        ASSERT_NEAR(plan->cost, truth->cost, 1e-12 * truth->cost) << "grid " << i << ", step " << step;
+        ASSERT_TRUE(check(*plan, problem));
+        ++joined;
+        less_work += plan->counters.expansions < truth->counters.expansions ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(joined, 500);
+  EXPECT_GT(less_work, 100) << "nothing was found beforehand";
 }
 
 /// Larger grids, where most changes are followed.

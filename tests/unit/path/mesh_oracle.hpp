@@ -193,7 +193,7 @@ inline void expect_blocks(const NavigationMesh& mesh) {
       cross(mesh, a, b, entered, way, expected);
       std::uint32_t x = a, y = b;
       for (bool on = true; on && x != y;) {
-        std::uint32_t& lower = mesh.depth[x] >= mesh.depth[y] ? x : y;
+        std::uint32_t& lower = mesh.order[x] >= mesh.order[y] ? x : y;
         on = mesh.up[lower] != none && !in_core(lower);
         if (!on) break;
         found.insert(mesh.up[lower]);

@@ -64,7 +64,7 @@ struct NavigationMesh {
   // core. The core may contain several components.
   static constexpr std::uint32_t gone = none - 1;
   std::vector<std::uint32_t> up;     ///< by polygon: block towards the root; none at the root; or `gone`
-  std::vector<std::uint32_t> depth;  ///< by polygon: blocks between it and the root; undefined in the core
+  std::vector<std::uint32_t> order;  ///< by polygon: its place in depth-first order; undefined in the core
   std::vector<std::uint32_t> top;    ///< by block: its polygon nearest to the root; none in the core
   std::vector<std::uint32_t> core;   ///< blocks of the core; empty if the blocks of all sides are known
 
