@@ -40,7 +40,7 @@ Assembly::Assembly(const GuardProblem& problem, const FiringMap& firing_map, con
     : problem_(problem),
       firing_map_(firing_map),
       plan_(plan),
-      sure_(sure_hits(problem, firing_map)),
+      sure_(problem, firing_map),
       passing_(problem, firing_map) {
   routes_index_[{problem.start.position.x, problem.start.position.y}] = 0;
   for (std::size_t i = 0; i < plan.stops.size(); ++i) {
@@ -103,7 +103,7 @@ double Assembly::drives_s(const Choice& choice) {
   return time;
 }
 
-bool Assembly::may_stop(Vec2 place, const std::vector<std::size_t>& targets) const {
+bool Assembly::may_stop(Vec2 place, const std::vector<std::size_t>& targets) {
   const Cell cell = firing_map_.frame.cell_at(place);
   if (!firing_map_.frame.contains(cell)) return false;
   const std::size_t index = firing_map_.frame.index(cell);
@@ -111,7 +111,7 @@ bool Assembly::may_stop(Vec2 place, const std::vector<std::size_t>& targets) con
   const double room_m = problem_.robot.radius_m + problem_.errors.position_m;
   if (firing_map_.ground.clearance(place, room_m) < room_m) return false;
   if (!firing_map_.ground.segment_free({place, place}, problem_.robot.radius_m)) return false;  // on a slope
-  return std::ranges::all_of(targets, [&](std::size_t target) { return sure_.has(index, target); });
+  return std::ranges::all_of(targets, [&](std::size_t target) { return sure_.has(target, index); });
 }
 
 double Assembly::expected_s(const GuardPlan& plan) {

@@ -47,8 +47,8 @@ class Assembly {
   /// Returns the time of the drives, turns included; infinite if there is no way.
   double drives_s(const Choice& choice);
   /// Returns true if the robot fits at the place despite the errors of a drive, and the place is in cells
-  /// from which all those targets are sure hits (stops.hpp).
-  [[nodiscard]] bool may_stop(Vec2 place, const std::vector<std::size_t>& targets) const;
+  /// from which all those targets are sure hits (SureCells).
+  [[nodiscard]] bool may_stop(Vec2 place, const std::vector<std::size_t>& targets);
   /// Returns the time of the plan and what the errors of the drives add to it on average: flights that have
   /// to be waited for, and targets that are lost, from places around the stops; on terrain also shots in
   /// passing that are lost.
@@ -66,7 +66,7 @@ class Assembly {
   const GuardProblem& problem_;
   const FiringMap& firing_map_;
   const GuardPlan& plan_;
-  SureHits sure_;
+  SureCells sure_;
   PassingShots passing_;
   std::map<Place, std::size_t> routes_index_;  // of the places that the routes of the plan join
   std::map<std::tuple<Place, double, Place>, std::vector<Vec2>> ways_;

@@ -18,7 +18,7 @@ constexpr double lost_s = 5.0;  // after the planned landing, a ball without a r
 /// nearest place, after the present task.
 void stop_for(StopTasks& tasks, std::size_t target, const GuardProblem& problem,
               const FiringMap& firing_map) {
-  const std::vector<std::size_t> sure = sure_cells(problem, firing_map, target_of(tasks, target));
+  const std::vector<std::size_t> sure = SureCells(problem, firing_map).of(target_of(tasks, target));
   const auto serves = [&](const StopTask& task) {
     const Cell cell = firing_map.frame.cell_at(task.place);
     return !task.call && firing_map.frame.contains(cell) &&

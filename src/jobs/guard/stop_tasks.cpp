@@ -16,7 +16,7 @@ namespace {
 
 std::optional<Vec2> another_place(const GuardProblem& problem, const FiringMap& firing_map,
                                   std::size_t target, Vec2 here, double apart_m) {
-  return nearest_place(firing_map, sure_cells(problem, firing_map, target), here, apart_m);
+  return nearest_place(firing_map, SureCells(problem, firing_map).of(target), here, apart_m);
 }
 
 /// Takes the first target off the present task.
