@@ -25,7 +25,7 @@ RUNS ?= 200
 MISSIONS ?= 1000
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops replays load fuzz wasm packages check-packages check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops replays growth load fuzz wasm packages check-packages check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -111,6 +111,12 @@ loops: build  ## explore RUNS buildings of equal rooms, 200 unless given, and te
 replays: build  ## fly and drive MISSIONS random guard missions again by other code, 1000 unless given, and tell what is wrong
 	$(INSTALL) test
 	@OUTRIDER=$(CURDIR)/build/outrider /usr/bin/python3 -B tests/cli/replay_soak.py --missions $(MISSIONS)
+
+growth:  ## print the table of docs/benchmarks/growth.md: how counted work and memory grow with the size of a case
+	$(INSTALL) build test cbc
+	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
+	@ninja -C build -j $(JOBS) growth
+	@build/tests/growth --table
 
 load: build  ## what strangers do to the server, mixed for LOAD_SECONDS, 600 unless given; tells the memory it took
 	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) python3 -B tests/cli/serve_load.py $(LOAD_SECONDS)

@@ -18,10 +18,12 @@
 // refused if a landmark that no other sighting fits is near, and begins a new landmark otherwise.
 //
 // Frames: poses are world_T_robot; covariances are of (x, y, heading) in the world. The first pose is exact.
-// Complexity of a step: kalman and ekf, quadratic in the landmarks; graph, the part of the elimination tree
-// above the changes. Equal steps and options give byte-identical results, and a run continued with state()
-// and load() equals an uninterrupted one. Faults: bad_input for a step that check() refuses; the state then
-// stays unchanged. Thread rule: one call at a time.
+// Complexity of a step: kalman and ekf, quadratic in the landmarks; graph, a factorisation of the part of the
+// elimination tree above the changes (of the whole every `reorder_every` steps) and a solve with the whole
+// factor, which is linear in its blocks: about the poses and landmarks so far, so n steps take O(n^2). Equal
+// steps and options give byte-identical results, and a run continued with state() and load() equals an
+// uninterrupted one. Faults: bad_input for a step that check() refuses; the state then stays unchanged.
+// Thread rule: one call at a time.
 #pragma once
 
 #include <memory>

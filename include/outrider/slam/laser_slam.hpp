@@ -23,10 +23,10 @@
 //
 // Frames: world_T_robot; the first pose is exact. Same input, same bytes. Thread rule: one at a time.
 // Complexity: a step, the points of a scan and the window, at most about two seconds; a keyframe, also the
-// points of some 30 scans; a loop, one optimisation of the graph.
-// Sources: Olson, Real-time correlative scan matching, ICRA 2009, 4387-4393; Konolige et al., Efficient
-// sparse pose adjustment for 2D mapping, IROS 2010, 22-29 (the graph); src/slam/surface_map.hpp (the
-// matching).
+// points of some 30 scans and the poses of the k keyframes before, O(k log k); a loop, one optimisation of
+// the graph. Sources: Olson, Real-time correlative scan matching, ICRA 2009, 4387-4393; Konolige et al.,
+// Efficient sparse pose adjustment for 2D mapping, IROS 2010, 22-29 (the graph); src/slam/surface_map.hpp
+// (the matching).
 #pragma once
 
 #include <Eigen/Core>

@@ -13,7 +13,9 @@
 // cancelled. Faults: bad_input; no_path if a goal is not served from any reachable stop; budget_exhausted or
 // cancelled if the search ended before the first tour. After that, the best tour is returned with ended_early
 // set. Budget: iterations of the search, labels of the exact searches, sets of the sweeps and steps of the
-// ascents each count as one expansion. Thread rule: pure function.
+// ascents each count as one expansion. Complexity of the search for g goals that a few stops serve each: a
+// first tour, then in each iteration O(g) insertions of each of at most 12 goals; a tour that is the best so
+// far is polished, in rounds of O(g^3). Thread rule: pure function.
 #pragma once
 
 #include <cstdint>
