@@ -14,8 +14,32 @@ namespace {
 
 constexpr double lost_s = 5.0;  // after the planned landing, a ball without a result
 
+/// A place for a new task.
+struct Detour {
+  std::size_t after = 0;  // task that it follows
+  Vec2 place;
+  double longer_m = std::numeric_limits<double>::infinity();  // than without it, along straight lines
+};
+
+/// The shortest detour to one of the cells, after some task before the next call at a station.
+Detour shortest_detour(const StopTasks& tasks, const FiringMap& firing_map,
+                       const std::vector<std::size_t>& cells) {
+  Detour best{0, tasks.queue.front().place};
+  for (std::size_t k = 0; k < tasks.queue.size(); ++k) {
+    const Vec2 from = tasks.queue[k].place;
+    const auto place = nearest_place(firing_map, cells, from, 0.0);
+    if (!place) return best;
+    const bool last = k + 1 == tasks.queue.size();
+    const Vec2 to = last ? *place : tasks.queue[k + 1].place;
+    const double longer_m = distance(from, *place) + distance(*place, to) - (last ? 0.0 : distance(from, to));
+    if (longer_m < best.longer_m) best = {k, *place, longer_m};
+    if (!last && tasks.queue[k + 1].call) return best;
+  }
+  return best;
+}
+
 /// Shoots at a target from the first of the stops to come from which it is a sure hit; without any, from the
-/// nearest place, after the present task.
+/// place of the shortest detour.
 void stop_for(StopTasks& tasks, std::size_t target, const GuardProblem& problem,
               const FiringMap& firing_map) {
   const std::vector<std::size_t> sure = SureCells(problem, firing_map).of(target_of(tasks, target));
@@ -28,11 +52,15 @@ void stop_for(StopTasks& tasks, std::size_t target, const GuardProblem& problem,
     task->targets.push_back(target);
     return;
   }
-  const bool idle = tasks.queue.empty();
-  const Vec2 end = idle ? tasks.last_place : tasks.queue.front().place;
-  const auto place = nearest_place(firing_map, sure, end, 0.0);
-  tasks.queue.insert(tasks.queue.begin() + (idle ? 0 : 1), StopTask{place.value_or(end), {target}});
-  if (idle) tasks.arrived = false;
+  if (tasks.queue.empty()) {
+    const Vec2 here = tasks.last_place;
+    tasks.queue.push_back({nearest_place(firing_map, sure, here, 0.0).value_or(here), {target}});
+    tasks.arrived = false;
+    return;
+  }
+  const Detour detour = shortest_detour(tasks, firing_map, sure);
+  tasks.queue.insert(tasks.queue.begin() + static_cast<std::ptrdiff_t>(detour.after) + 1,
+                     StopTask{detour.place, {target}});
 }
 
 /// Takes a target off the stops that were to hit it.
@@ -46,19 +74,45 @@ void take_off(StopTasks& tasks, std::size_t target) {
   }
 }
 
-/// The records that may be hit during the drive to the present task, no two at the same place. Drives to
-/// stations are for the store alone.
-std::vector<std::size_t> wanted_in_passing(const StopTasks& tasks) {
+bool has_stop(const StopTasks& tasks, std::size_t record) {
+  return std::ranges::any_of(tasks.queue, [record](const StopTask& task) {
+    return std::ranges::find(task.targets, record) != task.targets.end();
+  });
+}
+
+/// The records that may be hit during the drive to the present task: first those that are to be, then those
+/// by the way; no two at the same place. Drives to stations are for the store alone.
+std::vector<std::size_t> wanted_in_passing(StopTasks& tasks) {
   const StopTask& task = tasks.queue.front();
   std::vector<std::size_t> wanted = task.passing;
+  std::erase_if(tasks.lost, [&](std::size_t record) { return !has_stop(tasks, record); });
   if (!tasks.on_the_move || task.call) return wanted;
-  for (const std::size_t record : tasks.by_the_way) {
-    const auto stands_there = [&](std::size_t other) {
-      return target_of(tasks, other) == target_of(tasks, record);
-    };
-    if (std::ranges::none_of(wanted, stands_there)) wanted.push_back(record);
+  for (const auto* records : {&tasks.by_the_way, &tasks.lost}) {
+    for (const std::size_t record : *records) {
+      const auto stands_there = [&](std::size_t other) {
+        return target_of(tasks, other) == target_of(tasks, record);
+      };
+      if (std::ranges::none_of(wanted, stands_there)) wanted.push_back(record);
+    }
   }
   return wanted;
+}
+
+/// The shots at all targets, if those at the first `planned` of them do not suffer from it; else these alone.
+std::vector<PassingHit> hits_along(PassingShots& solver, const Observation& seen,
+                                   const std::vector<Vec2>& way, const std::vector<std::size_t>& targets,
+                                   std::size_t planned) {
+  const double heading = seen.odometry.heading_rad;
+  const GunState gun{seen.gun->yaw_rad, seen.gun->pitch_rad};
+  const std::vector<std::size_t> first(targets.begin(),
+                                       targets.begin() + static_cast<std::ptrdiff_t>(planned));
+  auto needed = solver.along(heading, way, gun, first);
+  if (planned == targets.size()) return needed;
+  auto all = solver.along(heading, way, gun, targets);
+  const bool suffers = std::ranges::any_of(needed, [&](const PassingHit& hit) {
+    return std::ranges::find(all, hit.target, &PassingHit::target) == all.end();
+  });
+  return suffers ? needed : all;
 }
 
 /// The number of shots for which there is water.
@@ -118,7 +172,7 @@ std::vector<FireInPassing> shots_in_passing(StopTasks& tasks, const std::vector<
   std::vector<std::size_t> targets;
   for (const std::size_t record : wanted) targets.push_back(target_of(tasks, record));
   PassingShots solver(problem, firing_map);
-  auto hits = solver.along(seen.odometry.heading_rad, way, {seen.gun->yaw_rad, seen.gun->pitch_rad}, targets);
+  auto hits = hits_along(solver, seen, way, targets, planned.size());
   hits.resize(std::min(hits.size(), shots_left(seen, problem)));
   for (const PassingHit& hit : hits) {
     const auto nth = std::ranges::find(targets, hit.target) - targets.begin();
@@ -128,7 +182,10 @@ std::vector<FireInPassing> shots_in_passing(StopTasks& tasks, const std::vector<
     take_off(tasks, record);
     std::erase(planned, record);
   }
-  for (const std::size_t record : planned) stop_for(tasks, record, problem, firing_map);
+  for (const std::size_t record : planned) {
+    stop_for(tasks, record, problem, firing_map);
+    tasks.lost.push_back(record);
+  }
   return shots;
 }
 

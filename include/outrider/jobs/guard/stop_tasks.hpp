@@ -80,6 +80,9 @@ struct StopTasks {
   std::vector<FlyingBall> flying = {};  ///< balls whose results are not known yet
   /// Records that may be hit during any drive, although a stop is to hit them; used on the move only.
   std::vector<std::size_t> by_the_way = {};
+  /// Records that were to be hit in passing and were not: a stop is to hit them, unless a drive before it
+  /// does.
+  std::vector<std::size_t> lost = {};
   std::optional<double> waited_s = {};  ///< time at which the robot last waited for such a ball
   bool second_pass = false;             ///< the second pass has begun
   bool more_to_come = false;            ///< delays the second pass, because more intruders may enter

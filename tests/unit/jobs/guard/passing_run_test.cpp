@@ -4,6 +4,7 @@
 #include "outrider/jobs/guard/passing_plan.hpp"
 #include "outrider/jobs/guard/robot.hpp"
 #include "outrider/jobs/guard/run.hpp"
+#include "outrider/jobs/guard/stop_tasks.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
@@ -177,6 +178,37 @@ TEST(PassingRun, WhoIsMissedInPassingIsShotAtFromRest) {
     }
   }
   EXPECT_GT(missed, 0);
+}
+
+/// A target is to be hit on a drive from which it cannot be hit: it gets a stop where the way leads past it,
+/// and a later drive hits it before.
+TEST(PassingRun, WhoIsLostOnOneDriveIsHitFromALaterOne) {
+  const Planned p = planned(street());
+  constexpr std::size_t lost = 4;  // at x = 13.6 m
+  StopTasks tasks = tasks_of(p.problem, p.plan);
+  tasks.queue = {{{1.0, 0.0}, {0}}, {{3.0, 0.0}, {1}}, {{15.0, 0.0}, {3}}};
+  tasks.queue.front().passing = {lost};
+  Observation seen{0.0, p.problem.start};
+  seen.gun = GunState{};
+  const auto first = next_command(tasks, seen, p.problem, p.firing_map);
+  ASSERT_TRUE(first && std::holds_alternative<FollowWaypoints>(*first));
+  EXPECT_TRUE(std::get<FollowWaypoints>(*first).shots.empty());
+  EXPECT_EQ(tasks.lost, std::vector{lost});
+  const auto hits_it = [=](const StopTask& task) { return std::ranges::count(task.targets, lost) > 0; };
+  const auto stop = std::ranges::find_if(tasks.queue, hits_it);
+  ASSERT_NE(stop, tasks.queue.end());
+  EXPECT_GT(stop->place.x, 3.0);
+  EXPECT_GE(stop - tasks.queue.begin(), 2) << "no detour before the second stop";
+
+  tasks.queue.erase(tasks.queue.begin(), tasks.queue.begin() + 2);
+  tasks.arrived = false;
+  seen.odometry = {{3.0, 0.0}, 0.0};
+  const auto later = next_command(tasks, seen, p.problem, p.firing_map);
+  ASSERT_TRUE(later && std::holds_alternative<FollowWaypoints>(*later));
+  const auto& shots = std::get<FollowWaypoints>(*later).shots;
+  ASSERT_EQ(shots.size(), 1U);
+  EXPECT_EQ(shots.front().target, lost);
+  EXPECT_TRUE(std::ranges::none_of(tasks.queue, hits_it));
 }
 
 /// A robot that carries nothing out and tells nothing.
