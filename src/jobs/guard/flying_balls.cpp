@@ -103,7 +103,7 @@ std::vector<PassingHit> hits_along(PassingShots& solver, const Observation& seen
                                    const std::vector<Vec2>& way, const std::vector<std::size_t>& targets,
                                    std::size_t planned) {
   const double heading = seen.odometry.heading_rad;
-  const GunState gun{seen.gun->yaw_rad, seen.gun->pitch_rad};
+  const GunState gun = seen.gun.value_or(GunState{});
   const std::vector<std::size_t> first(targets.begin(),
                                        targets.begin() + static_cast<std::ptrdiff_t>(planned));
   auto needed = solver.along(heading, way, gun, first);
