@@ -12,7 +12,7 @@ namespace {
 constexpr double moment_s = 0.2;
 constexpr double settle_s = 0.1;       // that the gun is in its place before a shot
 constexpr double passing_ratio = 0.7;  // largest error_ratio
-constexpr std::size_t most_flown = 4;  // shots that a moment is given up after
+constexpr std::size_t most_flown = 4;  // shots tried at a moment
 
 /// The time of a moment since the beginning of its leg.
 double moment_after_s(std::size_t moment) { return static_cast<double>(moment + 1) * moment_s; }
@@ -219,7 +219,8 @@ const PassingShots::LegShot* PassingShots::shot_of(Leg& leg, Chance& chance, con
   return chance.shot == no_shot ? nullptr : &leg.shots[chance.shot];
 }
 
-/// Fires at the target whose last moment comes first, of those that can be hit now with the gun in time.
+/// Fires at the target whose region the robot leaves first, of those that can be hit now with the gun in
+/// time.
 void PassingShots::fire(Salvo& salvo, Leg& leg, std::size_t moment, const Straight& straight, bool last) {
   const double after_s = moment_after_s(moment), leaves_s = straight.begin_s + after_s;
   if (salvo.ready_s > leaves_s) return;

@@ -1,13 +1,14 @@
 // What a corner sees of the polygons of a mesh, one polygon at a time.
 //
-// A viewer looks from a corner in a cone between two directions, both included, and is told of the corners
-// and sides in it. Directions lead to corners, so all decisions are exact in integers. A viewer has
-//   bool opens(const Side&)                                 whether to look through a side at all;
-//   void see(const Side& turn, Arrow way, uint32_t block)   a turn that lies that way, at a side of that
-//   block; void pass(const Side&, Arrow from, Arrow to, Arrow right, Arrow left)
-//                                                           a side that leads from `from` to `to`, and the
-//                                                           part of the cone in which it lies.
-// The side whose start is the turn is given, since it knows the blocked cell there.
+// What a corner of the mesh sees in a cone of directions, both ends included. The functions tell it to a
+// viewer. Directions lead to corners, so all decisions are exact in integers. A viewer has three functions:
+//
+// - `bool opens(const Side&)`: whether to look through a side at all.
+// - `void see(const Side& turn, Arrow way, uint32_t block)`: a turn is in sight, in the direction `way`, at a
+//   side of that block.
+// - `void pass(const Side&, Arrow from, Arrow to, Arrow right, Arrow left)`: a side is in sight, which leads
+// from
+//   `from` to `to`; `right` and `left` bound the part of the cone in which it lies.
 #pragma once
 
 #include <cstdint>

@@ -10,7 +10,6 @@
 
 #include <map>
 #include <optional>
-#include <span>
 #include <tuple>
 #include <vector>
 
@@ -65,8 +64,8 @@ class PassingShots {
       : problem_(problem), firing_map_(firing_map) {}
 
   /// Chooses shots along a path. It tries firing times 0.2 s apart. At each of them it considers the targets
-  /// that can be hit and that the gun can be aimed at in time, and shoots at the one that the robot is in the
-  /// firing region of for the shortest time to come. Each target is shot at no more than once. Returns the
+  /// that can be hit and that the gun can be aimed at in time, and shoots at the one whose firing region the
+  /// robot leaves first. Each target is shot at no more than once. Returns the
   /// shots in the order of firing. Solves the shots that it considers, once each; O(sum of the targets in
   /// whose regions the robot is, over the firing times).
   std::vector<PassingHit> along(double heading_rad, const std::vector<Vec2>& waypoints, GunState gun,

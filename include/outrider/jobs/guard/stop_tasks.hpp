@@ -80,8 +80,8 @@ struct StopTasks {
   std::vector<FlyingBall> flying = {};  ///< balls whose results are not known yet
   /// Records that may be hit during any drive, although a stop is to hit them; used on the move only.
   std::vector<std::size_t> by_the_way = {};
-  /// Records that were to be hit in passing and were not: a stop is to hit them, unless a drive before it
-  /// does.
+  /// Records that were to be shot at in passing, but had no shot then. Each has a stop, which is left out if
+  /// a drive before it hits the target; used on the move only.
   std::vector<std::size_t> lost = {};
   std::optional<double> waited_s = {};  ///< time at which the robot last waited for such a ball
   bool second_pass = false;             ///< the second pass has begun
