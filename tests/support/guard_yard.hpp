@@ -25,6 +25,25 @@ inline GuardOptions quick() {
   return options;
 }
 
+inline GuardOptions quick_on_the_move() {
+  GuardOptions options = testing::quick();
+  options.shoot_on_the_move = true;
+  return options;
+}
+
+/// Targets left and right of a street, the last at its end.
+inline GuardProblem street() {
+  GuardProblem problem;
+  problem.world.bounds = {{-1, -4}, {16, 4}};
+  problem.world.solids = {floor_at(0)};
+  problem.start = {{0, 0}, 0.0};
+  for (int i = 0; i < 5; ++i) {
+    problem.targets.push_back(
+        {fmt::format("cat_{}", i), {2.0 + 2.9 * i, i % 2 == 0 ? 2.0 : -2.4, 0.0}, {0.5, 0.3, 0.45}, 0.4 * i});
+  }
+  return problem;
+}
+
 /// Targets at free places until there are so many, away from the start.
 inline void add_targets(Rng& rng, GuardProblem& problem, std::size_t targets, double half_side) {
   while (problem.targets.size() < targets) {

@@ -109,9 +109,4 @@ Status check_capabilities(const std::vector<Capability>& asked) {
   return {};
 }
 
-std::string_view why_from_rest(const std::vector<Capability>& asked) {
-  if (std::ranges::count(asked, Capability::rigid) == 0) return {};
-  return "the rigid robot shoots from a standstill";
-}
-
 }  // namespace outrider

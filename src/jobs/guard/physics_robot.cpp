@@ -8,15 +8,12 @@
 #include "outrider/core/overload.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/log/topics.hpp"
-#include "outrider/sim/simulated_gun.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double tick_s = 0.25e-3;  // a step of a flight: a ball at 10 m/s moves 2.5 mm
 constexpr std::int64_t ticks_per_roll = 4;
-constexpr double roll_s = ticks_per_roll * tick_s;
+constexpr double roll_s = 1e-3;
 constexpr std::int64_t ticks_per_sample = 400;
 constexpr double let_down_s = 0.5;
 
@@ -39,6 +36,7 @@ PhysicsGuard::PhysicsGuard(const GuardProblem& problem, const FiringMap& firing_
       log_(log),
       arrival_rng_(Rng(seed).child("arrival")),
       gun_rng_(Rng(seed).child("gun")),
+      timing_rng_(Rng(seed).child("timing")),
       attempts_(problem.targets.size(), 0) {
   record.rigid.emplace();
   record.rigid->misses.resize(problem.targets.size());
@@ -48,15 +46,15 @@ PhysicsGuard::PhysicsGuard(const GuardProblem& problem, const FiringMap& firing_
 
 Observation PhysicsGuard::sense() {
   Observation seen{now_s(), pose()};
-  seen.gun = {gun_yaw_rad_, gun_pitch_rad_};
+  seen.gun = gun_;
   seen.shots = std::exchange(landed_, {});
   return seen;
 }
 
 void PhysicsGuard::act(const Command& command) {
   std::visit(Overload{[this](const FollowWaypoints& c) { follow(c); }, [this](const AimGun& c) { aim(c); },
-                      [this](const Fire& c) { fire(c); },
-                      [](const auto&) {}},  // no problem that asks for more passes check_physics()
+                      [this](const Fire& c) { fire(c); }, [this](const Wait& c) { wait(c); },
+                      [](const auto&) {}},  // no problem that asks for more passes check_capabilities()
              command);
 }
 
@@ -70,7 +68,7 @@ Pose2 PhysicsGuard::pose() const {
 void PhysicsGuard::sample() {
   const Pose2 here = pose();
   log_pose(log_, now_s(), here);
-  log_gun(log_, now_s(), gun_yaw_rad_, gun_pitch_rad_);
+  log_gun(log_, now_s(), gun_.yaw_rad, gun_.pitch_rad);
 }
 
 void PhysicsGuard::tell(std::string kind, std::string sentence) {
@@ -84,11 +82,25 @@ std::string PhysicsGuard::name_of(std::size_t body) const {
 
 // ---- Driving -------------------------------------------------------------------------------------
 
+/// A short step, in which balls fly.
+void PhysicsGuard::tick() {
+  for (BallInAir& ball : balls_) ball.before = bodies_.ball(ball.number);
+  bodies_.step(tick_s);
+  ++ticks_;
+  turn_gun(tick_s);
+  land_balls();
+}
+
 void PhysicsGuard::roll() {
   const Pose2 before = pose();
-  bodies_.step(roll_s);
   const std::int64_t samples = ticks_ / ticks_per_sample;
-  ticks_ += ticks_per_roll;
+  if (balls_.empty()) {
+    bodies_.step(roll_s);
+    ticks_ += ticks_per_roll;
+    turn_gun(roll_s);
+  } else {
+    for (int i = 0; i < ticks_per_roll; ++i) tick();
+  }
   const Pose2 after = pose();
   record.driven_m += distance(before.position, after.position);
   record.turned_rad += std::abs(wrap_angle(after.heading_rad - before.heading_rad));
@@ -108,11 +120,21 @@ void PhysicsGuard::stand(double duration_s) {
   for (std::int64_t i = 0; i < rolls; ++i) roll();
 }
 
+void PhysicsGuard::wait(const Wait& command) {
+  if (!std::isfinite(command.until_s) || command.until_s <= now_s()) return;
+  tell("wait", fmt::format("waits until {:.1f} s", command.until_s));
+  sample();
+  stand(command.until_s - now_s());
+  sample();
+}
+
 /// Follows a reference that comes to rest at `duration_s`, then waits for the robot to catch up.
-template <class ReferenceAt>
-void PhysicsGuard::track(double duration_s, const ReferenceAt& at) {
+/// `during` receives the time since the beginning, up to the duration at least.
+template <class ReferenceAt, class During>
+void PhysicsGuard::track(double duration_s, const ReferenceAt& at, const During& during) {
   const Reference end = at(duration_s);
   for (double t = 0.0; t < duration_s + patience_s; t += roll_s) {
+    during(t);
     const Pose2 here = pose();
     const double ahead_m = dot(direction(end.pose.heading_rad), end.pose.position - here.position);
     const double turn_rad = wrap_angle(end.pose.heading_rad - here.heading_rad);
@@ -127,23 +149,43 @@ void PhysicsGuard::turn_to(double heading_rad) {
   const Pose2 from = pose();
   const double turn = wrap_angle(heading_rad - from.heading_rad);
   const Limits limits = problem_.robot.turning();
-  track(duration(std::abs(turn), limits), [&](double t) {
+  const auto reference = [&](double t) {
     const double done = std::copysign(covered(std::abs(turn), limits, t), turn);
     const double rate = std::copysign(covered_rate(std::abs(turn), limits, t), turn);
     return Reference{{from.position, from.heading_rad + done}, 0.0, rate};
-  });
+  };
+  track(duration(std::abs(turn), limits), reference, [](double) {});
 }
 
-void PhysicsGuard::drive_to(Vec2 goal) {
+/// Drives the leg that ends at a waypoint, and shoots on the way.
+void PhysicsGuard::drive_leg(const std::vector<Vec2>& waypoints, std::size_t leg,
+                             const FollowWaypoints& command) {
+  const Vec2 goal = waypoints[leg];
   if (distance(pose().position, goal) < arrived_m) return;
   turn_to(heading_of(goal - pose().position));
   const Vec2 from = pose().position;
   const double length = distance(from, goal);
   const Vec2 along = (1.0 / length) * (goal - from);
   const Limits limits = problem_.robot.straight();
-  track(duration(length, limits), [&](double t) {
+  const double duration_s = duration(length, limits);
+  auto [shot, last] = std::ranges::equal_range(command.shots, leg, {}, &FireInPassing::leg);
+  double fires_s = 0.0;
+  const auto set_time = [&] {
+    if (shot == last) return;
+    const double late_s = problem_.errors.timing_s * timing_rng_.uniform(-1.0, 1.0);
+    fires_s = std::clamp(shot->after_s + late_s, fires_s, duration_s);
+  };
+  set_time();
+  const auto reference = [&](double t) {
     return Reference{
         {from + covered(length, limits, t) * along, heading_of(along)}, covered_rate(length, limits, t), 0.0};
+  };
+  track(duration_s, reference, [&](double t) {
+    while (shot != last && t >= fires_s) {
+      fire_in_passing(*shot++);
+      point_gun(waypoints, command, static_cast<std::size_t>(shot - command.shots.begin()));
+      set_time();
+    }
   });
 }
 
@@ -156,104 +198,11 @@ void PhysicsGuard::follow(const FollowWaypoints& command) {
   const Vec2 goal = waypoints.back();
   tell("drive", fmt::format("drives to ({:.2f}, {:.2f})", goal.x, goal.y));
   bumped_.clear();
-  for (std::size_t i = 1; i < waypoints.size(); ++i) drive_to(waypoints[i]);
+  point_gun(waypoints, command, 0);
+  for (std::size_t leg = 1; leg < waypoints.size(); ++leg) drive_leg(waypoints, leg, command);
+  gun_goal_ = gun_;
   record.rigid->arrival_errors_m.push_back(distance(pose().position, goal));
   log_plan(log_, now_s(), {});
-  sample();
-}
-
-// ---- Shooting ------------------------------------------------------------------------------------
-
-void PhysicsGuard::aim(const AimGun& command) {
-  const double yaw_from = gun_yaw_rad_;
-  const double pitch_from = gun_pitch_rad_;
-  const double yaw_turn = wrap_angle(command.yaw_rad - pose().heading_rad - yaw_from);
-  const double pitch_turn = command.pitch_rad - pitch_from;
-  const double yaw_s = std::abs(yaw_turn) / problem_.gun.yaw_rate_radps;
-  const double pitch_s = std::abs(pitch_turn) / problem_.gun.pitch_rate_radps;
-  sample();
-  const double begin = now_s();
-  // Each axis moves at its own rate, so the path bends once, where the faster one arrives.
-  for (const double until : {std::min(yaw_s, pitch_s), std::max(yaw_s, pitch_s)}) {
-    stand(begin + until - now_s());
-    gun_yaw_rad_ = wrap_angle(yaw_from + yaw_turn * (yaw_s > 0.0 ? std::min(1.0, until / yaw_s) : 1.0));
-    gun_pitch_rad_ = pitch_from + pitch_turn * (pitch_s > 0.0 ? std::min(1.0, until / pitch_s) : 1.0);
-    sample();
-  }
-}
-
-/// The flight from the muzzle of the chassis as it stands.
-Flight PhysicsGuard::launched(const Shot& shot) const {
-  const Pose3 world_T_robot = bodies_.world_T_robot();
-  const Shot from_body{wrap_angle(shot.yaw_rad - pose().heading_rad), shot.pitch_rad, shot.speed_mps};
-  Flight flight = launch(problem_.gun, Vec2{}, 0.0, from_body, problem_.world.gravity_mps2);
-  flight.muzzle = world_T_robot * flight.muzzle;
-  flight.velocity_mps = world_T_robot.rotation * flight.velocity_mps;
-  return flight;
-}
-
-/// Throws the ball and lets time pass until it touches something, or falls below the floor.
-Impact PhysicsGuard::thrown(const Flight& flight, std::size_t target) {
-  const std::size_t body = problem_.world.solids.size() + target;
-  const double lowest = problem_.world.floor_z_m - 1.0;
-  bodies_.throw_ball(flight, target);
-  Impact impact;
-  for (std::int64_t ticks = 0;; ++ticks) {
-    impact.time_s = tick_s * static_cast<double>(ticks);
-    impact.position = bodies_.ball();
-    bodies_.step(tick_s);
-    ++ticks_;
-    const std::vector<std::size_t> touched = bodies_.touched_by_ball();
-    const auto solid = std::ranges::find_if(touched, [&](std::size_t b) { return b != body; });
-    if (solid != touched.end()) impact.solid = *solid;
-    impact.hit = !touched.empty() && !impact.solid;
-    if (!touched.empty() || impact.position.z < lowest) break;
-  }
-  bodies_.remove_ball();
-  return impact;
-}
-
-std::string PhysicsGuard::contact_of(const Impact& impact, std::size_t target) const {
-  if (impact.hit) return problem_.targets[target].name;
-  return impact.solid ? name_of(*impact.solid) : "nothing";
-}
-
-void PhysicsGuard::fire(const Fire& command) {
-  const Target& target = problem_.targets[command.target];
-  const double radius = problem_.gun.ball_radius_m;
-  const FlightSpace& space = firing_map_.space(command.target);
-  const Shot actual = shot_with_errors(command.shot, problem_.errors.aim, gun_rng_);
-  const Flight flight = launched(actual);
-  tell("shot", fmt::format("shoots at {} with {:.2f} m/s", target.name, actual.speed_mps));
-
-  const double fired_s = now_s();
-  const Pose2 fired_from = pose();
-  const Impact impact = thrown(flight, command.target);
-  const Impact expected = fly(flight, radius, space, target, problem_.world.floor_z_m);
-  outrider_msgs::Shot shot =
-      shot_message(flight, impact, space, target, radius, contact_of(impact, command.target));
-  shot.target = target.name;
-  shot.attempt = static_cast<std::uint32_t>(++attempts_[command.target]);
-  set_pose(shot, fired_from, wrap_angle(fired_from.heading_rad + gun_yaw_rad_), gun_pitch_rad_);
-  ++record.shots;
-  const bool same_contact = impact.hit == expected.hit &&
-                            impact.solid.has_value() == expected.solid.has_value() &&
-                            (!impact.solid || shot.contact == space.solids()[*expected.solid].name);
-  if (same_contact) ++record.rigid->as_foreseen;
-  const std::string contact = shot.contact;
-  log_.append(topic::shots, fired_s, std::move(shot));
-  if (impact.hit) {
-    tell("hit", fmt::format("hits {}", target.name));
-  } else {
-    const Vec3 at = impact.position;
-    record.rigid->misses[command.target] =
-        fmt::format("touches {} at ({:.2f}, {:.2f}, {:.2f}), {:.3f} m from it", contact, at.x, at.y, at.z,
-                    std::max(0.0, outrider::distance(at, solid_of(target)) - radius));
-    tell("miss", fmt::format("misses {}: {}", target.name, record.rigid->misses[command.target]));
-  }
-  record.rigid->flight_error_m =
-      std::max(record.rigid->flight_error_m, norm(impact.position - flight.position(impact.time_s)));
-  landed_.push_back({command.target, impact.hit, now_s()});
   sample();
 }
 

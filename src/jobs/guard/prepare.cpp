@@ -96,8 +96,7 @@ Outcome<GuardPlan> plan_targets(const GuardScenario& scenario, const GuardProble
                                 const DraftObserver& observe) {
   auto planner = find_guard_planner(scenario.options.planner);
   if (!planner) return pass_on(planner);
-  GuardOptions options = scenario.options;
-  if (!why_from_rest(asked_of(scenario)).empty()) options.shoot_on_the_move = false;
+  const GuardOptions& options = scenario.options;
   // What the mission or the stations change later is a plan from rest.
   const bool changes = scenario.arrivals.any() || scenario.arrivals.leave < 1.0;
   GuardOptions drafting = options;

@@ -16,7 +16,7 @@ std::string surface(FeltBy felt_by, double friction) {
   return fmt::format(
       "<surface><friction><ode><mu>{0}</mu><mu2>{0}</mu2></ode></friction>"
       "<contact><collide_bitmask>{1}</collide_bitmask></contact></surface>",
-      friction, static_cast<unsigned>(felt_by));
+      friction, felt_by);
 }
 
 std::string inertial(double mass_kg, double across_kgm2, double axial_kgm2, double height_m = 0.0) {
@@ -36,7 +36,7 @@ std::string caster(const std::string& name, double ahead_m, double radius_m) {
   return fmt::format(
       "<collision name='{}'><pose>{} 0 {} 0 0 0</pose>"
       "<geometry><sphere><radius>{}</radius></sphere></geometry>{}</collision>",
-      name, ahead_m, radius_m, radius_m, surface(robot_only, 0.0));
+      name, ahead_m, radius_m, radius_m, surface(felt_by_robot, 0.0));
 }
 
 /// Its frame has z along the axle, to the left.
@@ -49,7 +49,7 @@ std::string wheel(const std::string& side, double left_m, double radius_m) {
       "</link><joint name='{0}_wheel' type='revolute'><parent>chassis</parent><child>{0}</child>"
       "<axis><xyz>0 0 1</xyz></axis></joint>",
       side, left_m, radius_m, -0.5 * pi, solid_cylinder(wheel_kg, radius_m, width_m), width_m,
-      surface(robot_only, 1.0));
+      surface(felt_by_robot, 1.0));
 }
 
 }  // namespace
@@ -67,20 +67,20 @@ std::string robot_sdf(const RobotModel& robot, const Pose2& start, double floor_
       "</link>{}{}</model></sdf>",
       start.position.x, start.position.y, floor_z_m, start.heading_rad,
       solid_cylinder(chassis_kg, radius_m, length_m, base.wheel_radius_m), low_m + 0.5 * length_m, radius_m,
-      length_m, surface(robot_only, 1.0), caster("front", base.half_track_m, caster_m),
+      length_m, surface(felt_by_robot, 1.0), caster("front", base.half_track_m, caster_m),
       caster("back", -base.half_track_m, caster_m), wheel("left", base.half_track_m, base.wheel_radius_m),
       wheel("right", -base.half_track_m, base.wheel_radius_m));
 }
 
-std::string ball_sdf(Vec3 centre, double radius_m) {
+std::string ball_sdf(std::size_t ball, Vec3 centre, double radius_m) {
   const double mass_kg = water_kgpm3 * 4.0 / 3.0 * pi * radius_m * radius_m * radius_m;
   const double inertia_kgm2 = 0.4 * mass_kg * radius_m * radius_m;
   return fmt::format(
-      "<sdf version='1.9'><model name='ball'><pose>{} {} {} 0 0 0</pose><link name='ball'>{}"
+      "<sdf version='1.9'><model name='ball_{}'><pose>{} {} {} 0 0 0</pose><link name='ball'>{}"
       "<collision name='ball'><geometry><sphere><radius>{}</radius></sphere></geometry>{}</collision>"
       "</link></model></sdf>",
-      centre.x, centre.y, centre.z, inertial(mass_kg, inertia_kgm2, inertia_kgm2), radius_m,
-      surface(ball_only, 1.0));
+      ball, centre.x, centre.y, centre.z, inertial(mass_kg, inertia_kgm2, inertia_kgm2), radius_m,
+      surface(felt_by_ball(ball), 1.0));
 }
 
 }  // namespace outrider

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -14,6 +15,7 @@
 #include <ignition/physics/sdf/ConstructModel.hh>
 #include <ignition/physics/sdf/ConstructWorld.hh>
 #include <ignition/plugin/Loader.hh>
+#include <limits>
 #include <map>
 #include <optional>
 #include <sdf/sdf.hh>
@@ -188,6 +190,7 @@ class Gazebo final : public RigidWorld {
     physics::ForwardStep::Input input;
     input.Get<std::chrono::nanoseconds>() = std::chrono::nanoseconds(std::llround(1e9 * period_s));
     world_->Step(output_, state_, input);
+    note_contacts();
   }
 
   [[nodiscard]] Pose3 world_T_robot() const override {
@@ -198,38 +201,45 @@ class Gazebo final : public RigidWorld {
 
   [[nodiscard]] std::vector<std::size_t> touched_by_robot() const override {
     const double floor = problem_.world.floor_z_m + floor_contact_m;
-    return touched_by([&](std::size_t shape) { return robot_shapes_.contains(shape); },
-                      [&](const ContactPoint& at) { return at.point.z() > floor; });
+    return touched_by([&](std::size_t shape) { return robot_shapes_.contains(shape); }, floor);
   }
 
-  void throw_ball(const Flight& flight, std::size_t target) override {
-    remove_ball();
-    const std::size_t body = problem_.world.solids.size() + target;
-    if (!problem_.targets_block) shapes_[body]->SetCollisionFilterMask(ball_only);
-    thrown_at_ = body;
-    ball_model_ = world_->ConstructModel(model_of(ball_sdf(flight.muzzle, problem_.gun.ball_radius_m)));
-    ball_ = ball_model_->GetLink(0);
+  [[nodiscard]] Vec3 velocity_at(Vec3 point) const override {
+    const auto frame = chassis_->FrameDataRelativeToWorld();
+    const Vec3 arm = point - vec(frame.pose.translation());
+    return vec(frame.linearVelocity) + cross(vec(frame.angularVelocity), arm);
+  }
+
+  std::optional<std::size_t> throw_ball(const Flight& flight, std::size_t target) override {
+    const auto free = std::ranges::find_if(balls_, [](const Ball& ball) { return ball.model == nullptr; });
+    if (free == balls_.end()) return std::nullopt;
+    const auto number = static_cast<std::size_t>(free - balls_.begin());
+    free->model =
+        world_->ConstructModel(model_of(ball_sdf(number, flight.muzzle, problem_.gun.ball_radius_m)));
+    free->link = free->model->GetLink(0);
+    free->target = target;
     const Vec3 v = flight.velocity_mps;
-    ball_model_->FindFreeGroup()->SetWorldLinearVelocity(Eigen::Vector3d(v.x, v.y, v.z));
+    free->model->FindFreeGroup()->SetWorldLinearVelocity(Eigen::Vector3d(v.x, v.y, v.z));
+    show_to_balls(target);
+    return number;
   }
 
-  void remove_ball() override {
-    if (ball_model_ == nullptr) return;
-    if (!problem_.targets_block) shapes_[thrown_at_]->SetCollisionFilterMask(nothing);
-    ball_model_->Remove();
-    ball_model_ = nullptr;
-    ball_ = nullptr;
+  void remove_ball(std::size_t ball) override {
+    Ball& its = balls_[ball];
+    its.model->Remove();
+    its.model = nullptr;  // only nullptr empties it: an empty pointer assigned leaves it as it is
+    its.link = nullptr;
+    show_to_balls(its.target);
   }
 
-  [[nodiscard]] Vec3 ball() const override {
-    return vec(ball_->FrameDataRelativeToWorld().pose.translation());
+  [[nodiscard]] Vec3 ball(std::size_t ball) const override {
+    return vec(balls_[ball].link->FrameDataRelativeToWorld().pose.translation());
   }
 
-  [[nodiscard]] std::vector<std::size_t> touched_by_ball() const override {
-    if (ball_ == nullptr) return {};
-    const std::size_t its = ball_->GetShape(0)->EntityID();
+  [[nodiscard]] std::vector<std::size_t> touched_by_ball(std::size_t ball) const override {
+    const std::size_t its = balls_[ball].link->GetShape(0)->EntityID();
     return touched_by([&](std::size_t shape) { return shape == its; },
-                      [](const ContactPoint&) { return true; });
+                      -std::numeric_limits<double>::infinity());
   }
 
  private:
@@ -250,20 +260,37 @@ class Gazebo final : public RigidWorld {
                        "sim");
     }
     const bool felt = body < problem_.world.solids.size() || problem_.targets_block;
-    shape->SetCollisionFilterMask(felt ? robot_and_ball : nothing);
+    shape->SetCollisionFilterMask(felt ? felt_by_all : felt_by_nothing);
     shapes_.push_back(shape);
     body_of_[shape->EntityID()] = body;
     return {};
   }
 
-  template <class IsMine, class Counts>
-  [[nodiscard]] std::vector<std::size_t> touched_by(IsMine is_mine, Counts counts) const {
-    std::set<std::size_t> touched;
+  /// Lets a target that does not block feel the balls that were thrown at it.
+  void show_to_balls(std::size_t target) {
+    if (problem_.targets_block) return;
+    FeltBy mask = felt_by_nothing;
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+      if (balls_[i].model != nullptr && balls_[i].target == target) mask |= felt_by_ball(i);
+    }
+    shapes_[problem_.world.solids.size() + target]->SetCollisionFilterMask(mask);
+  }
+
+  /// Keeps the contacts of the last step. The engine itself knows them only until a ball is removed.
+  void note_contacts() {
+    contacts_.clear();
     for (const auto& contact : world_->GetContactsFromLastStep()) {
       const ContactPoint& at = contact.Get<ContactPoint>();
-      if (!counts(at)) continue;
-      const std::size_t first = at.collision1->EntityID();
-      const std::size_t second = at.collision2->EntityID();
+      contacts_.push_back({at.collision1->EntityID(), at.collision2->EntityID(), at.point.z()});
+    }
+  }
+
+  /// The bodies that touched one of those shapes above a height.
+  template <class IsMine>
+  [[nodiscard]] std::vector<std::size_t> touched_by(IsMine is_mine, double above_z_m) const {
+    std::set<std::size_t> touched;
+    for (const auto& [first, second, z_m] : contacts_) {
+      if (z_m <= above_z_m) continue;
       if (is_mine(first) && body_of_.contains(second)) touched.insert(body_of_.at(second));
       if (is_mine(second) && body_of_.contains(first)) touched.insert(body_of_.at(first));
     }
@@ -283,9 +310,18 @@ class Gazebo final : public RigidWorld {
   physics::Joint3dPtr<Features> left_;
   physics::Joint3dPtr<Features> right_;
   std::set<std::size_t> robot_shapes_;
-  physics::Model3dPtr<Features> ball_model_;
-  physics::Link3dPtr<Features> ball_;
-  std::size_t thrown_at_ = 0;
+  struct Ball {
+    physics::Model3dPtr<Features> model;  // null: none
+    physics::Link3dPtr<Features> link;
+    std::size_t target = 0;
+  };
+  std::array<Ball, most_balls> balls_;
+  struct Contact {
+    std::size_t first;  // the engine's numbers of both shapes
+    std::size_t second;
+    double z_m;
+  };
+  std::vector<Contact> contacts_;
   WheelSpeeds speeds_;
   physics::ForwardStep::Output output_;
   physics::ForwardStep::State state_;

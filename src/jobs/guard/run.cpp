@@ -107,7 +107,9 @@ Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch) 
     GuardProblem yielding = run.problem;
     yielding.robot.radius_m *= way_radius;
     PhysicsGuard robot(run.problem, run.firing_map, *bodies, log, run.seed);
-    return carry_out(run, yielding, robot, robot.record, targets, log, watch);
+    auto report = carry_out(run, yielding, robot, robot.record, targets, log, watch);
+    robot.log_landed();
+    return report;
   }
   SimulatedRobot robot = simulated_guard(true_problem(run), true_map(run), log, run.seed, target_params(run),
                                          run.truth ? run.truth->levels : StoreLevels{}, run.faults);

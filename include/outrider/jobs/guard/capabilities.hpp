@@ -53,8 +53,4 @@ std::vector<Capability> asked_of(const GuardScenario& scenario);
 /// second member.
 Status check_capabilities(const std::vector<Capability>& asked);
 
-/// Returns why the robot shoots from rest although it may shoot on the move (plan.shoot_on_the_move), as a
-/// clause; empty if nothing hinders it.
-std::string_view why_from_rest(const std::vector<Capability>& asked);
-
 }  // namespace outrider

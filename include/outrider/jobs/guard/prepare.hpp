@@ -39,8 +39,8 @@ struct PreparedGuard {
 Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const Budget& budget = {});
 
 /// Plans for targets that stand still, with stations if supplies are limited, unless intruders come or
-/// survive: then the mission visits stations as it must. From rest if why_from_rest() says so. `observe`
-/// receives tours while they are planned. Faults: those of the planner and of supply_plan().
+/// survive: then the mission visits stations as it must. `observe` receives tours while they are planned.
+/// Faults: those of the planner and of supply_plan().
 Outcome<GuardPlan> plan_targets(const GuardScenario& scenario, const GuardProblem& problem,
                                 const FiringMap& firing_map, const Budget& budget,
                                 const DraftObserver& observe = {});

@@ -1,10 +1,10 @@
-// RigidWorld: a yard in Gazebo's physics engine (ignition-physics 5 with DART), with a wheeled robot and a
-// ball.
+// RigidWorld: a yard in Gazebo's physics engine (ignition-physics 5 with DART), with a wheeled robot and
+// balls.
 //
 // Bodies: each solid of the world is a fixed body (half-spaces are planes, meshes are two-sided surfaces),
-// followed by the box of each target. A target collides with nothing until the ball is thrown at it; if
-// targets block, it collides with everything. The ball does not collide with the robot, as in the kinematic
-// simulator.
+// followed by the box of each target. A target collides only with balls that are thrown at it; if targets
+// block, it collides with everything. Balls collide neither with the robot nor with each other, as in the
+// kinematic simulator.
 //
 // The robot is an upright cylinder of 0.9 times its radius with two driven wheels, whose motors keep the
 // commanded speed, and a frictionless caster in front of and behind them. Its frame is on the floor between
@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "outrider/ballistics/flight.hpp"
@@ -36,18 +37,21 @@ class RigidWorld {
   /// Advances the simulation by one step.
   virtual void step(double period_s) = 0;
   [[nodiscard]] virtual Pose3 world_T_robot() const = 0;
+  /// Returns the velocity of a point of the world that is fixed to the robot, m/s.
+  [[nodiscard]] virtual Vec3 velocity_at(Vec3 point) const = 0;
   /// Returns the bodies that the robot touched, more than 1 mm above the floor, at the beginning of the last
   /// step.
   [[nodiscard]] virtual std::vector<std::size_t> touched_by_robot() const = 0;
 
   /// Adds a ball at the muzzle of a flight, with its initial velocity and the ball radius of the gun. The
-  /// body of the target collides with it from now on. There is at most one ball at a time.
-  virtual void throw_ball(const Flight& flight, std::size_t target) = 0;
-  virtual void remove_ball() = 0;
-  /// Returns the centre of the ball.
-  [[nodiscard]] virtual Vec3 ball() const = 0;
-  /// Returns the bodies that the ball touched at the beginning of the last step, in ascending order.
-  [[nodiscard]] virtual std::vector<std::size_t> touched_by_ball() const = 0;
+  /// body of the target collides with it. Returns the number of the ball, the smallest that is free; nothing
+  /// if 14 balls are in the air.
+  virtual std::optional<std::size_t> throw_ball(const Flight& flight, std::size_t target) = 0;
+  virtual void remove_ball(std::size_t ball) = 0;
+  /// Returns the centre of a ball.
+  [[nodiscard]] virtual Vec3 ball(std::size_t ball) const = 0;
+  /// Returns the bodies that a ball touched at the beginning of the last step, in ascending order.
+  [[nodiscard]] virtual std::vector<std::size_t> touched_by_ball(std::size_t ball) const = 0;
 
  protected:
   RigidWorld() = default;

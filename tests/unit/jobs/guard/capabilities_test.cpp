@@ -78,15 +78,6 @@ TEST(Capabilities, ARefusalNamesBothKeysAndTheReason) {
   }
 }
 
-TEST(Capabilities, WhatHindersShotsOnTheMoveSaysWhy) {
-  EXPECT_TRUE(why_from_rest({}).empty());
-  for (const CapabilityRow& row : capabilities()) {
-    const bool hinders = row.capability == Capability::rigid;
-    EXPECT_EQ(why_from_rest({row.capability}).empty(), !hinders) << row.noun;
-    EXPECT_FALSE(why_from_rest({row.capability, Capability::rigid}).empty());
-  }
-}
-
 /// A room of 4 x 3 m with a low wall and two targets, coarse enough for a mission in milliseconds.
 void fill_in(GuardScenario& scenario) {
   using testing::box_at;

@@ -19,6 +19,7 @@ namespace {
 using testing::cases;
 using testing::floor_at;
 using testing::fly_fine;
+using testing::street;
 
 GuardOptions on_the_move() {
   GuardOptions options;
@@ -27,19 +28,6 @@ GuardOptions on_the_move() {
   options.iterations = 200;
   options.shoot_on_the_move = true;
   return options;
-}
-
-/// Targets left and right of a street, the last at its end.
-GuardProblem street() {
-  GuardProblem problem;
-  problem.world.bounds = {{-1, -4}, {16, 4}};
-  problem.world.solids = {floor_at(0)};
-  problem.start = {{0, 0}, 0.0};
-  for (int i = 0; i < 5; ++i) {
-    problem.targets.push_back(
-        {fmt::format("cat_{}", i), {2.0 + 2.9 * i, i % 2 == 0 ? 2.0 : -2.4, 0.0}, {0.5, 0.3, 0.45}, 0.4 * i});
-  }
-  return problem;
 }
 
 struct Planned {

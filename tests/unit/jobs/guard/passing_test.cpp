@@ -16,13 +16,8 @@ using testing::fly_fine;
 using testing::own_angle;
 using testing::own_duration;
 using testing::OwnGun;
+using testing::quick_on_the_move;
 using testing::random_guard_problem;
-
-GuardOptions quick_on_the_move() {
-  GuardOptions options = testing::quick();
-  options.shoot_on_the_move = true;
-  return options;
-}
 
 /// A street with targets on both sides, the last of them at its end.
 GuardProblem street(Rng& rng, std::size_t targets) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
 #include "support/fine_flight.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_yard.hpp"
@@ -50,15 +53,15 @@ TEST_F(RigidBodies, ABallFliesItsParabolaButForTheStep) {
     for (int i = 0; i < cases(5); ++i) {
       const Vec3 velocity{rng.uniform(-8, 8), rng.uniform(-8, 8), rng.uniform(0, 6)};
       const Flight flight{{rng.uniform(-2, 2), rng.uniform(-2, 2), 4.0}, velocity, 9.8};
-      bodies->throw_ball(flight, 0);
+      const std::size_t ball = bodies->throw_ball(flight, 0).value();
       for (int k = 1; k <= static_cast<int>(0.6 / step); ++k) {
         bodies->step(step);
-        ASSERT_TRUE(bodies->touched_by_ball().empty());
+        ASSERT_TRUE(bodies->touched_by_ball(ball).empty());
         const double t = k * step;
         const Vec3 expected = flight.position(t) - Vec3{0, 0, 0.5 * 9.8 * step * t};
-        ASSERT_LT(norm(bodies->ball() - expected), 1e-9) << t;
+        ASSERT_LT(norm(bodies->ball(ball) - expected), 1e-9) << t;
       }
-      bodies->remove_ball();
+      bodies->remove_ball(ball);
     }
   }
 }
@@ -75,15 +78,15 @@ TEST_F(RigidBodies, AThinWallStopsABallFromAnySide) {
       const Flight flight{{side * 0.3, rng.uniform(-0.4, 0.4), 1.0},
                           {-side * rng.uniform(9.0, 10.0), rng.uniform(-3.0, 3.0), rng.uniform(0.0, 2.0)},
                           9.8};
-      bodies->throw_ball(flight, 0);
+      const std::size_t ball = bodies->throw_ball(flight, 0).value();
       std::vector<std::size_t> touched;
       Vec3 centre;
       for (int k = 0; k < 100 && touched.empty(); ++k) {
-        centre = bodies->ball();
+        centre = bodies->ball(ball);
         bodies->step(1e-3);
-        touched = bodies->touched_by_ball();
+        touched = bodies->touched_by_ball(ball);
       }
-      bodies->remove_ball();
+      bodies->remove_ball(ball);
       ASSERT_EQ(touched, std::vector<std::size_t>{1}) << kind(shape) << " " << i;
       EXPECT_LT(std::abs(centre.x), 0.0102) << "it stops at the wall";
     }
@@ -92,13 +95,13 @@ TEST_F(RigidBodies, AThinWallStopsABallFromAnySide) {
 
 /// What a thrown ball touches first: a body, or nothing within 2 s.
 std::vector<std::size_t> first_touch(RigidWorld& bodies, const Flight& flight) {
-  bodies.throw_ball(flight, 0);
+  const std::size_t ball = bodies.throw_ball(flight, 0).value();
   std::vector<std::size_t> touched;
   for (int k = 0; k < 8000 && touched.empty(); ++k) {
     bodies.step(0.25e-3);
-    touched = bodies.touched_by_ball();
+    touched = bodies.touched_by_ball(ball);
   }
-  bodies.remove_ball();
+  bodies.remove_ball(ball);
   return touched;
 }
 
@@ -148,16 +151,79 @@ TEST_F(RigidBodies, OnlyTheTargetThrownAtFeelsTheBall) {
     const auto bodies = made(problem);
     for (int twice = 0; twice < 2; ++twice) {
       for (std::size_t target = 0; target < 2; ++target) {
-        bodies->throw_ball(flight, target);
+        const std::size_t ball = bodies->throw_ball(flight, target).value();
         std::vector<std::size_t> touched;
         for (int k = 0; k < 2000 && touched.empty(); ++k) {
           bodies->step(0.25e-3);
-          touched = bodies->touched_by_ball();
+          touched = bodies->touched_by_ball(ball);
         }
-        bodies->remove_ball();
+        bodies->remove_ball(ball);
         EXPECT_EQ(touched, std::vector<std::size_t>{block ? 2 : 2 + target});
       }
     }
+  }
+}
+
+TEST_F(RigidBodies, ManyBallsFlyAtOnceAndEachTouchesItsOwnTarget) {
+  GuardProblem problem = yard({floor_at(0.0), box_at("wall", {3, 0, 1}, {0.1, 4, 2})});
+  problem.targets.clear();
+  for (int i = 0; i < 14; ++i) {
+    problem.targets.push_back({std::to_string(i), {0.5 + 0.15 * i, 0.0, 0.0}, {0.1, 1.0, 2.0}, 0.0});
+  }
+  const auto bodies = made(problem);
+  const Flight flight{{0, 0, 1}, {4, 0, 2}, 9.8};  // through all targets, or to the floor
+  for (std::size_t target = 0; target < 14; ++target) EXPECT_EQ(bodies->throw_ball(flight, target), target);
+  EXPECT_EQ(bodies->throw_ball(flight, 0), std::nullopt) << "14 balls are all that it holds";
+  std::map<std::size_t, std::vector<std::size_t>> touched;
+  for (int k = 0; k < 4000 && touched.size() < 14; ++k) {
+    bodies->step(0.25e-3);
+    for (std::size_t ball = 0; ball < 14; ++ball) {
+      if (touched.contains(ball)) continue;
+      auto bodies_touched = bodies->touched_by_ball(ball);
+      if (bodies_touched.empty()) continue;
+      touched[ball] = std::move(bodies_touched);
+      bodies->remove_ball(ball);
+    }
+  }
+  for (std::size_t ball = 0; ball < 14; ++ball) {
+    EXPECT_EQ(touched[ball], std::vector<std::size_t>{2 + ball}) << ball;
+  }
+  EXPECT_EQ(bodies->throw_ball(flight, 5), 0U) << "numbers are free again";
+}
+
+TEST_F(RigidBodies, TwoBallsAtOneTargetAreBothFelt) {
+  GuardProblem problem = yard({floor_at(0.0)});
+  problem.targets = {{"box", {1.0, 0.0, 0.5}, {0.3, 0.3, 1.0}, 0.0}};
+  const auto bodies = made(problem);
+  const Flight soon{{0.5, 0, 1}, {4, 0, 1}, 9.8}, late{{0, 0, 1}, {4, 0, 1}, 9.8};
+  const auto first_touched = [&](std::size_t ball) {
+    std::vector<std::size_t> touched;
+    for (int k = 0; k < 2000 && touched.empty(); ++k) {
+      bodies->step(0.25e-3);
+      touched = bodies->touched_by_ball(ball);
+    }
+    bodies->remove_ball(ball);
+    return touched;
+  };
+  ASSERT_EQ(bodies->throw_ball(late, 0), 0U);
+  ASSERT_EQ(bodies->throw_ball(soon, 0), 1U);
+  EXPECT_EQ(first_touched(1), std::vector<std::size_t>{1});
+  EXPECT_EQ(first_touched(0), std::vector<std::size_t>{1}) << "though the other one has gone";
+}
+
+TEST_F(RigidBodies, APointOfTheRobotMovesAsItsVelocitySays) {
+  const auto bodies = made(yard({floor_at(0.0)}));
+  const WheelBase base = wheel_base(RobotModel{});
+  const Vec3 on_robot{0.1, 0.15, 0.3};
+  bodies->turn_wheels({0.2 / base.wheel_radius_m, 0.4 / base.wheel_radius_m});
+  for (int k = 0; k < 1000; ++k) bodies->step(1e-3);
+  for (int k = 0; k < 20; ++k) {
+    const Vec3 before = bodies->world_T_robot() * on_robot;
+    bodies->step(1e-3);
+    const Vec3 after = bodies->world_T_robot() * on_robot;
+    const Vec3 told = bodies->velocity_at(after);
+    EXPECT_GT(norm(told), 0.2);
+    EXPECT_LT(norm(told - 1000.0 * (after - before)), 2e-3);
   }
 }
 
