@@ -58,13 +58,18 @@ class DriveBy(ToolTest):
             self.run_of("run", LANE, *QUICK, "--threads", threads, out=threads)
         self.same_run("1", "2")
 
-    def test_stands_still_where_something_hinders_it(self):
-        for flags in [["--sim", "physics"], ["--plan-prove"]]:
-            with self.subTest(flags=flags):
-                metrics, log = self.run_of("run", LANE, *QUICK, *flags, out=flags[0])
-                self.assertNotIn("shots_in_passing", metrics)
-                self.assertFalse(any(shot.platform_velocity.x or shot.platform_velocity.y
-                                     for _, shot in log.read("/shots")))
+    def test_proven_tours_shoot_from_rest(self):
+        metrics, log = self.run_of("run", LANE, *QUICK, "--plan-prove", out="proven")
+        self.assertNotIn("shots_in_passing", metrics)
+        self.assertFalse(any(shot.platform_velocity.x or shot.platform_velocity.y
+                             for _, shot in log.read("/shots")))
+
+    def test_rigid_bodies_shoot_on_the_move(self):
+        if self.run_tool(*self.guard("--sim", "physics")).returncode == 2:
+            self.skipTest("this build has no physics engine")
+        metrics, _ = self.run_of("run", LANE, *QUICK, "--sim", "physics", out="rigid")
+        self.assertGreater(metrics["shots_in_passing"], 0)
+        self.assertEqual(metrics["hits_in_passing"], metrics["shots_in_passing"])
 
     def test_a_bad_error_is_refused(self):
         self.refused("run", LANE, "--errors-timing", "-1", "--out", "out",
