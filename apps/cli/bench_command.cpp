@@ -127,6 +127,11 @@ void add_guard_suite(Command& bench) {
               "most robots of a team: compare teams of 2 to so many with one robot instead [1]")
       .between(1, 5)
       .type("N");
+  guard
+      .option("--targets", &request.targets,
+              "measure a yard with so many targets and boxes at random places instead of the others")
+      .between(1, 2000)
+      .type("N");
   finish(guard, "bench guard", bench::measure_guard, asked);
   guard.footer("\nExample: outrider bench guard --planners best_tour,shrinking_circles");
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "guard_arrivals.hpp"
+#include "guard_strewn.hpp"
 #include "guard_teams.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
@@ -39,6 +40,8 @@ struct GuardRow {
   double planning_s = 0.0;  ///< time of firing map and plan, the same for all seeds
   double planned_s = 0.0;
   double lower_bound_s = 0.0;
+  double gap = 0.0;           ///< to the bound of all plans with the stops offered
+  double anywhere_gap = 0.0;  ///< to the bound of all plans
   double mission_s = 0.0;
   Shares shares;
   std::optional<double> ratio;  ///< mission time relative to the first planner of the catalogue
@@ -60,9 +63,14 @@ Shares shares_of(const Log& log) {
   return shares;
 }
 
-/// Loads the named scenarios, then the two worlds of the reference report from the data folder.
+/// Loads the named scenarios, then the two worlds of the reference report from the data folder; or makes a
+/// yard.
 Outcome<std::vector<GuardScenario>> load_yards(const GuardRequest& request) {
   std::vector<GuardScenario> yards;
+  if (request.targets > 0) {
+    yards.emplace_back().problem = strewn_yard(request.targets);
+    return yards;
+  }
   for (const std::string& path : request.scenarios) {
     GuardScenario& yard = yards.emplace_back();
     GuardJob job;
@@ -95,7 +103,8 @@ Outcome<std::vector<GuardPlanner>> chosen_planners(const GuardRequest& request) 
 
 GuardRow row_of(const GuardScenario& yard, const GuardPlanner& planner, const Report& report, const Log& log,
                 std::uint64_t seed, double planning_s) {
-  return {std::filesystem::path(yard.world).stem().string(),
+  const std::string file = std::filesystem::path(yard.world).stem().string();
+  return {file.empty() ? yard.problem.world.name : file,
           std::string(planner.name),
           seed,
           metric(report, "reached"),
@@ -105,6 +114,8 @@ GuardRow row_of(const GuardScenario& yard, const GuardPlanner& planner, const Re
           planning_s,
           metric(report, "planned_s"),
           metric(report, "lower_bound_s"),
+          metric(report, "gap"),
+          metric(report, "anywhere_gap"),
           metric(report, "mission_s"),
           shares_of(log),
           {}};
@@ -152,6 +163,8 @@ nlohmann::ordered_json row_json(const GuardRow& row) {
           {"planning_s", row.planning_s},
           {"planned_s", row.planned_s},
           {"lower_bound_s", row.lower_bound_s},
+          {"gap", row.gap},
+          {"anywhere_gap", row.anywhere_gap},
           {"mission_s", row.mission_s},
           {"drive_s", row.shares.drive},
           {"turn_s", row.shares.turn},
@@ -162,15 +175,18 @@ nlohmann::ordered_json row_json(const GuardRow& row) {
 
 std::string table_text(const std::vector<GuardRow>& rows) {
   std::string text = fmt::format(
-      "  {:<12} {:<20} {:>4} {:>7} {:>6} {:>11} {:>5} {:>10} {:>9} {:>7} {:>6} {:>6} {:>8} {:>6}\n", "yard",
-      "planner", "seed", "reached", "failed", "unreachable", "shots", "planning s", "mission s", "drive s",
-      "turn s", "aim s", "flight s", "ratio");
+      "  {:<12} {:<20} {:>4} {:>7} {:>6} {:>11} {:>5} {:>10} {:>9} {:>5} {:>8} {:>9} {:>7} {:>6} {:>6} {:>8} "
+      "{:>6}\n",
+      "yard", "planner", "seed", "reached", "failed", "unreachable", "shots", "planning s", "planned s",
+      "gap", "anywhere %", "mission s", "drive s", "turn s", "aim s", "flight s", "ratio");
   for (const GuardRow& row : rows) {
     text += fmt::format(
-        "  {:<12} {:<20} {:>4} {:>7} {:>6} {:>11} {:>5} {:>10.2f} {:>9.1f} {:>7.1f} {:>6.1f} {:>6.1f} "
-        "{:>8.1f} {:>6}\n",
+        "  {:<12} {:<20} {:>4} {:>7} {:>6} {:>11} {:>5} {:>10.2f} {:>9.1f} {:>5.1f} {:>8.1f} {:>9.1f} "
+        "{:>7.1f} "
+        "{:>6.1f} {:>6.1f} {:>8.1f} {:>6}\n",
         row.yard, row.planner, row.seed, row.reached, row.failed, row.unreachable, row.shots, row.planning_s,
-        row.mission_s, row.shares.drive, row.shares.turn, row.shares.aim, row.shares.flight,
+        row.planned_s, 100.0 * row.gap, 100.0 * row.anywhere_gap, row.mission_s, row.shares.drive,
+        row.shares.turn, row.shares.aim, row.shares.flight,
         row.ratio ? fmt::format("{:.2f}", *row.ratio) : std::string("-"));
   }
   return text;

@@ -62,9 +62,10 @@ struct GuardRequest {
   std::vector<std::string> scenarios = {"scenarios/yard/yard.yaml"};
   std::string data;  ///< folder with goals_params.txt and worlds/by_small.sdf, by_small2.sdf; empty: none
   std::vector<std::string> planners;
-  std::string arrivals;     ///< scenario; empty: none
-  std::int64_t robots = 1;  ///< most robots of a team; 1: no teams
-  std::int64_t seeds = 3;   ///< missions of each plan, seeds from 1
+  std::string arrivals;      ///< scenario; empty: none
+  std::int64_t robots = 1;   ///< most robots of a team; 1: no teams
+  std::int64_t targets = 0;  ///< of a yard with so many at random, instead of the others; 0: the others
+  std::int64_t seeds = 3;    ///< missions of each plan, seeds from 1
 };
 Outcome<BenchResult> measure_guard(const GuardRequest& request, const BenchObserver& observer);
 

@@ -38,17 +38,24 @@ Detour shortest_detour(const StopTasks& tasks, const FiringMap& firing_map,
   return best;
 }
 
+bool is_among(const FiringMap& firing_map, const std::vector<std::size_t>& sure, Vec2 place) {
+  const Cell cell = firing_map.frame.cell_at(place);
+  return firing_map.frame.contains(cell) && std::ranges::binary_search(sure, firing_map.frame.index(cell));
+}
+
+/// The first of the stops to come from which a target with these sure cells is hit; the end if there is none.
+auto stop_among(StopTasks& tasks, const FiringMap& firing_map, const std::vector<std::size_t>& sure) {
+  return std::ranges::find_if(tasks.queue, [&](const StopTask& task) {
+    return !task.call && is_among(firing_map, sure, task.place);
+  });
+}
+
 /// Shoots at a target from the first of the stops to come from which it is a sure hit; without any, from the
 /// place of the shortest detour.
 void stop_for(StopTasks& tasks, std::size_t target, const GuardProblem& problem,
               const FiringMap& firing_map) {
   const std::vector<std::size_t> sure = SureCells(problem, firing_map).of(target_of(tasks, target));
-  const auto serves = [&](const StopTask& task) {
-    const Cell cell = firing_map.frame.cell_at(task.place);
-    return !task.call && firing_map.frame.contains(cell) &&
-           std::ranges::binary_search(sure, firing_map.frame.index(cell));
-  };
-  if (const auto task = std::ranges::find_if(tasks.queue, serves); task != tasks.queue.end()) {
+  if (const auto task = stop_among(tasks, firing_map, sure); task != tasks.queue.end()) {
     task->targets.push_back(target);
     return;
   }
@@ -123,6 +130,34 @@ std::size_t shots_left(const Observation& seen, const GuardProblem& problem) {
   return static_cast<std::size_t>(std::clamp(shots, 0.0, many));
 }
 
+/// The first records of those with these targets that no shot hits.
+std::vector<std::size_t> not_hit_of(const std::vector<std::size_t>& records,
+                                    const std::vector<std::size_t>& targets,
+                                    const std::vector<PassingHit>& hits) {
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (std::ranges::find(hits, targets[i], &PassingHit::target) == hits.end()) left.push_back(records[i]);
+  }
+  return left;
+}
+
+/// Lets the robot first shoot from where it stands at those planned for the drive who cannot be hit on it,
+/// if they are sure hits from here but from no stop to come. Returns false if there is nobody like that.
+bool stays_for(StopTasks& tasks, const std::vector<std::size_t>& records, Vec2 here,
+               const GuardProblem& problem, const FiringMap& firing_map) {
+  const SureCells cells(problem, firing_map);
+  StopTask stay{here};
+  for (const std::size_t record : records) {
+    const std::vector<std::size_t> sure = cells.of(target_of(tasks, record));
+    const bool later = stop_among(tasks, firing_map, sure) != tasks.queue.end();
+    if (!later && is_among(firing_map, sure, here)) stay.targets.push_back(record);
+  }
+  if (stay.targets.empty()) return false;
+  for (const std::size_t record : stay.targets) std::erase(tasks.queue.front().passing, record);
+  tasks.queue.push_front(std::move(stay));
+  return true;
+}
+
 /// Notes that a shot will be fired in passing.
 void note_shot(StopTasks& tasks, std::size_t target, const PassingHit& hit, const std::vector<Vec2>& way,
                const Observation& seen, const GuardProblem& problem, const FiringMap& firing_map) {
@@ -162,18 +197,22 @@ std::string missed(const TargetRecord& record) {
   return fmt::format("missed {} time{}", record.shots, record.shots == 1 ? "" : "s");
 }
 
-std::vector<FireInPassing> shots_in_passing(StopTasks& tasks, const std::vector<Vec2>& way,
-                                            const Observation& seen, const GuardProblem& problem,
-                                            const FiringMap& firing_map) {
+std::optional<std::vector<FireInPassing>> shots_in_passing(StopTasks& tasks, const std::vector<Vec2>& way,
+                                                           const Observation& seen,
+                                                           const GuardProblem& problem,
+                                                           const FiringMap& firing_map) {
   const std::vector<std::size_t> wanted = wanted_in_passing(tasks);
-  auto planned = std::exchange(tasks.queue.front().passing, {});
   std::vector<FireInPassing> shots;
   if (wanted.empty()) return shots;
+  auto planned = tasks.queue.front().passing;
   std::vector<std::size_t> targets;
   for (const std::size_t record : wanted) targets.push_back(target_of(tasks, record));
   PassingShots solver(problem, firing_map);
   auto hits = hits_along(solver, seen, way, targets, planned.size());
   hits.resize(std::min(hits.size(), shots_left(seen, problem)));
+  if (stays_for(tasks, not_hit_of(planned, targets, hits), seen.odometry.position, problem, firing_map))
+    return std::nullopt;
+  tasks.queue.front().passing.clear();
   for (const PassingHit& hit : hits) {
     const auto nth = std::ranges::find(targets, hit.target) - targets.begin();
     const std::size_t record = wanted[static_cast<std::size_t>(nth)];

@@ -19,10 +19,12 @@ std::string missed(const TargetRecord& record);
 
 /// Returns the shots to fire during the drive along `way` to the present task: at the targets that the task
 /// has in passing, and at those by the way, which are taken off their stops. No more shots than the tank has.
-/// Who has to be hit in passing and cannot gets a stop.
-std::vector<FireInPassing> shots_in_passing(StopTasks& tasks, const std::vector<Vec2>& way,
-                                            const Observation& seen, const GuardProblem& problem,
-                                            const FiringMap& firing_map);
+/// Who has to be hit in passing and cannot gets a stop. Nothing if the robot first shoots from where it is:
+/// that has become the present task.
+std::optional<std::vector<FireInPassing>> shots_in_passing(StopTasks& tasks, const std::vector<Vec2>& way,
+                                                           const Observation& seen,
+                                                           const GuardProblem& problem,
+                                                           const FiringMap& firing_map);
 
 /// Notes what has become of the balls in the air.
 void note_flying(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,

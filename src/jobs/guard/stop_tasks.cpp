@@ -166,10 +166,11 @@ std::optional<FollowWaypoints> set_off(StopTasks& tasks, const Observation& seen
   const Vec2 place = tasks.queue.front().place;
   auto way = way_to(tasks, seen, problem, firing_map);
   auto shots = shots_in_passing(tasks, way, seen, problem, firing_map);
+  if (!shots) return set_off(tasks, seen, problem, firing_map);
   tasks.arrived = true;
   tasks.last_place = place;
   if (distance(seen.odometry.position, place) <= there_m) return std::nullopt;
-  FollowWaypoints drive{std::move(way), false, std::move(shots)};
+  FollowWaypoints drive{std::move(way), false, std::move(*shots)};
   const StopTask& task = tasks.queue.front();
   const auto& along = drive.waypoints;
   if (tasks.on_the_move && !task.guns.empty()) {

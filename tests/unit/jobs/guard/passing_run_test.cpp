@@ -199,6 +199,37 @@ TEST(PassingRun, WhoIsLostOnOneDriveIsHitFromALaterOne) {
   EXPECT_TRUE(std::ranges::none_of(tasks.queue, hits_it));
 }
 
+/// A target that is to be hit on a drive, but disappears behind a wall before the gun has turned to it, is
+/// shot at before the drive, unless a stop to come hits it.
+TEST(PassingRun, WhoIsLostOnADriveIsShotAtBeforeItIfThatHits) {
+  GuardProblem problem = street();
+  problem.world.solids.push_back(testing::box_at("wall", {8.35, 1.0, 3.0}, {11.3, 0.1, 6.0}));
+  const auto firing_map = build_firing_map(problem, on_the_move());
+  ASSERT_TRUE(firing_map.has_value());
+  constexpr std::size_t lost = 0;  // at (2, 2)
+  Observation seen{0.0, {{3.05, 0.0}, 0.0}};
+  seen.gun = GunState{};
+  const auto commanded = [&](const std::vector<Vec2>& stops) {
+    StopTasks tasks = tasks_of(problem, {});
+    tasks.on_the_move = true;
+    for (const Vec2 stop : stops) tasks.queue.push_back({stop, {1}});
+    tasks.queue.front().passing = {lost};
+    auto command = next_command(tasks, seen, problem, *firing_map);
+    return std::pair{std::move(command), std::move(tasks)};
+  };
+  const auto [aim, tasks] = commanded({{5.0, 0.0}});
+  ASSERT_TRUE(aim && std::holds_alternative<AimGun>(*aim));
+  ASSERT_EQ(tasks.queue.size(), 2U);
+  EXPECT_EQ(tasks.queue.front().place, seen.odometry.position);
+  EXPECT_EQ(tasks.queue.front().targets, std::vector{lost});
+  EXPECT_TRUE(tasks.queue.back().passing.empty());
+
+  const auto [drive, later] = commanded({{5.0, 0.0}, {1.0, 0.0}});
+  ASSERT_TRUE(drive && std::holds_alternative<FollowWaypoints>(*drive));
+  ASSERT_EQ(later.queue.size(), 2U);
+  EXPECT_EQ(later.queue.back().targets, (std::vector{std::size_t{1}, lost}));
+}
+
 /// A robot that carries nothing out and tells nothing.
 TEST(PassingRun, EndsWhenNobodyTellsOfTheShots) {
   const Planned p = planned(street());
