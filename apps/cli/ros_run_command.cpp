@@ -53,9 +53,7 @@ MadeNode make_explorer(const MissionRequest& request) {
   ExploreJob job;
   if (auto ok = read_scenario(job, request.file); !ok) return pass_on(ok);
   ExploreMissionNodeOptions options;
-  options.frames = request.node.frames;
-  options.plain_twist = request.node.plain_twist;
-  options.patience_s = request.node.patience_s;
+  options.node = request.node;
   options.task = job.scenario.task;
   return std::make_unique<ExploreMissionNode>(options);
 }

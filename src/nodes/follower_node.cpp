@@ -143,20 +143,16 @@ Status FollowerNode::take_map(const nav_msgs::OccupancyGrid& map) {
 
 /// Returns why the robot must not drive now; empty if it may.
 std::string FollowerNode::why_to_stop() const {
-  const auto missing = [&](std::string_view what, const std::optional<double>& came_s, double most_s) {
-    if (!came_s) return fmt::format("no {} has come yet", what);
-    if (now_s() - *came_s > most_s) return fmt::format("no {} has come for {:g} s", what, most_s);
-    return std::string();
-  };
-  if (auto why = missing("odometry", odometry_came_s_, options_.odom_patience_s); !why.empty()) return why;
-  if (auto why = missing("scan", scan_came_s_, options_.scan_patience_s); !why.empty()) return why;
+  if (auto why = why_missing("odometry", odometry_came_s_, options_.odom_patience_s); !why.empty())
+    return why;
+  if (auto why = why_missing("scan", scan_came_s_, options_.scan_patience_s); !why.empty()) return why;
   if (auto why =
-          missing(fmt::format("transform from '{}' to '{}'", options_.frames.map, options_.frames.odom),
-                  frames_.localised_s(), options_.pose_patience_s);
+          why_missing(fmt::format("transform from '{}' to '{}'", options_.frames.map, options_.frames.odom),
+                      frames_.localised_s(), options_.pose_patience_s);
       !why.empty())
     return why;
   if (options_.map_patience_s <= 0.0) return {};
-  return missing("map", map_came_s_, options_.map_patience_s);
+  return why_missing("map", map_came_s_, options_.map_patience_s);
 }
 
 /// Returns where on the odometry the robot will be, and how it will move, once it obeys the next command.

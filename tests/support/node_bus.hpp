@@ -1,6 +1,8 @@
 // NodeBus: joins nodes in one process, in simulated time, with messages that get lost or come late.
 #pragma once
 
+#include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <memory>
@@ -44,6 +46,14 @@ class NodeBus {
   std::function<void(const std::string&, const std::string&)> look;
   /// Sees every event.
   std::function<void(const std::string& node, const NodeEvent&)> hear;
+
+  /// Prints every event, if OUTRIDER_TALK is in the environment.
+  void talk() {
+    if (std::getenv("OUTRIDER_TALK") == nullptr) return;
+    hear = [this](const std::string& node, const NodeEvent& event) {
+      std::printf("%8.2f %s: %s\n", time_s_, node.c_str(), event.sentence.c_str());
+    };
+  }
 
   /// Runs until a time, or until `done`. Returns true if that came.
   bool run(double until_s, const std::function<bool()>& done = {}) {
