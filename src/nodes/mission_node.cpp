@@ -26,6 +26,14 @@ std::vector<Option> describe(MissionNodeOptions& options) {
   return all;
 }
 
+namespace {
+
+constexpr double watched_m = 2.0;   // length of the beams that matter
+constexpr double longest_s = 30.0;  // that it stands before something
+constexpr double drove_on_m = 0.1;
+
+}  // namespace
+
 /// Sends what is logged.
 class MissionNode::Topics final : public LogSink {
  public:
@@ -63,6 +71,7 @@ MissionNode::MissionNode(std::string name, MissionNodeOptions options, double pe
     : Node(std::move(name), period_s, "~/status"),
       options_(std::move(options)),
       frames_(options_.frames),
+      scan_(watched_m),
       topics_(std::make_unique<Topics>(*this)) {
   command_output_ = options_.plain_twist
                         ? add_output<geometry_msgs::Twist>("cmd_vel", Delivery::reliable)
@@ -85,6 +94,32 @@ Status MissionNode::take_odometry(const nav_msgs::Odometry& odometry) {
   if (before_s != *time_s) odometry_came_s_ = now_s();
   odometry_came();
   return {};
+}
+
+void MissionNode::listen_to_scan() {
+  listen<sensor_msgs::LaserScan>("scan", Delivery::sensor,
+                                 [this](const auto& scan) { return scan_.take(scan, frames_, now_s()); });
+}
+
+std::string MissionNode::why_scan_is_missing() const {
+  return scan_.came_s() ? why_missing("scan", scan_.came_s(), options_.patience_s) : std::string();
+}
+
+void MissionNode::stand_before(Vec2 thing, Vec2 robot) {
+  if (!stands_s_ || distance(robot, stands_at_) > drove_on_m) {
+    stands_s_ = now_s();
+    stands_at_ = robot;
+  }
+  const std::string what =
+      fmt::format("the scan shows something in the way that is not on the map, at about {:.1f}, {:.1f}",
+                  thing.x, thing.y);
+  if (now_s() - *stands_s_ <= longest_s) return set_status(NodeLevel::error, "stopped", what);
+  end(NodeLevel::error, "blocked",
+      fmt::format("for {:g} s {}; take it away, or put it on the map", longest_s, what));
+}
+
+void MissionNode::way_is_free(Vec2 robot) {
+  if (stands_s_ && distance(robot, stands_at_) > drove_on_m) stands_s_.reset();
 }
 
 std::string MissionNode::why_odometry_is_missing() const {

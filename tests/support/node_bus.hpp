@@ -44,6 +44,8 @@ class NodeBus {
 
   /// Sees every message that is sent: topic and bytes.
   std::function<void(const std::string&, const std::string&)> look;
+  /// Says which topics nobody hears.
+  std::function<bool(const std::string& topic)> drop;
   /// Sees every event.
   std::function<void(const std::string& node, const NodeEvent&)> hear;
 
@@ -98,6 +100,7 @@ class NodeBus {
 
   void deliver(const std::string& topic, const std::string& bytes, Delivery delivery) {
     if (look) look(topic, bytes);
+    if (drop && drop(topic)) return;
     if (delivery == Delivery::latched || delivery == Delivery::fixed) latched_[topic] = bytes;
     for (auto& [name, member] : nodes_) {
       for (std::size_t i = 0; i < member.links.size(); ++i) {

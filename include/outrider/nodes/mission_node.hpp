@@ -16,6 +16,7 @@
 #include "outrider/nodes/checked.hpp"
 #include "outrider/nodes/node.hpp"
 #include "outrider/nodes/robot_frames.hpp"
+#include "outrider/nodes/scan_points.hpp"
 
 namespace outrider {
 
@@ -38,6 +39,18 @@ class MissionNode : public Node {
 
   /// Listens to odometry and transforms, which say where the robot is.
   void listen_to_pose();
+  /// Listens to transforms alone, which say where devices are on the robot.
+  void listen_to_mounts() { listen_to_transforms(frames_); }
+  /// Listens to scans, which show what is in the way; the mission goes on without them if none ever comes.
+  void listen_to_scan();
+  [[nodiscard]] const ScanPoints& scan() const { return scan_; }
+  /// Returns why the robot has to stand still because of its scans; empty if it does not.
+  [[nodiscard]] std::string why_scan_is_missing() const;
+  /// Says that the robot stands before a thing that the scan shows; ends the mission if it does for 30 s.
+  /// Both are on the map.
+  void stand_before(Vec2 thing, Vec2 robot);
+  /// Says that the way of the robot is free.
+  void way_is_free(Vec2 robot);
   /// Called when odometry has come.
   virtual void odometry_came() {}
   [[nodiscard]] const std::optional<double>& odometry_s() const { return odometries_.newest_s(); }
@@ -71,6 +84,9 @@ class MissionNode : public Node {
   RobotFrames frames_;
   NewestStamp odometries_;
   std::optional<double> odometry_came_s_;
+  ScanPoints scan_;
+  std::optional<double> stands_s_;  ///< since when it stands before something
+  Vec2 stands_at_;
   std::unique_ptr<Topics> topics_;
   Log log_;
   double began_s_ = 0.0;
