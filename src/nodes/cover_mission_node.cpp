@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "outrider/core/units.hpp"
@@ -43,7 +44,8 @@ struct CoverMissionNode::Work {
         proof(std::move(proven)),
         mission(plan.track, task.problem.pace.pause_s),
         driver(task.problem.pace, !task.problem.curves()),
-        log(to, task.problem, plan, static_cast<std::uint64_t>(scenario.seed), scenario.area) {}
+        log(to, task.problem, plan, static_cast<std::uint64_t>(scenario.seed),
+            std::filesystem::path(scenario.area).filename().string()) {}
 };
 
 Status CoverMissionNode::check(const CoverScenario& scenario) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "outrider/core/text.hpp"
@@ -11,6 +12,19 @@
 #include "outrider/log/topics.hpp"
 
 namespace outrider {
+namespace {
+
+/// Returns a box about all cells that are known.
+Box2 seen_box(const Grid<std::uint8_t>& map) {
+  constexpr double margin_m = 0.5;
+  Box2 box;
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    if (map.cells[i] != unknown_cell) box.include(map.frame.centre(map.frame.cell(i)));
+  }
+  return box.empty() ? map.frame.bounds() : box.grown(margin_m);
+}
+
+}  // namespace
 
 ExploreMissionNode::ExploreMissionNode(ExploreMissionNodeOptions options)
     : MissionNode("explore", options.node, 0.05),
@@ -42,10 +56,11 @@ Status ExploreMissionNode::start(const Pose2& robot_T_laser) {
   if (!begun) return pass_on(begun);
   mission_.emplace(std::move(*begun));
   begin_log(*scans_.newest_s());
-  outrider_msgs::RunInfo info;
-  info.job = "explore";
-  info.robot_radius = task_.robot.radius_m;
-  log().append(topic::run, 0.0, std::move(info));
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  info_.job = "explore";
+  info_.robot_radius = task_.robot.radius_m;
+  info_.low = info_.high = {unknown, unknown};  // until all is mapped
+  log().append(topic::run, 0.0, info_);
   run_log_.emplace(log(), task_.start);
   return {};
 }
@@ -95,6 +110,10 @@ void ExploreMissionNode::drive() {
 
 void ExploreMissionNode::finish() {
   run_log_->finish(*mission_);
+  const Box2 box = seen_box(mission_->slam.map().occupancy());
+  info_.low = point_of(box.low);
+  info_.high = point_of(box.high);
+  log().append(topic::run, mission_->time_s, info_);
   const bool good = mission_->stop_reason == "complete" && (mission_->home || !task_.rules.return_home);
   end(good ? NodeLevel::info : NodeLevel::error, mission_->stop_reason,
       mission_->home ? mission_->reason + "; the robot is home" : mission_->reason);

@@ -18,6 +18,7 @@
 
 #include "outrider/jobs/explore/explore_log.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/scene_messages.hpp"
 #include "outrider/nodes/mission_node.hpp"
 
 namespace outrider {
@@ -51,6 +52,7 @@ class ExploreMissionNode final : public MissionNode {
   std::optional<sensor_msgs::LaserScan> waiting_;  ///< the newest scan that was not seen yet
   std::optional<ExploreMission> mission_;
   std::optional<ExploreLog> run_log_;
+  outrider_msgs::RunInfo info_;
   double seen_s_ = 0.0;  ///< time of the newest observation
   double map_sent_s_ = -1e9;
   std::size_t transform_output_;

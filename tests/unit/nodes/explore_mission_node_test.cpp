@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 #include "outrider/log/motion_messages.hpp"
@@ -41,6 +42,11 @@ TEST_F(ExploreBehindTopics, PublishesTheChannelsOfItsRun) {
   published.expect_same<nav_msgs::Path>(log, topic::plan);
   published.expect_all<nav_msgs::OccupancyGrid>(log, topic::map);
   published.expect_channels(log, {});
+  const auto& box = log.messages<outrider_msgs::RunInfo>(topic::run).back().message;
+  for (const double side : {box.high.x - box.low.x, box.high.y - box.low.y}) {  // what pictures show
+    EXPECT_GT(side, 2.5 + 2.0 * 0.5);
+    EXPECT_LT(side, std::hypot(3.0, 2.5) + 2.0 * 0.5 + 0.2);  // the room is turned
+  }
   const geometry_msgs::PoseStamped& first = log.messages<geometry_msgs::PoseStamped>(topic::pose)[0].message;
   EXPECT_NEAR(time_of(first.header.stamp).value(), 5.0, 0.3);
 }
