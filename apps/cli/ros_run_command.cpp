@@ -53,9 +53,7 @@ MadeNode make_explorer(const MissionRequest& request) {
   ExploreJob job;
   if (auto ok = read_scenario(job, request.file); !ok) return pass_on(ok);
   ExploreMissionNodeOptions options;
-  options.frames = request.node.frames;
-  options.plain_twist = request.node.plain_twist;
-  options.patience_s = request.node.patience_s;
+  options.node = request.node;
   options.task = job.scenario.task;
   return std::make_unique<ExploreMissionNode>(options);
 }
@@ -102,12 +100,17 @@ constexpr std::array<MissionKind, 8> kinds{
      {"explore", make_explorer, ""},
      {"pursue", make_pursuer, ""},
      {"guard", nullptr,
-      "it needs a gun that is aimed and tells of each shot whether it hit, and ROS has no messages for that"},
-     {"slam", nullptr, "it reads logs and drives no robot; `outrider ros mapper` maps what comes on topics"},
+      "it needs a gun that is aimed and tells of each shot whether it hit, and ROS has no messages for that; "
+      "`outrider run` plans and simulates it, `outrider ros planner` and `follower` drive a robot to its "
+      "stops"},
+     {"slam", nullptr,
+      "it maps logs and drives no robot; `outrider ros mapper` does with scans on topics what it does with "
+      "those of a log"},
      {"plan", nullptr,
       "it drives no robot; `outrider ros planner` plans paths on a map that comes on a topic"},
      {"fleet", nullptr,
-      "its robots step on a grid at the same instants, which robots behind topics do not"}}};
+      "its robots step on a grid at the same instants, which robots behind topics do not; give each robot a "
+      "planner and a follower in a namespace of its own (`--ns`)"}}};
 
 MadeNode make_node(const MissionRequest& request) {
   auto named = scenario_job(request.file);

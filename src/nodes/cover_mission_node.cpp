@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "outrider/core/units.hpp"
+#include "outrider/nodes/in_the_way.hpp"
 
 namespace outrider {
 namespace {
@@ -15,7 +17,16 @@ constexpr double at_start_m = 0.3;
 constexpr double stuck_s = 30.0, moved_on_m = 0.02;
 constexpr double noted_m = 0.01, noted_rad = radians(2.0);  // between two poses of the drive
 constexpr double good_part = 0.01;  // of the reach, that a drive may cover less than its track
+constexpr double on_map_m = 0.1;    // from a border: what is seen there is on the map
+constexpr double careful = 0.5;     // of the deceleration, since messages come late
 constexpr std::uint64_t most_expansions = 20'000'000;
+
+/// Returns true if something at that point is not on the map.
+bool is_strange(Vec2 point, const CoverageArea& ground, bool transfers) {
+  if (!transfers && !contains(ground.area, point)) return false;
+  return std::ranges::all_of(
+      ground.area, [&](const RingedPolygon& part) { return distance_to_border(part, point) > on_map_m; });
+}
 
 }  // namespace
 
@@ -33,7 +44,8 @@ struct CoverMissionNode::Work {
         proof(std::move(proven)),
         mission(plan.track, task.problem.pace.pause_s),
         driver(task.problem.pace, !task.problem.curves()),
-        log(to, task.problem, plan, static_cast<std::uint64_t>(scenario.seed), scenario.area) {}
+        log(to, task.problem, plan, static_cast<std::uint64_t>(scenario.seed),
+            std::filesystem::path(scenario.area).filename().string()) {}
 };
 
 Status CoverMissionNode::check(const CoverScenario& scenario) {
@@ -46,6 +58,7 @@ Status CoverMissionNode::check(const CoverScenario& scenario) {
 CoverMissionNode::CoverMissionNode(MissionNodeOptions options, CoverScenario scenario)
     : MissionNode("cover", std::move(options)), scenario_(std::move(scenario)) {
   listen_to_pose();
+  listen_to_scan();
   set_status(NodeLevel::info, "waiting", "no odometry has come yet");
 }
 
@@ -116,6 +129,20 @@ void CoverMissionNode::finish() {
               : std::string()));
 }
 
+/// Notes what the newest scan shows and the map does not have.
+void CoverMissionNode::note_strange() {
+  if (!scan().came_s() || scan().time_s() == strange_s_) return;
+  const auto odom_T_then = frames().odom_T_robot(scan().time_s());
+  if (!odom_T_then) return;
+  const Pose2 map_T_then = compose(*frames().map_T_odom(), *odom_T_then);
+  strange_s_ = scan().time_s();
+  strange_.clear();
+  for (const Vec2 point : scan().points()) {
+    const Vec2 at = work_->task.frame.to_local(map_T_then * point);
+    if (is_strange(at, work_->plan.ground, work_->task.problem.transfers)) strange_.push_back(at);
+  }
+}
+
 void CoverMissionNode::go_on(const Pose2& pose) {
   Work& work = *work_;
   auto twist = work.driver.twist(now_s(), pose);
@@ -127,6 +154,18 @@ void CoverMissionNode::go_on(const Pose2& pose) {
     work.driver.begin(std::get<FollowPiece>(*next), now_s());
     twist = work.driver.twist(now_s(), pose);
   }
+  note_strange();
+  const CoverProblem& problem = work.task.problem;
+  StopRule rule;
+  rule.radius_m = problem.radius_m();
+  rule.braking_mps2 = careful * problem.pace.acceleration_mps2;
+  if (const auto thing = in_the_way(strange_, pose, *twist, rule)) {
+    work.driver.stopped();
+    moved_on_s_ = now_s();
+    command({});
+    return stand_before(work.task.frame.to_file(*thing), work.task.frame.to_file(pose.position));
+  }
+  way_is_free(work.task.frame.to_file(pose.position));
   if (distance(pose.position, stood_) > moved_on_m || work.driver.drives() == false) {
     stood_ = pose.position;
     moved_on_s_ = now_s();
@@ -141,7 +180,8 @@ void CoverMissionNode::go_on(const Pose2& pose) {
 
 void CoverMissionNode::act() {
   if (is_over()) return command({});
-  const std::string why = why_pose_is_missing();
+  std::string why = why_pose_is_missing();
+  if (why.empty()) why = why_scan_is_missing();
   const auto pose = frames().map_T_robot();
   if (!why.empty() || !pose) {
     if (work_) work_->driver.stopped();

@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
+#include "outrider/job/scene.hpp"
 #include "outrider/jobs/drive/run.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/log/topics.hpp"
+#include "outrider/nodes/in_the_way.hpp"
 
 namespace outrider {
 namespace {
@@ -18,6 +21,11 @@ namespace {
 constexpr double belief_every_s = 0.2;
 constexpr double soon_s = 1e-6;
 constexpr double straight_rad = radians(2.0);
+constexpr double on_map_m = 0.1;      // from a solid of the world: what is seen there is on the map
+constexpr double kept_s = 3.0;        // commands
+constexpr double braking_mps2 = 0.5;  // at which it slows down
+constexpr double speeds_up_s = 1.0;   // from rest to full speed
+constexpr double least_rate = 0.2;    // of full speed, for which it looks ahead while it stands
 
 std::string state_of(DriveEnd end) {
   switch (end) {
@@ -34,10 +42,7 @@ std::string state_of(DriveEnd end) {
 }  // namespace
 
 DriveMissionNode::DriveMissionNode(DriveMissionNodeOptions options)
-    : MissionNode("drive", options.node),
-      task_(std::move(options.task)),
-      places_(options.node.frames),
-      sight_(task_.tags) {
+    : MissionNode("drive", options.node), task_(std::move(options.task)), sight_(task_.tags) {
   task_.eye.latency_s = std::max(task_.eye.latency_s, options.latency_s);
   listen<sensor_msgs::CameraInfo>("camera/camera_info", Delivery::sensor,
                                   [this](const auto& info) { return take_sight(info); });
@@ -45,7 +50,8 @@ DriveMissionNode::DriveMissionNode(DriveMissionNodeOptions options)
                              [this](const auto& image) { return take_sight(image); });
   listen<apriltag_msgs::AprilTagDetectionArray>(
       "detections", Delivery::sensor, [this](const auto& detections) { return take_sight(detections); });
-  listen_to_transforms(places_);
+  listen_to_scan();
+  listen_to_mounts();
   set_status(NodeLevel::info, "waiting", "no image with camera_info has come yet");
 }
 
@@ -59,7 +65,7 @@ Status DriveMissionNode::take_sight(const Message& message) {
 /// Takes the place of the camera from the transforms, if it is there.
 Status DriveMissionNode::mount() {
   task_.eye.camera = *sight_.camera();
-  const auto robot_T_camera = places_.robot_T(camera_frame_);
+  const auto robot_T_camera = frames().robot_T(camera_frame_);
   if (!robot_T_camera) return {};
   const Vec3 ahead = robot_T_camera->rotation.axes[2], down = robot_T_camera->rotation.axes[1];
   if (!(ahead.x >= std::cos(straight_rad)) || !(down.z <= -std::cos(straight_rad))) {
@@ -78,14 +84,59 @@ void DriveMissionNode::start() {
   waypoints_ = waypoints_message(task_);
   log().append(topic::waypoints, 0.0, waypoints_);
   mission_.emplace(outrider::begin(task_));
+  solids_.emplace(footprints_above_floor(task_.world), RangeFinderModel());
+  clock_.begin(now_s());
 }
 
 Observation DriveMissionNode::observation() const {
   Observation seen;
-  seen.time_s = mission_s();
+  seen.time_s = clock_.time_s();
   seen.image = sight_.newest();
-  if (seen.image) seen.image->taken_s = std::min(seen.image->taken_s - began_s(), seen.time_s);
+  if (seen.image) seen.image->taken_s = clock_.time_at(seen.image->taken_s);
   return seen;
+}
+
+/// Drives at a part of the speed that the mission wants.
+void DriveMissionNode::drive(double rate) {
+  const Twist2 twist = rate * twist_;
+  sent_.emplace_back(now_s(), twist);
+  while (now_s() - sent_.front().first > kept_s) sent_.pop_front();
+  command(twist);
+}
+
+/// Returns the pose of the robot now, by its commands, as seen from where it was at that time.
+Pose2 DriveMissionNode::moved_since(double time_s) const {
+  Pose2 pose;
+  for (std::size_t i = 0; i < sent_.size(); ++i) {
+    const double until_s = i + 1 < sent_.size() ? sent_[i + 1].first : now_s();
+    const double from_s = std::max(sent_[i].first, time_s);
+    if (until_s > from_s) pose = moved(pose, sent_[i].second, until_s - from_s);
+  }
+  return pose;
+}
+
+/// Notes what the newest scan shows and the map does not have.
+void DriveMissionNode::note_strange() {
+  if (!scan().came_s() || scan().time_s() == strange_s_) return;
+  strange_s_ = scan().time_s();
+  strange_.clear();
+  const Pose2 world_T_then =
+      compose(mission_->reckoning.belief.world_T_robot, inverse(moved_since(strange_s_)));
+  std::ranges::copy_if(scan().points(), std::back_inserter(strange_), [&](Vec2 point) {
+    return solids_->surface_distance(world_T_then * point, 2.0 * on_map_m) > on_map_m;
+  });
+}
+
+/// Returns what is in the way, on the map.
+std::optional<Vec2> DriveMissionNode::thing_ahead() {
+  note_strange();
+  StopRule rule;
+  rule.radius_m = task_.radius_m;
+  rule.braking_mps2 = 0.5 * braking_mps2;
+  const Pose2 then_T_now = moved_since(strange_s_);
+  const auto thing = in_the_way(strange_, then_T_now, std::max(clock_.rate(), least_rate) * twist_, rule);
+  if (!thing) return std::nullopt;
+  return compose(mission_->reckoning.belief.world_T_robot, inverse(then_T_now)) * *thing;
 }
 
 /// How far the robot is off is unknown: nobody tells where it truly is.
@@ -94,7 +145,7 @@ void DriveMissionNode::note_arrival(const DriveArrival& arrival) {
   const std::string sentence = fmt::format("waypoint {} {}{}", arrival.waypoint + 1,
                                            reached ? "reached" : "unconfirmed: ", arrival.doubt);
   if (reached) {
-    waypoints_.waypoints[arrival.waypoint].reached = arrival.time_s;
+    waypoints_.waypoints[arrival.waypoint].reached = mission_s();
     log().append(topic::waypoints, mission_s(), waypoints_);
   }
   log_event(log(), mission_s(), reached ? "arrive" : "unconfirmed", sentence);
@@ -138,7 +189,11 @@ void DriveMissionNode::act() {
     }
     start();
   }
-  if (mission_s() + soon_s >= until_s_) {
+  const std::string why = why_scan_is_missing();
+  const auto thing = why.empty() ? thing_ahead() : std::nullopt;
+  const double slower = braking_mps2 / std::max(speed_of(twist_), 0.05);
+  clock_.advance(now_s(), why.empty() && !thing ? 1.0 / speeds_up_s : -slower);
+  if (clock_.time_s() + soon_s >= until_s_) {
     const auto next = mission_->step(observation());
     note();
     if (!next) return finish();
@@ -146,7 +201,11 @@ void DriveMissionNode::act() {
     twist_ = twist_of(task_.chassis, wheels.wheels);
     until_s_ = wheels.until_s;
   }
-  command(twist_);
+  drive(clock_.rate());
+  const Vec2 robot = mission_->reckoning.belief.world_T_robot.position;
+  if (thing) return stand_before(*thing, robot);
+  if (!why.empty()) return set_status(NodeLevel::error, "stopped", why);
+  way_is_free(robot);
   set_status(NodeLevel::info, "driving", fmt::format("to waypoint {}", mission_->arrivals.size() + 1));
 }
 

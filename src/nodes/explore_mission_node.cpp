@@ -2,29 +2,38 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "outrider/core/text.hpp"
 #include "outrider/io/scan_mount.hpp"
 #include "outrider/log/conversions.hpp"
+#include "outrider/log/topics.hpp"
 
 namespace outrider {
+namespace {
+
+/// Returns a box about all cells that are known.
+Box2 seen_box(const Grid<std::uint8_t>& map) {
+  constexpr double margin_m = 0.5;
+  Box2 box;
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    if (map.cells[i] != unknown_cell) box.include(map.frame.centre(map.frame.cell(i)));
+  }
+  return box.empty() ? map.frame.bounds() : box.grown(margin_m);
+}
+
+}  // namespace
 
 ExploreMissionNode::ExploreMissionNode(ExploreMissionNodeOptions options)
-    : Node("explore", 0.05, "explore/status"), options_(std::move(options)), frames_(options_.frames) {
+    : MissionNode("explore", options.node, 0.05),
+      map_period_s_(options.map_period_s),
+      task_(std::move(options.task)) {
   listen<sensor_msgs::LaserScan>("scan", Delivery::sensor,
                                  [this](const auto& scan) { return take_scan(scan); });
-  listen<nav_msgs::Odometry>("odom", Delivery::sensor,
-                             [this](const auto& odometry) { return take_odometry(odometry); });
-  listen_to_transforms(frames_);
-  command_output_ = options_.plain_twist
-                        ? add_output<geometry_msgs::Twist>("cmd_vel", Delivery::reliable)
-                        : add_output<geometry_msgs::TwistStamped>("cmd_vel", Delivery::reliable);
-  map_output_ = add_output<nav_msgs::OccupancyGrid>("map", Delivery::latched);
-  pose_output_ = add_output<geometry_msgs::PoseStamped>("pose", Delivery::reliable);
+  listen_to_pose();
   transform_output_ = add_output<tf2_msgs::TFMessage>("/tf", Delivery::reliable);
-  goal_output_ = add_output<geometry_msgs::PoseStamped>("goal_pose", Delivery::reliable);
-  plan_output_ = add_output<nav_msgs::Path>("plan", Delivery::reliable);
   set_status(NodeLevel::info, "waiting", "no scan has come yet");
 }
 
@@ -40,45 +49,43 @@ Status ExploreMissionNode::take_scan(const sensor_msgs::LaserScan& scan) {
   return {};
 }
 
-Status ExploreMissionNode::take_odometry(const nav_msgs::Odometry& odometry) {
-  const std::optional<double> before_s = odometries_.newest_s();
-  const auto time_s = odometries_.take(odometry.header.stamp);
-  if (!time_s) return tl::unexpected<Fault>(time_s.error());
-  if (auto ok = frames_.add(odometry); !ok) return ok;
-  if (before_s != *time_s) odometry_came_s_ = now_s();
-  perceive_waiting();
-  return {};
-}
-
 Status ExploreMissionNode::start(const Pose2& robot_T_laser) {
-  options_.task.start = {};
-  options_.task.slam.robot_T_laser = robot_T_laser;
-  auto begun = begin(options_.task);
+  task_.start = {};
+  task_.slam.robot_T_laser = robot_T_laser;
+  auto begun = outrider::begin(task_);
   if (!begun) return pass_on(begun);
   mission_.emplace(std::move(*begun));
+  begin_log(*scans_.newest_s());
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  info_.job = "explore";
+  info_.robot_radius = task_.robot.radius_m;
+  info_.low = info_.high = {unknown, unknown};  // until all is mapped
+  log().append(topic::run, 0.0, info_);
+  run_log_.emplace(log(), task_.start);
   return {};
 }
 
 void ExploreMissionNode::perceive_at(double time_s, std::optional<LaserScan> scan) {
-  const auto odometry = frames_.odom_T_robot(time_s);
-  if (!odometry || mission_->stage == ExploreStage::over) return;
+  const auto odometry = frames().odom_T_robot(time_s);
+  if (!odometry || is_over()) return;
   Observation seen;
-  seen.time_s = time_s;
+  seen.time_s = std::max(0.0, time_s - began_s());
   seen.odometry = *odometry;
   seen.scan = std::move(scan);
   perceive(*mission_, seen);
   seen_s_ = time_s;
+  if (seen.scan) run_log_->note_map(*mission_);
 }
 
 /// Lets the mission see the scan that waits, once its odometry is known.
 void ExploreMissionNode::perceive_waiting() {
-  if (!waiting_ || !frames_.knows_odometry_at(*scans_.newest_s())) return;
+  if (!waiting_ || !frames().knows_odometry_at(*scans_.newest_s())) return;
   const sensor_msgs::LaserScan message = *std::exchange(waiting_, std::nullopt);
-  const auto pose = frames_.robot_T(message.header.frame_id);
+  const auto pose = frames().robot_T(message.header.frame_id);
   const auto mount = pose ? scan_mount(*pose)
                           : Outcome<ScanMount>(bad_input(
                                 fmt::format("no transform says where '{}' is on '{}'",
-                                            printable(message.header.frame_id), options_.frames.base)));
+                                            printable(message.header.frame_id), options().frames.base)));
   if (!mount) return tell(NodeLevel::warning, "scan: " + mount.error().sentence);
   if (!mission_) {
     if (auto ok = start(mount->robot_T_laser); !ok) return tell(NodeLevel::error, ok.error().sentence);
@@ -87,56 +94,45 @@ void ExploreMissionNode::perceive_waiting() {
 }
 
 std::string ExploreMissionNode::why_to_stop() const {
-  const auto missing = [&](std::string_view what, const std::optional<double>& came_s) {
-    if (!came_s) return fmt::format("no {} has come yet", what);
-    if (now_s() - *came_s > options_.patience_s)
-      return fmt::format("no {} has come for {:g} s", what, options_.patience_s);
-    return std::string();
-  };
-  const std::string why = missing("odometry", odometry_came_s_);
-  return why.empty() ? missing("scan", scan_came_s_) : why;
-}
-
-void ExploreMissionNode::command(const Twist2& twist) {
-  geometry_msgs::TwistStamped message;
-  message.header = header_of(now_s(), options_.frames.base);
-  message.twist.linear.x = twist.ahead_mps;
-  message.twist.angular.z = twist.turn_radps;
-  options_.plain_twist ? send(command_output_, message.twist) : send(command_output_, message);
+  std::string why = why_odometry_is_missing();
+  return why.empty() ? why_missing("scan", scan_came_s_, options().patience_s) : why;
 }
 
 void ExploreMissionNode::drive() {
-  if (*odometries_.newest_s() > seen_s_) perceive_at(*odometries_.newest_s(), std::nullopt);
+  if (*odometry_s() > seen_s_) perceive_at(*odometry_s(), std::nullopt);
   const std::optional<Command> next = respond(*mission_);
-  const auto* twist = next ? std::get_if<DriveTwist>(&*next) : nullptr;
+  run_log_->note(*mission_, mission_->pose);
+  if (!next) return finish();
+  const auto* twist = std::get_if<DriveTwist>(&*next);
   command(twist != nullptr ? twist->twist : Twist2{});
-  if (next) return set_status(NodeLevel::info, "exploring", mission_->decision.sentence);
-  over_ = true;
-  const bool good =
-      mission_->stop_reason == "complete" && (mission_->home || !options_.task.rules.return_home);
-  set_status(good ? NodeLevel::info : NodeLevel::error, mission_->stop_reason,
-             mission_->home ? mission_->reason + "; the robot is home" : mission_->reason);
+  set_status(NodeLevel::info, "exploring", mission_->decision.sentence);
+}
+
+void ExploreMissionNode::finish() {
+  run_log_->finish(*mission_);
+  const Box2 box = seen_box(mission_->slam.map().occupancy());
+  info_.low = point_of(box.low);
+  info_.high = point_of(box.high);
+  log().append(topic::run, mission_->time_s, info_);
+  const bool good = mission_->stop_reason == "complete" && (mission_->home || !task_.rules.return_home);
+  end(good ? NodeLevel::info : NodeLevel::error, mission_->stop_reason,
+      mission_->home ? mission_->reason + "; the robot is home" : mission_->reason);
 }
 
 void ExploreMissionNode::publish() {
   tf2_msgs::TFMessage transforms;
   const Pose2 map_T_odom = wrap_heading(compose(mission_->pose, inverse(mission_->odometry)));
   transforms.transforms.push_back(
-      transform_of(now_s(), map_T_odom, options_.frames.map, options_.frames.odom));
+      transform_of(now_s(), map_T_odom, options().frames.map, options().frames.odom));
   send(transform_output_, transforms);
-  send(pose_output_, stamped(seen_s_, mission_->pose, options_.frames.map));
-  if (over_ || now_s() - map_sent_s_ >= options_.map_period_s) {
-    map_sent_s_ = now_s();
-    send(map_output_, map_message(explored_map(*mission_), now_s(), options_.frames.map));
-  }
-  if (mission_->goal_changes == goal_changes_ || !mission_->path) return;
-  goal_changes_ = mission_->goal_changes;
-  send(goal_output_, stamped(now_s(), mission_->decision.goal, options_.frames.map));
-  send(plan_output_, path_of(now_s(), mission_->path->points, options_.frames.map));
+  const auto output = output_of(topic::map);
+  if (!output || is_over() || now_s() - map_sent_s_ < map_period_s_) return;
+  map_sent_s_ = now_s();
+  send(*output, map_message(explored_map(*mission_), now_s(), options().frames.map));
 }
 
 void ExploreMissionNode::act() {
-  if (over_) return command({});
+  if (is_over()) return command({});
   const std::string why = why_to_stop();
   if (!why.empty() || !mission_) {
     if (!why.empty()) set_status(NodeLevel::error, mission_ ? "stopped" : "waiting", why);

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "outrider/core/text.hpp"
-#include "outrider/io/scan_mount.hpp"
 #include "outrider/jobs/explore/task.hpp"
 #include "outrider/log/conversions.hpp"
 
@@ -54,12 +53,12 @@ std::vector<OptionGroup> describe(FollowerNodeOptions& options) {
 }
 
 FollowerNode::FollowerNode(FollowerNodeOptions options)
-    : Node("follower", 0.05), options_(std::move(options)), frames_(options_.frames) {
+    : Node("follower", 0.05), options_(std::move(options)), frames_(options_.frames), scan_(2.0 * near_m) {
   listen<nav_msgs::Path>("plan", Delivery::reliable, [this](const auto& path) { return take_plan(path); });
   listen<nav_msgs::Odometry>("odom", Delivery::sensor,
                              [this](const auto& odometry) { return take_odometry(odometry); });
   listen<sensor_msgs::LaserScan>("scan", Delivery::sensor,
-                                 [this](const auto& scan) { return take_scan(scan); });
+                                 [this](const auto& scan) { return scan_.take(scan, frames_, now_s()); });
   listen<nav_msgs::OccupancyGrid>("map", Delivery::latched,
                                   [this](const auto& map) { return take_map(map); });
   listen_to_transforms(frames_);
@@ -103,31 +102,6 @@ Status FollowerNode::take_odometry(const nav_msgs::Odometry& odometry) {
   return {};
 }
 
-Status FollowerNode::take_scan(const sensor_msgs::LaserScan& message) {
-  const std::optional<double> before_s = scans_.newest_s();
-  const auto time_s = scans_.take(message.header.stamp);
-  if (!time_s) return tl::unexpected<Fault>(time_s.error());
-  const auto mount_pose = frames_.robot_T(message.header.frame_id);
-  if (!mount_pose) {
-    return bad_input(fmt::format("no transform says where '{}' is on '{}'",
-                                 printable(message.header.frame_id), options_.frames.base));
-  }
-  const auto mount = scan_mount(*mount_pose);
-  if (!mount) return tl::unexpected<Fault>(mount.error());
-  const LaserScan scan = scan_of(message, mount->upside_down, *time_s);
-  if (auto ok = check(scan); !ok) return ok;
-  beam_ends_.clear();
-  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
-    const auto range_m = static_cast<double>(scan.ranges_m[i]);
-    if (!(range_m >= scan.least_m && range_m <= std::min(scan.most_m, 2.0 * near_m))) continue;
-    const double bearing = scan.first_rad + static_cast<double>(i) * scan.step_rad;
-    beam_ends_.push_back(mount->robot_T_laser * (range_m * direction(bearing)));
-  }
-  scan_s_ = *time_s;
-  if (before_s != *time_s) scan_came_s_ = now_s();
-  return {};
-}
-
 Status FollowerNode::take_map(const nav_msgs::OccupancyGrid& map) {
   if (auto time_s = maps_.take(map.header.stamp); !time_s) return pass_on(time_s);
   auto grid = checked_map(map);
@@ -143,20 +117,16 @@ Status FollowerNode::take_map(const nav_msgs::OccupancyGrid& map) {
 
 /// Returns why the robot must not drive now; empty if it may.
 std::string FollowerNode::why_to_stop() const {
-  const auto missing = [&](std::string_view what, const std::optional<double>& came_s, double most_s) {
-    if (!came_s) return fmt::format("no {} has come yet", what);
-    if (now_s() - *came_s > most_s) return fmt::format("no {} has come for {:g} s", what, most_s);
-    return std::string();
-  };
-  if (auto why = missing("odometry", odometry_came_s_, options_.odom_patience_s); !why.empty()) return why;
-  if (auto why = missing("scan", scan_came_s_, options_.scan_patience_s); !why.empty()) return why;
+  if (auto why = why_missing("odometry", odometry_came_s_, options_.odom_patience_s); !why.empty())
+    return why;
+  if (auto why = why_missing("scan", scan_.came_s(), options_.scan_patience_s); !why.empty()) return why;
   if (auto why =
-          missing(fmt::format("transform from '{}' to '{}'", options_.frames.map, options_.frames.odom),
-                  frames_.localised_s(), options_.pose_patience_s);
+          why_missing(fmt::format("transform from '{}' to '{}'", options_.frames.map, options_.frames.odom),
+                      frames_.localised_s(), options_.pose_patience_s);
       !why.empty())
     return why;
   if (options_.map_patience_s <= 0.0) return {};
-  return missing("map", map_came_s_, options_.map_patience_s);
+  return why_missing("map", map_came_s_, options_.map_patience_s);
 }
 
 /// Returns where on the odometry the robot will be, and how it will move, once it obeys the next command.
@@ -182,9 +152,9 @@ std::pair<Pose2, Twist2> FollowerNode::predicted() const {
 Nearby FollowerNode::obstacles(const Pose2& map_T_robot) const {
   Nearby nearby;
   if (map_.frame.size() > 0) nearby = Nearby(map_, map_T_robot.position, near_m);
-  const Pose2 map_T_then = compose(*frames_.map_T_odom(), *frames_.odom_T_robot(scan_s_));
+  const Pose2 map_T_then = compose(*frames_.map_T_odom(), *frames_.odom_T_robot(scan_.time_s()));
   std::vector<Vec2> points;
-  for (const Vec2 end : beam_ends_) {
+  for (const Vec2 end : scan_.points()) {
     const Vec2 point = map_T_then * end;
     if (distance(point, map_T_robot.position) < near_m) points.push_back(point);
   }
@@ -229,7 +199,7 @@ void FollowerNode::stand() {
 
 void FollowerNode::drive() {
   const auto map_T_odom = frames_.map_T_odom();
-  if (!map_T_odom || !frames_.odom_T_robot(scan_s_)) {
+  if (!map_T_odom || !frames_.odom_T_robot(scan_.time_s())) {
     set_status(NodeLevel::error, "stopped", "the pose of the robot on the map is not finite");
     return stand();
   }

@@ -9,7 +9,13 @@
 
 #include "outrider/io/files.hpp"
 #include "outrider/io/map_server.hpp"
+#include "outrider/io/scan_mount.hpp"
 #include "outrider/io/text.hpp"
+#include "outrider/job/sensor_log.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/mcap_sink.hpp"
+#include "outrider/log/read_log.hpp"
+#include "outrider/log/topics.hpp"
 #include "outrider/slam/map_fit.hpp"
 #include "outrider/world/clearance.hpp"
 #include "outrider/world/occupancy.hpp"
@@ -18,10 +24,55 @@ namespace outrider {
 namespace {
 
 constexpr std::size_t least_beams = 20;
+constexpr std::size_t most_scans = 100'000;
 constexpr double least_share = 0.7, most_contradiction = 0.1;
 
 std::string state_path(const std::string& path) {
   return std::filesystem::path(path).replace_extension(".state").string();
+}
+
+std::string scans_path(const std::string& path) {
+  return std::filesystem::path(path).replace_extension(".mcap").string();
+}
+
+/// Returns the scans as a log with their poses.
+Outcome<std::string> scans_log(const std::vector<KeptScan>& scans) {
+  std::string bytes;
+  auto writer = McapWriter::begin(make_string_sink(bytes));
+  if (!writer) return pass_on(writer);
+  McapSink sink(std::move(*writer));
+  Log log;
+  log.add_sink(sink);
+  for (const KeptScan& kept : scans) {
+    log.append(topic::pose, kept.scan.time_s, stamped(kept.scan.time_s, kept.map_T_robot));
+    log.append(topic::scan, kept.scan.time_s, scan_message(kept.scan, kept.scan.time_s));
+  }
+  log.remove_sink(sink);
+  if (auto ok = sink.finish(); !ok) return pass_on(ok);
+  return bytes;
+}
+
+/// Reads what scans_log() returned.
+Outcome<std::vector<KeptScan>> read_scans(const std::string& path) {
+  auto stored = read_log(path);
+  if (!stored) return pass_on(stored);
+  const auto& poses = stored->log.messages<geometry_msgs::PoseStamped>(topic::pose);
+  const auto& messages = stored->log.messages<sensor_msgs::LaserScan>(topic::scan);
+  if (poses.size() != messages.size() || poses.size() > most_scans) {
+    return bad_input(fmt::format("it has {} scans and {} poses; it has to have as many of both, and at most "
+                                 "{}; delete it to go on without scans",
+                                 messages.size(), poses.size(), most_scans),
+                     path);
+  }
+  std::vector<KeptScan> scans;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    KeptScan kept{pose_of(poses[i].message.pose), scan_of(messages[i].message, false, messages[i].time_s())};
+    if (auto ok = check(kept.scan); !ok || !finite(kept.map_T_robot))
+      return bad_input(
+          fmt::format("scan {} or its pose is none; delete the file to go on without scans", i + 1), path);
+    scans.push_back(std::move(kept));
+  }
+  return scans;
 }
 
 std::string state_text(const KeptMap& map) {
@@ -94,8 +145,12 @@ Status save(const std::string& path, const KeptMap& map) {
   const std::string image = std::filesystem::path(path).replace_extension(".pgm").string();
   auto text = map_server_text({map.occupancy, 0.0}, std::filesystem::path(image).filename().string());
   if (!text) return pass_on(text);
-  return write_files(
-      {{image, std::move(text->image)}, {path, std::move(text->yaml)}, {state_path(path), state_text(map)}});
+  auto scans = scans_log(map.scans);
+  if (!scans) return pass_on(scans);
+  return write_files({{image, std::move(text->image)},
+                      {scans_path(path), std::move(*scans)},
+                      {path, std::move(text->yaml)},
+                      {state_path(path), state_text(map)}});
 }
 
 Outcome<std::optional<KeptMap>> load_kept_map(const std::string& path) {
@@ -108,6 +163,10 @@ Outcome<std::optional<KeptMap>> load_kept_map(const std::string& path) {
   auto saved = load_map_server(path);
   if (!saved) return pass_on(saved);
   map.occupancy = std::move(saved->occupancy);
+  if (!std::filesystem::exists(scans_path(path))) return std::optional(std::move(map));
+  auto scans = read_scans(scans_path(path));
+  if (!scans) return pass_on(scans);
+  map.scans = std::move(*scans);
   return std::optional(std::move(map));
 }
 

@@ -77,11 +77,44 @@ Status MapperNode::begin(const Pose2& odometry, const LaserScan& scan, double ti
          "the scan does not fit the kept map where the odometry says that the robot is; "
          "another map begins");
   }
+  if (place && !kept_->scans.empty()) return go_on(*place, odometry);
   auto begun = LaserSlam::begin(options_.slam, start);
   if (!begun) return pass_on(begun);
   slam_ = std::move(*begun);
   odometry_ = odometry;
   return {};
+}
+
+/// Maps the scans that were kept once more; the next one was taken at `place` on their map.
+Status MapperNode::go_on(const Pose2& place, const Pose2& odometry) {
+  auto begun = LaserSlam::begin(options_.slam, kept_->scans.front().map_T_robot);
+  if (!begun) return pass_on(begun);
+  slam_ = std::move(*begun);
+  Pose2 before = kept_->scans.front().map_T_robot;
+  for (const KeptScan& kept : kept_->scans) {
+    if (auto step = advance(wrap_heading(relative_pose(before, kept.map_T_robot)), kept.scan); !step)
+      return pass_on(step);
+    before = kept.map_T_robot;
+  }
+  odometry_ = compose(odometry, inverse(relative_pose(before, place)));
+  return {};
+}
+
+Outcome<LaserSlamStep> MapperNode::advance(const Pose2& motion, const LaserScan& scan) {
+  auto step = slam_->advance(motion, scan);
+  if (!step) return step;
+  ++steps_;
+  if (step->kept && !options_.keep.empty()) keyframes_.emplace_back(steps_, scan);
+  return step;
+}
+
+/// Returns the keyframes where they are by now.
+std::vector<KeptScan> MapperNode::kept_scans() const {
+  const std::vector<Pose2> poses = slam_->trajectory();
+  std::vector<KeptScan> scans;
+  scans.reserve(keyframes_.size());
+  for (const auto& [step, scan] : keyframes_) scans.push_back({poses[step], scan});
+  return scans;
 }
 
 Status MapperNode::take_scan(const sensor_msgs::LaserScan& scan) {
@@ -127,13 +160,16 @@ Status MapperNode::map(const Waiting& waiting) {
     if (auto ok = begin(*odometry, scan, waiting.time_s); !ok) return ok;
   }
   const Pose2 motion = wrap_heading(relative_pose(odometry_, *odometry));
-  auto step = slam_->advance(motion, scan);
+  auto step = advance(motion, scan);
   if (!step) return pass_on(step);
   odometry_ = *odometry;
   map_T_odom_ = wrap_heading(compose(step->pose, inverse(odometry_)));
   mapped_s_ = now_s();
   map_changed_ = true;
-  if (step->closed_loop) tell(NodeLevel::info, "a place was recognised, and the map was redrawn");
+  if (step->closed_loop) {
+    tell(NodeLevel::info, "a place was recognised, and the map was redrawn");
+    if (kept_ && !kept_->scans.empty()) kept_->occupancy = Grid<std::uint8_t>();
+  }
   if (step->lost) tell(NodeLevel::warning, "the robot is lost: its scan fits several places or none");
   send_pose(waiting.time_s);
   return {};
@@ -156,13 +192,14 @@ void MapperNode::send_pose(double time_s) {
 
 void MapperNode::send_map() {
   const Grid<std::uint8_t>& seen = slam_->map().occupancy();
-  const Grid<std::uint8_t> map = kept_ ? overlaid(kept_->occupancy, seen) : seen;
+  const bool others = kept_ && !kept_->occupancy.cells.empty();
+  const Grid<std::uint8_t> map = others ? overlaid(kept_->occupancy, seen) : seen;
   send(map_output_, map_message(map, now_s(), options_.frames.map, begun_s_));
   map_sent_s_ = now_s();
   map_changed_ = false;
   if (options_.keep.empty() || now_s() - kept_s_ < options_.keep_period_s) return;
   kept_s_ = now_s();
-  if (auto ok = save(options_.keep, {map, begun_s_, map_T_odom_}); !ok)
+  if (auto ok = save(options_.keep, {map, begun_s_, map_T_odom_, kept_scans()}); !ok)
     tell(NodeLevel::warning, "the map was not kept: " + to_string(ok.error()));
 }
 

@@ -65,6 +65,13 @@ void Node::tell(NodeLevel level, std::string sentence) {
   events_.push_back({now_s_, level, std::move(sentence)});
 }
 
+std::string Node::why_missing(std::string_view what, const std::optional<double>& came_s,
+                              double most_s) const {
+  if (!came_s) return fmt::format("no {} has come yet", what);
+  if (now_s_ - *came_s > most_s) return fmt::format("no {} has come for {:g} s", what, most_s);
+  return {};
+}
+
 void Node::set_status(NodeLevel level, std::string state, std::string sentence) {
   NodeStatus next{level, std::move(state), std::move(sentence)};
   if (next == status_) return;

@@ -13,6 +13,8 @@ struct Look {
   std::string_view words;        ///< line in the legend; empty: none. "{}" is how many there are
   std::string_view css;          ///< "currentColor" is another colour for each line in the legend
   std::string_view symbol = {};  ///< of marks: path data around the place, for a heading to the right
+  /// Kinds one of which lies below it and shows through it: the legend draws the first that the picture has.
+  std::array<std::string_view, 2> below = {};
 };
 
 inline constexpr std::string_view dot = "M-2 0a2 2 0 1 0 4 0a2 2 0 1 0-4 0z",
@@ -31,9 +33,9 @@ inline constexpr auto looks = std::to_array<Look>({
     {"occupied", "occupied", "fill:#4d5c68"},
     {"beyond", "out of reach", "fill:#d5dce1"},
     {"reach", "not covered", "fill:#f8efd9"},
-    {"covered", "covered", "stroke:#00785a;stroke-opacity:.25;stroke-width:12"},
-    {"swath", "covered by the bar", "fill:#00785a;fill-opacity:.25"},
-    {"overlap", "covered more than once", "fill:#00785a;fill-opacity:.3"},
+    {"covered", "covered", "stroke:#00785a;stroke-opacity:.25;stroke-width:12", {}, {"reach"}},
+    {"swath", "covered by the bar", "fill:#00785a;fill-opacity:.25", {}, {"reach"}},
+    {"overlap", "covered more than once", "fill:#00785a;fill-opacity:.3", {}, {"covered", "swath"}},
     {"missed", "missed", "fill:#c54c06"},
     {"border", "area to cover", "stroke:#15212b;stroke-width:1.2"},
     {"steep", "too steep to drive on", "fill:#c54c06;fill-opacity:.13"},

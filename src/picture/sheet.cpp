@@ -145,6 +145,21 @@ std::string Sheet::drawing() const {
   return text;
 }
 
+/// Returns the sample of a layer for the legend, over what shows through it.
+std::string Sheet::sample_of(const Layer& layer) const {
+  std::string under;
+  for (const std::string_view kind : looks[layer.row].below) {
+    const auto below =
+        std::ranges::find_if(layers_, [&](const Layer& other) { return looks[other.row].kind == kind; });
+    if (below == layers_.end()) continue;
+    under = sample_of(*below);
+    break;
+  }
+  // The ends of a wide line would stand out beside the field below it.
+  const std::string ends = under.empty() ? "" : "<g stroke-linecap=\"butt\">";
+  return under + layer.group + ends + layer.sample + (under.empty() ? "</g>" : "</g></g>");
+}
+
 std::string Sheet::legend(double left_px, double top_px, double width_px, double& height_px) const {
   const std::size_t columns = width_px < 600.0 ? 1 : 3;
   std::set<std::string> written;
@@ -155,9 +170,9 @@ std::string Sheet::legend(double left_px, double top_px, double width_px, double
     const std::size_t index = written.size();
     if (words.empty() || !written.insert(words).second) continue;
     text += fmt::format(
-        "<g transform=\"translate({:.4g} {:.4g})\">{}{}</g><text x=\"38\" y=\"12\">{}</text></g>\n",
+        "<g transform=\"translate({:.4g} {:.4g})\">{}<text x=\"38\" y=\"12\">{}</text></g>\n",
         left_px + width_px * static_cast<double>(index % columns) / static_cast<double>(columns),
-        top_px + 22.0 * static_cast<double>(index / columns), layer.group, layer.sample, markup_text(words));
+        top_px + 22.0 * static_cast<double>(index / columns), sample_of(layer), markup_text(words));
   }
   height_px = 22.0 * static_cast<double>((written.size() + columns - 1) / columns);
   return text;

@@ -63,6 +63,7 @@ class Sheet {
   };
 
   Vec2 at(Vec2 world);
+  [[nodiscard]] std::string sample_of(const Layer& layer) const;
   void add(Kind kind, const Details& details, std::string_view sample, const std::string& shape);
 
   Box2 box_, seen_;

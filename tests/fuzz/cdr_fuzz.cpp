@@ -1,9 +1,10 @@
 // Messages: any bytes are a message or a refusal with a sentence, in each encoding. A message that was read
 // is written and read again as the same. The first byte of an input chooses the encoding, the second the
-// type.
+// type, unless FUZZ_MESSAGE in the environment is its number: so each type is fuzzed for as long as wanted.
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 
 #include "outrider/log/codecs.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
@@ -46,12 +47,18 @@ constexpr std::array readers = {read<outrider::sensor_msgs::LaserScan>,
                                 read<outrider::rcl_interfaces::SetParametersRequest>,
                                 read<outrider::rcl_interfaces::DescribeParametersResponse>};
 
+/// Returns the number that FUZZ_MESSAGE gives, or else that of the input.
+std::size_t type_of(std::uint8_t chosen) {
+  static const char* const fixed = std::getenv("FUZZ_MESSAGE");
+  return (fixed == nullptr ? chosen : std::strtoul(fixed, nullptr, 10)) % readers.size();
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) return 0;
   constexpr std::array encodings = {MessageEncoding::cdr, MessageEncoding::ros1, MessageEncoding::json};
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 2, size - 2);
-  readers[data[1] % readers.size()](encodings[data[0] % encodings.size()], bytes);
+  readers[type_of(data[1])](encodings[data[0] % encodings.size()], bytes);
   return 0;
 }

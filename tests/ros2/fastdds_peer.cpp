@@ -9,7 +9,8 @@
 // on ros_discovery_info it sends a Twist on /node_seen: number of nodes, length of the name and of the
 // namespace of the first, number of its readers and writers, and 1 if all their names of 16 bytes begin as
 // that of the participant. For each TwistStamped on /cmd_vel it sends its speed and turn rate on
-// /command_seen. It sends a PoseStamped with x = 2.5 on /goal_pose again and again.
+// /command_seen. It sends a PoseStamped with x = 2.5 on /goal_pose again and again. What comes on
+// /echo/nN/asked, of the type N of `echoed`, it sends back to the byte on /echo/nN/answered.
 #include <fastcdr/Cdr.h>
 #include <unistd.h>
 
@@ -28,6 +29,7 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/TopicDataType.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -183,6 +185,71 @@ class Answer final : public fast::DataReaderListener {
   Twist (*made_of_)(Message&);
 };
 
+/// The bytes of a message as they came.
+struct Payload {
+  std::vector<std::uint8_t> bytes;
+};
+
+/// A type of that name whose messages are not looked into.
+class PayloadSupport final : public fast::TopicDataType {
+ public:
+  explicit PayloadSupport(const std::string& type) {
+    setName(type.c_str());
+    m_typeSize = 1'000'000;
+    m_isGetKeyDefined = false;
+  }
+  bool serialize(void* message, rtps::SerializedPayload_t* payload) override {
+    const auto& bytes = static_cast<Payload*>(message)->bytes;
+    if (bytes.size() > payload->max_size) return false;
+    std::copy(bytes.begin(), bytes.end(), payload->data);
+    payload->encapsulation = CDR_LE;
+    payload->length = static_cast<std::uint32_t>(bytes.size());
+    return true;
+  }
+  bool deserialize(rtps::SerializedPayload_t* payload, void* message) override {
+    static_cast<Payload*>(message)->bytes.assign(payload->data, payload->data + payload->length);
+    return true;
+  }
+  std::function<std::uint32_t()> getSerializedSizeProvider(void* message) override {
+    return [message] { return static_cast<std::uint32_t>(static_cast<Payload*>(message)->bytes.size()); };
+  }
+  void* createData() override { return new Payload; }
+  void deleteData(void* message) override { delete static_cast<Payload*>(message); }
+  bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
+};
+
+/// Sends back what comes.
+class Echo final : public fast::DataReaderListener {
+ public:
+  explicit Echo(fast::DataWriter* to) : to_(to) {}
+  void on_data_available(fast::DataReader* reader) override {
+    Payload message;
+    fast::SampleInfo info;
+    while (reader->take_next_sample(&message, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
+      if (info.valid_data) to_->write(&message);
+    }
+  }
+
+ private:
+  fast::DataWriter* to_;
+};
+
+const std::vector<std::string> echoed = {"sensor_msgs::msg::dds_::LaserScan_",
+                                         "nav_msgs::msg::dds_::Odometry_",
+                                         "tf2_msgs::msg::dds_::TFMessage_",
+                                         "sensor_msgs::msg::dds_::CameraInfo_",
+                                         "sensor_msgs::msg::dds_::Image_",
+                                         "apriltag_msgs::msg::dds_::AprilTagDetectionArray_",
+                                         "geometry_msgs::msg::dds_::PoseStamped_",
+                                         "geometry_msgs::msg::dds_::PoseWithCovarianceStamped_",
+                                         "nav_msgs::msg::dds_::OccupancyGrid_",
+                                         "nav_msgs::msg::dds_::Path_",
+                                         "geometry_msgs::msg::dds_::PolygonStamped_",
+                                         "visualization_msgs::msg::dds_::MarkerArray_",
+                                         "diagnostic_msgs::msg::dds_::DiagnosticStatus_",
+                                         "rosgraph_msgs::msg::dds_::Clock_",
+                                         "rcl_interfaces::msg::dds_::Log_"};
+
 Twist doubled(Twist& asked) {
   asked.visit([](double& number) { number *= 2.0; });
   return asked;
@@ -219,11 +286,36 @@ fast::DomainParticipantQos on_this_machine() {
   return qos;
 }
 
+/// Sends all types back, as a participant of its own: those above know some of them otherwise.
+std::vector<std::unique_ptr<Echo>> echo_all(std::uint32_t domain, bool local) {
+  auto* participant = fast::DomainParticipantFactory::get_instance()->create_participant(
+      domain, local ? on_this_machine() : fast::PARTICIPANT_QOS_DEFAULT);
+  if (participant == nullptr) return {};
+  auto* publisher = participant->create_publisher(fast::PUBLISHER_QOS_DEFAULT);
+  auto* subscriber = participant->create_subscriber(fast::SUBSCRIBER_QOS_DEFAULT);
+  fast::DataWriterQos writes = fast::DATAWRITER_QOS_DEFAULT;
+  writes.reliability().kind = fast::RELIABLE_RELIABILITY_QOS;
+  writes.durability().kind = fast::TRANSIENT_LOCAL_DURABILITY_QOS;
+  fast::DataReaderQos reads = fast::DATAREADER_QOS_DEFAULT;
+  reads.reliability().kind = fast::RELIABLE_RELIABILITY_QOS;
+  std::vector<std::unique_ptr<Echo>> echoes;
+  for (std::size_t i = 0; i < echoed.size(); ++i) {
+    fast::TypeSupport(new PayloadSupport(echoed[i])).register_type(participant);
+    const auto topic_of = [&](const char* what) {
+      return participant->create_topic("rt/echo/n" + std::to_string(i) + what, echoed[i],
+                                       fast::TOPIC_QOS_DEFAULT);
+    };
+    echoes.push_back(std::make_unique<Echo>(publisher->create_datawriter(topic_of("/answered"), writes)));
+    subscriber->create_datareader(topic_of("/asked"), reads, echoes.back().get());
+  }
+  return echoes;
+}
+
 int main(int count, char** words) {
   if (count != 2 && count != 3) return 2;
+  const auto domain = static_cast<std::uint32_t>(std::atoi(words[1]));
   auto* participant = fast::DomainParticipantFactory::get_instance()->create_participant(
-      static_cast<std::uint32_t>(std::atoi(words[1])),
-      count == 3 ? on_this_machine() : fast::PARTICIPANT_QOS_DEFAULT);
+      domain, count == 3 ? on_this_machine() : fast::PARTICIPANT_QOS_DEFAULT);
   if (participant == nullptr) return 1;
   auto* publisher = participant->create_publisher(fast::PUBLISHER_QOS_DEFAULT);
   auto* subscriber = participant->create_subscriber(fast::SUBSCRIBER_QOS_DEFAULT);
@@ -253,5 +345,6 @@ int main(int count, char** words) {
   subscriber->create_datareader(topic<OccupancyGrid>(*participant, "/map"), usual, &look);
   subscriber->create_datareader(topic_on_wire<EntitiesInfo>(*participant, "ros_discovery_info"), usual,
                                 &describe);
+  const auto echoes = echo_all(domain, count == 3);
   for (;; usleep(200'000)) goals->write(&goal);  // until it is ended
 }

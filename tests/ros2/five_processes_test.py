@@ -21,8 +21,9 @@ class FiveProcesses(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.running = {}
-        # A domain of its own for each test, so that none hears another.
-        os.environ["ROS_DOMAIN_ID"] = str(80 + os.getpid() % 10 + 10 * (self.id().count("Killed")))
+        self.more = {"explorer": ["--home", "0,0,0"]}
+        # A domain of its own, so that no other test is heard.
+        os.environ["ROS_DOMAIN_ID"] = str(80 + os.getpid() % 10)
 
     def tearDown(self):
         for name in list(self.running):
@@ -48,9 +49,11 @@ class FiveProcesses(unittest.TestCase):
         process.wait(timeout=20)
 
     def start_all(self):
-        for name in ["sim", "mapper", "planner", "follower"]:
-            self.start(name)
-        self.start("explorer", "--home", "0,0,0")
+        for name in ["sim", "mapper", "planner", "follower", "explorer"]:
+            self.start_as_ever(name)
+
+    def start_as_ever(self, name):
+        self.start(name, *self.more.get(name, []))
 
     def await_text(self, name, text, seconds):
         end = time.monotonic() + seconds
@@ -74,7 +77,15 @@ class FiveProcesses(unittest.TestCase):
         self.assertLess(float(found.group(2)), 0.3, truth)
         print(last, "|", truth.splitlines()[-1])
 
+    def start_anew(self, name, after_s):
+        """Kills a node, and starts it once the others have noticed."""
+        time.sleep(after_s)
+        self.end(name, signal.SIGKILL)
+        time.sleep(1)
+        self.start_as_ever(name)
+
     def test_map_the_office_and_come_home(self):
+        os.environ["ROS_DOMAIN_ID"] = "77"
         self.start_all()
         self.expect_explored()
 
@@ -82,11 +93,24 @@ class FiveProcesses(unittest.TestCase):
         self.start_all()
         self.await_text("follower", "driving", 30)
         for name in ["planner", "follower"]:
-            time.sleep(5)
-            self.end(name, signal.SIGKILL)
-            time.sleep(1)
-            self.start(name)
+            self.start_anew(name, 5)
         self.expect_explored()
+
+    def test_go_on_when_mapper_and_explorer_are_started_anew(self):
+        self.more["mapper"] = ["--keep", os.path.join(self.folder.name, "map.yaml")]
+        self.start_all()
+        self.await_text("follower", "driving", 30)
+        for name in ["explorer", "mapper"]:
+            self.start_anew(name, 8)
+        self.await_text("mapper", "the kept map fits; it goes on with it", 30)
+        self.expect_explored()
+
+    def test_say_that_the_robot_is_gone(self):
+        self.start_all()
+        self.await_text("follower", "driving", 30)
+        self.end("sim", signal.SIGKILL)
+        for name in ["follower", "explorer"]:
+            self.await_text(name, "the time of the simulation, /clock, stands still", 10)
 
     def test_killed_mapper_stops_the_robot(self):
         self.start_all()

@@ -1,6 +1,8 @@
 // NodeBus: joins nodes in one process, in simulated time, with messages that get lost or come late.
 #pragma once
 
+#include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <memory>
@@ -42,8 +44,18 @@ class NodeBus {
 
   /// Sees every message that is sent: topic and bytes.
   std::function<void(const std::string&, const std::string&)> look;
+  /// Says which topics nobody hears.
+  std::function<bool(const std::string& topic)> drop;
   /// Sees every event.
   std::function<void(const std::string& node, const NodeEvent&)> hear;
+
+  /// Prints every event, if OUTRIDER_TALK is in the environment.
+  void talk() {
+    if (std::getenv("OUTRIDER_TALK") == nullptr) return;
+    hear = [this](const std::string& node, const NodeEvent& event) {
+      std::printf("%8.2f %s: %s\n", time_s_, node.c_str(), event.sentence.c_str());
+    };
+  }
 
   /// Runs until a time, or until `done`. Returns true if that came.
   bool run(double until_s, const std::function<bool()>& done = {}) {
@@ -88,6 +100,7 @@ class NodeBus {
 
   void deliver(const std::string& topic, const std::string& bytes, Delivery delivery) {
     if (look) look(topic, bytes);
+    if (drop && drop(topic)) return;
     if (delivery == Delivery::latched || delivery == Delivery::fixed) latched_[topic] = bytes;
     for (auto& [name, member] : nodes_) {
       for (std::size_t i = 0; i < member.links.size(); ++i) {

@@ -21,11 +21,10 @@
 #include <optional>
 
 #include "outrider/control/steer.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
 #include "outrider/nodes/checked.hpp"
 #include "outrider/nodes/node.hpp"
 #include "outrider/nodes/robot_frames.hpp"
-#include "outrider/slam/laser_scan.hpp"
+#include "outrider/nodes/scan_points.hpp"
 
 namespace outrider {
 
@@ -57,7 +56,6 @@ class FollowerNode final : public Node {
 
   Status take_plan(const nav_msgs::Path& path);
   Status take_odometry(const nav_msgs::Odometry& odometry);
-  Status take_scan(const sensor_msgs::LaserScan& scan);
   Status take_map(const nav_msgs::OccupancyGrid& map);
   void act() override;
   [[nodiscard]] std::string why_to_stop() const;
@@ -71,13 +69,12 @@ class FollowerNode final : public Node {
 
   FollowerNodeOptions options_;
   RobotFrames frames_;
-  NewestStamp plans_, odometries_, scans_, maps_;
+  NewestStamp plans_, odometries_, maps_;
   MapBeginning beginning_;
-  std::optional<double> odometry_came_s_, scan_came_s_, map_came_s_;
+  std::optional<double> odometry_came_s_, map_came_s_;
   Pose2 odometry_;
-  Twist2 twist_;                 ///< at the time of that odometry
-  std::vector<Vec2> beam_ends_;  ///< of the newest scan, in the frame of the robot at its time
-  double scan_s_ = 0.0;
+  Twist2 twist_;  ///< at the time of that odometry
+  ScanPoints scan_;
   Grid<std::uint8_t> map_;
   std::optional<PathProgress> path_;
   double last_heading_rad_ = 0.0;

@@ -11,12 +11,15 @@
 //
 // With `keep` the map is kept in files, and a mapper that is started anew goes on with it, with the same load
 // time, if its first scan fits where the odometry says that the robot is (nodes/kept_map.hpp): so if the
-// robot and its odometry went on meanwhile. Otherwise it begins another map and says so. What was mapped
-// before stays as it is where nothing new is seen.
+// robot and its odometry went on meanwhile. Otherwise it begins another map and says so. It maps the scans
+// that were kept once more, so loops close between what was mapped before and after. What other scans showed
+// before stays as it is where nothing new is seen, until a loop moves the map.
 #pragma once
 
 #include <deque>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "outrider/log/ros_sensor_messages.hpp"
 #include "outrider/nodes/checked.hpp"
@@ -45,6 +48,11 @@ class MapperNode final : public Node {
   static Outcome<MapperNodeOptions> checked(MapperNodeOptions options);
   explicit MapperNode(MapperNodeOptions options);
 
+  /// The SLAM; null before the first scan. Its first `replayed_steps()` steps are those of scans that were
+  /// kept.
+  [[nodiscard]] const LaserSlam* slam() const { return slam_ ? &*slam_ : nullptr; }
+  [[nodiscard]] std::size_t replayed_steps() const { return kept_ ? kept_->scans.size() : 0; }
+
  private:
   struct Waiting {
     double time_s = 0.0;
@@ -59,6 +67,9 @@ class MapperNode final : public Node {
   void send_pose(double time_s);
   void send_map();
   Status begin(const Pose2& odometry, const LaserScan& scan, double time_s);
+  Status go_on(const Pose2& place, const Pose2& odometry);
+  Outcome<LaserSlamStep> advance(const Pose2& motion, const LaserScan& scan);
+  [[nodiscard]] std::vector<KeptScan> kept_scans() const;
 
   MapperNodeOptions options_;
   RobotFrames frames_;
@@ -69,9 +80,11 @@ class MapperNode final : public Node {
   Pose2 map_T_odom_;
   std::optional<double> mapped_s_;  ///< when it was mapped
   double map_sent_s_ = -1e9;
-  double begun_s_ = 0.0;         ///< time of the first scan that was mapped
-  std::optional<KeptMap> kept_;  ///< of the mapper before
-  double kept_s_ = -1e9;         ///< when the files were written
+  double begun_s_ = 0.0;                                      ///< time of the first scan that was mapped
+  std::optional<KeptMap> kept_;                               ///< of the mapper before
+  double kept_s_ = -1e9;                                      ///< when the files were written
+  std::size_t steps_ = 0;                                     ///< of the SLAM
+  std::vector<std::pair<std::size_t, LaserScan>> keyframes_;  ///< steps and scans, if the map is kept
   bool map_changed_ = false;
   std::size_t map_output_, pose_output_, transform_output_;
 };

@@ -16,6 +16,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -121,6 +122,10 @@ class Node {
   virtual void act() = 0;
 
   [[nodiscard]] double now_s() const { return now_s_; }
+  /// Returns why a message is missing that came last at that time: it has not come yet, or not for `most_s`.
+  /// Empty if it is not missing.
+  [[nodiscard]] std::string why_missing(std::string_view what, const std::optional<double>& came_s,
+                                        double most_s) const;
   /// Tells people; the same sentence at most once in 5 s.
   void tell(NodeLevel level, std::string sentence);
   /// Says what it does. A change is told to people too.

@@ -6,12 +6,10 @@
 #include <cmath>
 
 #include "outrider/job/clock.hpp"
-#include "outrider/job/map_log.hpp"
 #include "outrider/job/scene.hpp"
 #include "outrider/job/scene_markers.hpp"
 #include "outrider/job/sensor_log.hpp"
-#include "outrider/jobs/explore/catalog.hpp"
-#include "outrider/log/append.hpp"
+#include "outrider/jobs/explore/explore_log.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
@@ -19,91 +17,8 @@
 namespace outrider {
 namespace {
 
-constexpr double track_every_s = 0.4;
-constexpr double belief_every_s = 1.0;
 constexpr double home_m = 0.3;
 constexpr double outline_step_rad = radians(15.0);
-
-constexpr std::size_t most_candidates = 16;  // that are logged
-
-outrider_msgs::Decision decision_message(const ExploreMission& mission, bool goes_home) {
-  outrider_msgs::Decision message;
-  message.kind = goes_home ? "home" : "frontier";
-  message.frontiers = static_cast<std::uint32_t>(mission.frontiers.frontiers().size());
-  if (goes_home) return message;
-  if (const auto strategy = find_explore_strategy(mission.task.explore.strategy)) {
-    message.value_of = strategy->value_of;
-    message.most_is_best = strategy->most_is_best;
-  }
-  for (const ViewCandidate& one : mission.decision.candidates) {
-    if (message.candidates.size() == most_candidates) break;
-    message.candidates.push_back({point_of(one.place), one.cost_s, one.gain_m2, one.value, one.chosen});
-  }
-  return message;
-}
-
-/// Logs the exploration.
-class Recorder {
- public:
-  Recorder(Log& log, const Pose2& start) : log_(log), start_(start) {}
-
-  /// After each step of the mission.
-  void note(const ExploreMission& mission, const Observation& seen, const Pose2& true_pose) {
-    const bool over = mission.stage == ExploreStage::over;
-    const MapUpdate& changed = mission.changed;
-    if (seen.scan) {
-      log_scan(log_, mission.time_s, *seen.scan);
-      log_odometry(log_, mission.time_s, seen.odometry);
-      map_.note(log_, mission.slam.map().occupancy(), changed.redrawn, changed.cells, mission.time_s);
-    }
-    note_decision(mission);
-    for (; events_ < mission.events.size(); ++events_) {
-      const ExploreEvent& event = mission.events[events_];
-      log_event(log_, event.time_s, event.kind, event.text);
-    }
-    if (mission.time_s >= next_track_s_ || over) {
-      next_track_s_ = mission.time_s + track_every_s - 1e-9;
-      log_pose(log_, mission.time_s, true_pose);
-    }
-    if (mission.time_s < next_belief_s_ && !over) return;
-    next_belief_s_ = mission.time_s + belief_every_s - 1e-9;
-    log_belief(log_, mission.time_s, mission.pose, mission.slam.pose_covariance(), mission.loops > loops_);
-    loops_ = mission.loops;
-  }
-
-  void finish(const ExploreMission& mission) {
-    map_.redraw();
-    map_.finish(log_, explored_map(mission), mission.time_s);
-    log_plan(log_, mission.time_s, {});
-    for (const LeftOver& left : mission.left.places)
-      log_.append(topic::refusals, mission.time_s,
-                  outrider_msgs::Refusal{point_of(left.place), left.sentence});
-  }
-
- private:
-  /// A new goal, or the way home.
-  void note_decision(const ExploreMission& mission) {
-    const bool goes_home = mission.stage == ExploreStage::go_home;
-    if (mission.goal_changes == goal_changes_ && goes_home == went_home_) return;
-    goal_changes_ = mission.goal_changes;
-    went_home_ = goes_home;
-    if (!mission.path) return;
-    const double time_s = mission.time_s;
-    log_.append(topic::decisions, time_s, decision_message(mission, goes_home));
-    log_.append(topic::goal, time_s, stamped(time_s, goes_home ? start_ : mission.decision.goal));
-    log_plan(log_, time_s, mission.path->points);
-  }
-
-  Log& log_;
-  Pose2 start_;
-  MapLog map_;
-  std::size_t events_ = 0;
-  std::size_t goal_changes_ = 0;
-  bool went_home_ = false;
-  std::int64_t loops_ = 0;
-  double next_track_s_ = 0.0;
-  double next_belief_s_ = 0.0;
-};
 
 std::vector<std::vector<Vec2>> outlines_of_pieces(const std::vector<RoundedPolygon>& pieces) {
   std::vector<std::vector<Vec2>> outlines;
@@ -274,10 +189,15 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
   TimedMission timed{std::move(*begun)};
   const ExploreMission& mission = timed.mission;
   log_start(log, world, mission.task, params.laser, seed);
-  Recorder recorder(log, mission.task.start);
+  ExploreLog recorder(log, mission.task.start);
   ContactJudge contacts;
   const auto note = [&](const Observation& seen, const Command*) {
-    recorder.note(mission, seen, robot.pose());
+    if (seen.scan) {
+      log_scan(log, mission.time_s, *seen.scan);
+      log_odometry(log, mission.time_s, seen.odometry);
+      recorder.note_map(mission);
+    }
+    recorder.note(mission, robot.pose());
     contacts.note(robot);
     if (seen.scan && scanned) scanned(seen, mission, robot);
     if (seen.scan && mission.scans % 25 == 0)

@@ -71,7 +71,7 @@ PursuitLog::PursuitLog(Log& log, const PursuitProblem& problem, const std::strin
 
 void PursuitLog::log_place(const std::string& topic, int second, Cell cell) {
   const auto time_s = static_cast<double>(second);
-  log_.append(topic, time_s, stamped(time_s, {problem_.costs->frame.centre(cell), 0.0}));
+  log_.append(topic, time_s, stamped(log_.time_of(time_s), {problem_.costs->frame.centre(cell), 0.0}));
 }
 
 void PursuitLog::note(const PursuitRun& run) {

@@ -2,14 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <set>
 
-#include "outrider/io/map_server.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/drive/job.hpp"
-#include "outrider/jobs/explore/scenario.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/nodes/cover_mission_node.hpp"
@@ -17,87 +13,32 @@
 #include "outrider/nodes/pursue_mission_node.hpp"
 #include "outrider/nodes/sim_node.hpp"
 #include "outrider/nodes/tag_sim_node.hpp"
-#include "support/data.hpp"
 #include "support/node_bus.hpp"
+#include "support/published.hpp"
+#include "support/room.hpp"
 
 namespace outrider {
 namespace {
 
 using testing::NodeBus;
+using testing::Published;
 
-void talk(NodeBus& bus) {
-  if (std::getenv("OUTRIDER_TALK") == nullptr) return;
-  bus.hear = [&bus](const std::string& node, const NodeEvent& event) {
-    std::printf("%8.2f %s: %s\n", bus.time_s(), node.c_str(), event.sentence.c_str());
-  };
-}
-
-/// What is on topics is what is in the log, in the same order and with the same bytes.
-class Published {
- public:
-  explicit Published(NodeBus& bus) {
-    bus.look = [this](const std::string& topic, const std::string& bytes) {
-      messages_[topic].push_back(bytes);
-    };
-  }
-  template <class Message>
-  void expect_same(const Log& log, std::string_view topic) const {
-    const auto& logged = log.messages<Message>(topic);
-    const auto found = messages_.find(std::string(topic));
-    ASSERT_NE(found, messages_.end()) << topic;
-    ASSERT_EQ(found->second.size(), logged.size()) << topic;
-    ASSERT_FALSE(logged.empty());
-    for (std::size_t i = 0; i < logged.size(); ++i)
-      ASSERT_EQ(found->second[i], encode(MessageEncoding::cdr, logged[i].message)) << topic;
-  }
-  [[nodiscard]] std::size_t count(const std::string& topic) const {
-    const auto found = messages_.find(topic);
-    return found == messages_.end() ? 0 : found->second.size();
-  }
-  [[nodiscard]] const std::map<std::string, std::vector<std::string>>& all() const { return messages_; }
-
- private:
-  std::map<std::string, std::vector<std::string>> messages_;
-};
-
-/// A room of 3 m x 2.5 m with a pillar, as a saved map and as a world.
-class CoverBehindTopics : public ::testing::Test {
+class CoverBehindTopics : public testing::RoomBehindTopics {
  protected:
   void SetUp() override {
-    MapServerMap map{Grid<std::uint8_t>({{-0.5, -0.5}, 0.05, 60, 50}, free_cell), 0.0};
-    for (std::size_t i = 0; i < map.occupancy.frame.size(); ++i) {
-      const Cell cell = map.occupancy.frame.cell(i);
-      const bool wall = cell.x == 0 || cell.x == 59 || cell.y == 0 || cell.y == 49;
-      const bool pillar = cell.x > 30 && cell.x < 36 && cell.y > 20 && cell.y < 26;
-      map.occupancy.cells[i] = wall || pillar ? occupied_cell : free_cell;
-    }
-    scenario.area = (folder.path / "map.yaml").string();
-    ASSERT_TRUE(save_map_server(scenario.area, map));
+    RoomBehindTopics::SetUp();
+    scenario.area = map_file();
     scenario.problem.width_m = 0.4;
     scenario.problem.pace.speed_mps = 0.3;
     scenario.problem.pace.pause_s = 0.1;
   }
-  /// Puts a robot there whose disk is smaller than what it covers.
-  void start_robot(NodeBus& bus) {
-    ExploreScenario explore;
-    explore.world.world = scenario.area;
-    auto setup = load_explore(explore);
-    ASSERT_TRUE(setup) << to_string(setup.error());
-    SimNodeOptions options;
-    options.start = {{0.2, 0.3}, 0.7};
-    options.robot = burger();
-    options.sim = setup->sim;
-    options.localised = true;
-    bus.start(std::make_unique<SimNode>(setup->world, options));
-  }
 
-  test::Folder folder;
   CoverScenario scenario;
 };
 
 TEST_F(CoverBehindTopics, CoversTheMapFromWhereTheRobotStands) {
   NodeBus bus;
-  talk(bus);
+  bus.talk();
   Published published(bus);
   start_robot(bus);
   bus.start(std::make_unique<CoverMissionNode>(MissionNodeOptions(), scenario));
@@ -121,7 +62,7 @@ TEST_F(CoverBehindTopics, CoversTheMapFromWhereTheRobotStands) {
 
 TEST_F(CoverBehindTopics, StandsStillWhileNobodySaysWhereItIsAndGoesOn) {
   NodeBus bus;
-  talk(bus);
+  bus.talk();
   start_robot(bus);
   bus.start(std::make_unique<CoverMissionNode>(MissionNodeOptions(), scenario));
   bus.run(20.0);
@@ -168,7 +109,7 @@ void expect_at_last_waypoint(const NodeBus& bus, const DriveSetup& setup) {
 
 TEST(DriveBehindTopics, GoesToTheWaypointsByDetectionsOfTags) {
   NodeBus bus({.loss = 0.0, .delay_s = 0.05});
-  talk(bus);
+  bus.talk();
   Published published(bus);
   const DriveSetup setup = drive_setup("modelled");
   bus.start(std::make_unique<TagSimNode>(setup, TagSimNodeOptions()));
@@ -188,7 +129,7 @@ TEST(DriveBehindTopics, GoesToTheWaypointsByDetectionsOfTags) {
 
 TEST(DriveBehindTopics, FindsTheTagsInImagesToo) {
   NodeBus bus;
-  talk(bus);
+  bus.talk();
   DriveSetup setup = drive_setup("rendered");
   setup.task.waypoints.resize(1);
   setup.task.waypoints.front().stop = true;
@@ -235,7 +176,7 @@ PursuitTask pursuit_task() {
 
 TEST(PursueBehindTopics, CatchesWhoWalksToAndFro) {
   NodeBus bus;
-  talk(bus);
+  bus.talk();
   Published published(bus);
   World field;
   field.bounds = {{0.0, 0.0}, {12.0, 9.0}};
