@@ -174,20 +174,20 @@ nlohmann::ordered_json row_json(const GuardRow& row) {
 }
 
 std::string table_text(const std::vector<GuardRow>& rows) {
-  std::string text = fmt::format(
-      "  {:<12} {:<20} {:>4} {:>7} {:>6} {:>11} {:>5} {:>10} {:>9} {:>5} {:>8} {:>9} {:>7} {:>6} {:>6} {:>8} "
-      "{:>6}\n",
-      "yard", "planner", "seed", "reached", "failed", "unreachable", "shots", "planning s", "planned s",
-      "gap", "anywhere %", "mission s", "drive s", "turn s", "aim s", "flight s", "ratio");
+  constexpr std::string_view cells =
+      "  {:<12} {:<20} {:>4} {:>7} {:>6} {:>11} {:>5} {:>10} {:>9} {:>5} {:>10} {:>9} {:>7} {:>6} {:>6} "
+      "{:>8} {:>6}\n";
+  std::string text = fmt::format(cells, "yard", "planner", "seed", "reached", "failed", "unreachable",
+                                 "shots", "planning s", "planned s", "gap %", "anywhere %", "mission s",
+                                 "drive s", "turn s", "aim s", "flight s", "ratio");
+  const auto tenths = [](double value) { return fmt::format("{:.1f}", value); };
   for (const GuardRow& row : rows) {
-    text += fmt::format(
-        "  {:<12} {:<20} {:>4} {:>7} {:>6} {:>11} {:>5} {:>10.2f} {:>9.1f} {:>5.1f} {:>8.1f} {:>9.1f} "
-        "{:>7.1f} "
-        "{:>6.1f} {:>6.1f} {:>8.1f} {:>6}\n",
-        row.yard, row.planner, row.seed, row.reached, row.failed, row.unreachable, row.shots, row.planning_s,
-        row.planned_s, 100.0 * row.gap, 100.0 * row.anywhere_gap, row.mission_s, row.shares.drive,
-        row.shares.turn, row.shares.aim, row.shares.flight,
-        row.ratio ? fmt::format("{:.2f}", *row.ratio) : std::string("-"));
+    text += fmt::format(cells, row.yard, row.planner, row.seed, row.reached, row.failed, row.unreachable,
+                        row.shots, fmt::format("{:.2f}", row.planning_s), tenths(row.planned_s),
+                        tenths(100.0 * row.gap), tenths(100.0 * row.anywhere_gap), tenths(row.mission_s),
+                        tenths(row.shares.drive), tenths(row.shares.turn), tenths(row.shares.aim),
+                        tenths(row.shares.flight),
+                        row.ratio ? fmt::format("{:.2f}", *row.ratio) : std::string("-"));
   }
   return text;
 }
