@@ -181,7 +181,8 @@ std::string reason_of(const GuardRun& run, const Tally& tally) {
 
 /// What is added to the reason if shots had no result; else an empty text.
 std::string why_unanswered(const StopTasks& tasks) {
-  if (!tasks.given_up.empty()) return fmt::format("; {}: is it jammed, or its tank empty?", tasks.given_up);
+  if (!tasks.given_up.empty())
+    return fmt::format("; {}: is the gun jammed, or its tank empty?", tasks.given_up);
   const std::vector<TargetRecord>& records = tasks.records;
   int unanswered = 0;
   for (const TargetRecord& record : records) unanswered += record.unanswered;
