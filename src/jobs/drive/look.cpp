@@ -51,8 +51,9 @@ bool clear_suspects(DriveMission& mission, const std::vector<TagSighting>& sight
   return true;
 }
 
-/// Notes which tags explain the image and which contradict them. A tag corroborates the last relocalisation
-/// only if it could have contradicted it: the belief was sharp before, or another tag of the image agrees.
+/// Notes which tags explain the image and which contradict them. A tag corroborates those on which the belief
+/// rests only if it could have contradicted it: the belief was sharp before, or another tag of the image
+/// agrees.
 void note_tags(DriveMission& mission, const std::vector<TagSighting>& sightings, const TagFix& fix,
                bool was_sharp) {
   const bool corroborates = was_sharp || std::ranges::count(fix.verdicts, TagVerdict::used) > 1;
@@ -60,50 +61,67 @@ void note_tags(DriveMission& mission, const std::vector<TagSighting>& sightings,
     TagRecord& record = mission.tag_records[sightings[i].id];
     if (fix.verdicts[i] == TagVerdict::used) {
       ++record.used;
-      if (mission.relocalisations.empty() || mission.suspects.contains(sightings[i].id) || !corroborates)
-        continue;
-      Relocalisation& last = mission.relocalisations.back();
-      last.tags.insert(sightings[i].id);
-      last.corroborated = last.tags.size() > 1;
+      if (!mission.support || mission.suspects.contains(sightings[i].id) || !corroborates) continue;
+      mission.support->tags.insert(sightings[i].id);
+      mission.support->corroborated = mission.support->tags.size() > 1;
     } else if (is_refused(fix.verdicts[i])) {
       ++record.refused;
     }
   }
 }
 
-/// A tag that may have been moved, and alone corrects a belief that was too wide to contradict it, tells no
-/// more than one that relocalises the robot alone.
+/// A tag that may have been moved, and alone corrects a belief whose position was too wide to contradict it,
+/// tells no more than one that relocalises the robot alone. (A heading that is wide does not matter: where a
+/// moved tag puts the robot does not depend on it.)
 void note_lone_tag(DriveMission& mission, const std::vector<TagSighting>& sightings, const TagFix& fix) {
   if (std::ranges::count(fix.verdicts, TagVerdict::used) != 1) return;
   const auto used = std::ranges::find(fix.verdicts, TagVerdict::used) - fix.verdicts.begin();
   const int id = sightings[static_cast<std::size_t>(used)].id;
-  if (!mission.relocalisations.empty() && mission.relocalisations.back().tags == std::set<int>{id}) return;
-  mission.relocalisations.push_back({mission.reckoning.time_s, mission.reckoning.belief, {id}, false});
+  if (mission.support && mission.support->tags == std::set<int>{id}) return;
+  mission.support = {mission.reckoning.time_s, {id}, false};
+}
+
+/// Returns true if the robot has not left its start, which is exact.
+bool is_at_start(const DriveMission& mission) {
+  constexpr double near_m = 0.02;
+  return mission.arrivals.empty() && mission.relocalisations.empty() &&
+         distance(mission.reckoning.belief.world_T_robot.position, mission.task.start.position) < near_m;
 }
 
 void accept(DriveMission& mission, const std::vector<TagSighting>& sightings, const TagFix& fix) {
-  const bool was_sharp =
-      position_sigma_m(mission.reckoning.belief) <= sharp * mission.task.rules.settle_sigma_m &&
-      heading_sigma_rad(mission.reckoning.belief) <= sharp * mission.task.rules.settle_sigma_rad;
+  const bool sharp_position =
+      position_sigma_m(mission.reckoning.belief) <= sharp * mission.task.rules.settle_sigma_m;
+  const bool was_sharp = sharp_position && heading_sigma_rad(mission.reckoning.belief) <=
+                                               sharp * mission.task.rules.settle_sigma_rad;
+  const PoseBelief before = mission.reckoning.belief;
+  if (mission.task.rules.tags_move && !is_at_start(mission) &&
+      position_sigma_m(before) > mission.task.rules.settle_sigma_m)
+    mission.wide = true;
   correct(mission.reckoning, *fix.belief);
-  if (mission.task.rules.tags_move && !was_sharp) note_lone_tag(mission, sightings, fix);
+  mission.votes.note_correction(before, mission.reckoning.belief);
+  if (mission.task.rules.tags_move && !sharp_position) note_lone_tag(mission, sightings, fix);
   const bool confirms = clear_suspects(mission, sightings, fix);
   note_tags(mission, sightings, fix, was_sharp);
   ++mission.used;
   mission.tag_s = mission.image_s;
   mission.refused = 0;
   mission.relocaliser = {};
-  if (!mission.stop || !confirms || mission.image_s < mission.stop->counts_from_s) return;
-  mission.stop->accept(*fix.belief);
+  if (!mission.stop || mission.image_s < mission.stop->counts_from_s) return;
+  if (confirms) mission.stop->accept(*fix.belief);
   mission.stop->is_still = false;
   if (is_at_rest(mission.reckoning))
     mission.stop->compare(sightings, adapted(mission).corner_sigma_px, mission.image_s);
+  if (mission.wide && mission.stop->is_still) {
+    mission.votes.add(sightings, fix.verdicts, mission.reckoning.belief, mission.task.tags,
+                      robot_camera(mission.task.eye), adapted(mission));
+  }
 }
 
 void refuse(DriveMission& mission, const std::vector<TagSighting>& sightings) {
   const DriveTask& task = mission.task;
   ++mission.refused;
   mission.refused_s = mission.image_s;
+  mission.votes = {};
   if (mission.stop) mission.stop->refuse(mission.image_s);
   if (is_at_rest(mission.reckoning))
     mission.relocaliser.add(sightings, task.tags, robot_camera(task.eye), adapted(mission));
@@ -152,9 +170,24 @@ bool look(DriveMission& mission, const Observation& seen) {
   return accepted;
 }
 
-bool is_trusted(const DriveMission& mission) {
-  return mission.relocalisations.empty() || mission.relocalisations.back().corroborated;
+std::optional<std::set<int>> indispensable_tags(const DriveMission& mission) {
+  const double most_m = tolerance_m(mission.task) - mission.task.follow.within_m;
+  std::optional<std::set<int>> common;
+  for (const std::set<int>& ids : mission.votes.agreeing(most_m)) {
+    if (std::ranges::any_of(ids, [&](int id) { return mission.suspects.contains(id); })) continue;
+    if (!common) common = ids;
+    std::erase_if(*common, [&](int id) { return !ids.contains(id); });
+  }
+  return common;
 }
+
+bool is_corroborated(const DriveMission& mission) {
+  if (!is_trusted(mission) || !mission.wide) return is_trusted(mission);
+  const auto needed = indispensable_tags(mission);
+  return needed && needed->empty();
+}
+
+bool is_trusted(const DriveMission& mission) { return !mission.support || mission.support->corroborated; }
 
 bool relocalise(DriveMission& mission) {
   const Relocaliser& found = mission.relocaliser;
@@ -163,16 +196,19 @@ bool relocalise(DriveMission& mission) {
   const double tag_sigma_m = mission.task.localise.tag_sigma_m;
   belief.covariance.diagonal().head<2>().array() += tag_sigma_m * tag_sigma_m;
   if (!is_trusted(mission)) {
-    const int alone = *mission.relocalisations.back().tags.begin();
+    const int alone = *mission.support->tags.begin();
     if (!found.tags.contains(alone)) mission.suspects.insert(alone);
   }
   if (mission.used == 0) mission.start_contradicted = true;
   relocate(mission.reckoning, belief);
   mission.history.clear();
-  mission.relocalisations.push_back({mission.reckoning.time_s, belief, found.tags, found.tags.size() > 1});
+  mission.relocalisations.push_back({mission.reckoning.time_s, belief, found.tags});
+  mission.support = {mission.reckoning.time_s, found.tags, found.tags.size() > 1};
   mission.relocaliser = {};
   mission.refused = 0;
   mission.stop.reset();
+  mission.look_round.reset();
+  mission.votes = {};
   const std::size_t next = mission.follower.next;
   mission.follower = {};
   mission.follower.next = next;

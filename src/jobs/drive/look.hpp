@@ -12,6 +12,14 @@ bool look(DriveMission& mission, const Observation& seen);
 /// Returns true if the belief rests on the start, or on a pose that two different tags agree on.
 bool is_trusted(const DriveMission& mission);
 
+/// Returns the tags without which nothing puts the robot where it believes to stand; nothing if no tags do
+/// that well enough (tag_votes.hpp). An empty set: the stop does not depend on any one tag.
+std::optional<std::set<int>> indispensable_tags(const DriveMission& mission);
+
+/// Returns true if the belief is trusted, and the stop depends on no one tag unless the belief was sharp all
+/// the way since the last stop.
+bool is_corroborated(const DriveMission& mission);
+
 /// Replaces the belief by the pose that the tags in sight agree on, if they do. Returns true if it did.
 bool relocalise(DriveMission& mission);
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "keep_clear.hpp"
 #include "look.hpp"
+#include "look_round.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/world/collision_map.hpp"
 #include "room.hpp"
@@ -35,6 +37,8 @@ void arrive(DriveMission& mission, std::size_t waypoint, double time_s, std::str
   mission.arrivals.push_back({waypoint, time_s, mission.reckoning.belief, std::move(doubt)});
   mission.since_s = time_s;
   mission.stop.reset();
+  mission.votes = {};
+  mission.wide = false;
 }
 
 /// Returns the pose of the robot when a command that is sent now takes effect. For time_optimal, the pose to
@@ -67,16 +71,21 @@ DriveRules rules_for_noise(const DriveMission& mission) {
 std::string stop_doubt(const DriveMission& mission) {
   if (mission.start_contradicted && is_trusted(mission))
     return "the first tags in sight contradicted the start; are their places and their size right?";
-  if (is_trusted(mission)) {
+  if (is_corroborated(mission)) {
     std::string doubt = mission.stop->doubt(mission.reckoning.belief, rules_for_noise(mission));
     if (!doubt.empty() && !mission.suspects.empty())
       doubt += fmt::format("; tag {} contradicted other tags and does not count",
                            fmt::join(mission.suspects, ", "));
     return doubt;
   }
-  const Relocalisation& last = mission.relocalisations.back();
-  return fmt::format("only tag {} tells where it is since the tags moved at {:.1f} s", *last.tags.begin(),
-                     last.time_s);
+  if (is_trusted(mission)) {
+    const auto needed = indispensable_tags(mission);
+    if (!needed) return "no tags in view are enough to tell that it stands there";
+    return fmt::format("only tag {} tells that it stands there, and it may have been moved",
+                       *needed->begin());
+  }
+  return fmt::format("only tag {} tells where it is since {:.1f} s, and it may have been moved",
+                     *mission.support->tags.begin(), mission.support->time_s);
 }
 
 /// Decides about the stop at which the robot stands. Returns true if it goes on. `accepted`: the newest image
@@ -85,6 +94,9 @@ bool leaves_stop(DriveMission& mission, double now_s, bool accepted) {
   const DriveRules& rules = mission.task.rules;
   const StopCheck& stop = *mission.stop;
   const bool settled = now_s - stop.counts_from_s >= rules.settle_s - instant_s;
+  if (settled && accepted && stop.doubt(mission.reckoning.belief, rules_for_noise(mission)).empty() &&
+      begin_look_round(mission, now_s))
+    return false;
   std::string doubt = stop_doubt(mission);
   const double enough_s =
       rules.settle_s +
@@ -127,7 +139,7 @@ bool is_blocked(const DriveMission& mission) {
   const DriveTask& task = mission.task;
   const Segment leg{mission.reckoning.belief.world_T_robot.position,
                     task.waypoints[mission.follower.next].pose.position};
-  return !CollisionMap::of(task.world, task.eye.height_m).segment_free(leg, task.radius_m);
+  return !mission.ground->segment_free(leg, task.radius_m);
 }
 
 /// Ends the mission once the robot has stood at the last stop.
@@ -180,9 +192,13 @@ DriveWheels step_closed(DriveMission& mission, const Observation& seen) {
     mission.follower.last = {};
     return command(mission, {}, now_s + rules.period_s);
   }
-  const FollowStep wanted =
-      follow(mission.follower, mission.task.waypoints, foreseen(mission), mission.task.follow,
-             mission.task.pid, mission.task.chassis, rules.period_s);
+  if (mission.look_round) {
+    const Twist2 twist = step_look_round(mission, foreseen(mission), now_s);
+    return command(mission, made_up(mission, twist), now_s + rules.period_s);
+  }
+  const Pose2 believed = foreseen(mission);
+  const FollowStep wanted = follow(mission.follower, mission.task.waypoints, believed, mission.task.follow,
+                                   mission.task.pid, mission.task.chassis, rules.period_s);
   if (!wanted.there) {
     mission.stop.reset();
   } else if (!mission.stop) {
@@ -191,7 +207,12 @@ DriveWheels step_closed(DriveMission& mission, const Observation& seen) {
     if (mission.follower.next + 1 == mission.task.waypoints.size()) return finish_at_last_stop(mission);
     advance_to_next(mission.follower, mission.task.waypoints);
   }
-  return command(mission, made_up(mission, wanted.twist), now_s + rules.period_s);
+  const Twist2 twist = made_up(mission, wanted.twist);
+  if (!must_stop(mission, believed, twist)) return command(mission, twist, now_s + rules.period_s);
+  if (auto reason = why_off_its_way(mission); !reason.empty())
+    return finish(mission, DriveEnd::stuck, std::move(reason));
+  mission.follower.last = {};
+  return command(mission, {}, now_s + rules.period_s);
 }
 
 double dead_time_s(const Twist2& twist, const Calibration& calibration) {
@@ -224,7 +245,8 @@ DriveWheels step_open(DriveMission& mission, const Observation& seen) {
 DriveMission begin(DriveTask given) {
   DriveMission mission;
   mission.task = std::move(given);
-  set_rooms(mission.task, CollisionMap::of(mission.task.world, mission.task.eye.height_m));
+  mission.ground = CollisionMap::of(mission.task.world, mission.task.eye.height_m);
+  set_rooms(mission.task, *mission.ground);
   const DriveTask& task = mission.task;
   constexpr double start_sigma_m = 0.01, start_sigma_rad = 0.01;
   mission.reckoning.belief.world_T_robot = task.start;

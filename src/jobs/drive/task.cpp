@@ -35,7 +35,7 @@ std::vector<Option> describe(DriveRules& rules) {
       {"settle_sigma_angle", "deg", 0.01, 90.0, "standard deviation of a heading that is not wide",
        &rules.settle_sigma_rad},
       {"tags_move", "", 0, 0,
-       "tags may be moved during the drive: after a way without tags one alone confirms no stop",
+       "tags may be moved during the drive: where one alone tells a stop, the robot looks round for another",
        &rules.tags_move},
       {"patience", "s", 1.0, 1e5, "for one waypoint", &rules.patience_s},
       {"hold_refused", "", 1, 10000,

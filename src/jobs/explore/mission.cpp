@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "map_doubt.hpp"
 #include "mission_parts.hpp"
 #include "outrider/jobs/explore/catalog.hpp"
 #include "outrider/jobs/explore/view.hpp"
@@ -19,15 +20,35 @@ bool usable(const LaserScan& scan) {
          std::ranges::any_of(scan.ranges_m, [&](float range) { return range >= scan.least_m; });
 }
 
+constexpr double remembered_s = 10.0;  ///< of odometry; scans that come later than that are taken for new
+
+void remember_odometry(ExploreMission& mission) {
+  mission.odometries.push_back({mission.time_s, mission.odometry});
+  while (mission.odometries.front().time_s < mission.time_s - remembered_s) mission.odometries.pop_front();
+}
+
+/// Returns the odometry at a time, between the observations around it; the newest for a time that is not in
+/// memory.
+Pose2 odometry_at(const ExploreMission& mission, double time_s) {
+  const auto& all = mission.odometries;
+  const auto after = std::ranges::lower_bound(all, time_s, {}, &TimedOdometry::time_s);
+  if (after == all.end() || (after == all.begin() && after->time_s > time_s)) return mission.odometry;
+  if (after->time_s == time_s || after == all.begin()) return after->odometry;
+  const TimedOdometry& before = *std::prev(after);
+  const double part = (time_s - before.time_s) / (after->time_s - before.time_s);
+  const Pose2 motion = wrap_heading(relative_pose(before.odometry, after->odometry));
+  return compose(before.odometry, {part * motion.position, part * motion.heading_rad});
+}
+
 /// Returns true if the scan has exactly the ranges of before although the robot has moved since.
 bool repeats(ExploreMission& mission, const LaserScan& scan) {
   constexpr double moved_m = 0.02, turned_rad = 0.02;
   if (scan.ranges_m != mission.ranges_m) {
     mission.ranges_m = scan.ranges_m;
-    mission.odometry_of_ranges = mission.odometry;
+    mission.odometry_of_ranges = mission.odometry_of_slam;
     return false;
   }
-  const Pose2 since = relative_pose(mission.odometry_of_ranges, mission.odometry);
+  const Pose2 since = relative_pose(mission.odometry_of_ranges, mission.odometry_of_slam);
   return norm(since.position) > moved_m || std::abs(wrap_angle(since.heading_rad)) > turned_rad;
 }
 
@@ -82,23 +103,24 @@ void settle(ExploreMission& mission) {
 
 void take_scan(ExploreMission& mission, const LaserScan& scan) {
   if (mission.wants_settling) settle(mission);
-  auto step =
-      mission.slam.advance(wrap_heading(relative_pose(mission.odometry_of_slam, mission.odometry)), scan);
+  const Pose2 then = odometry_at(mission, scan.time_s);
+  const Pose2 believed_then = compose(mission.slam.pose(), relative_pose(mission.odometry_of_slam, then));
+  auto step = mission.slam.advance(wrap_heading(relative_pose(mission.odometry_of_slam, then)), scan);
   if (!step) return end(mission, "lost", step.error().sentence);
-  if (step->update.redrawn) note_correction(mission, mission.pose, step->pose);
-  mission.odometry_of_slam = mission.odometry;
-  mission.pose = step->pose;
+  if (step->update.redrawn) note_correction(mission, believed_then, step->pose);
+  mission.odometry_of_slam = then;
+  mission.pose = compose(step->pose, wrap_heading(relative_pose(then, mission.odometry)));
   mission.marks_moved = mission.marks_moved || step->update.redrawn;
   ++mission.scans;
   if (!usable(scan) || repeats(mission, scan)) {
     ++mission.bad_scans;
   } else {
-    mission.scan_s = mission.time_s;
+    mission.scan_s = std::min(scan.time_s, mission.time_s);
     mission.range_m = scan.most_m;
     const std::vector<Vec2> ends = ends_of(scan, mission.task.slam.robot_T_laser);
     mission.beam_ends.clear();
-    for (const Vec2 point : ends) mission.beam_ends.push_back(mission.pose * point);
-    mission.close_range.add(mission.odometry, ends);
+    for (const Vec2 point : ends) mission.beam_ends.push_back(step->pose * point);
+    mission.close_range.add(then, ends);
   }
   learn(mission, std::move(step->update));
   if (step->closed_loop) {
@@ -117,6 +139,12 @@ void take_scan(ExploreMission& mission, const LaserScan& scan) {
     end(mission, "lost",
         fmt::format("it is lost: its position has a standard deviation of {:.2f} m", sigma_m));
   }
+}
+
+std::string why_blind(const ExploreMission& mission, double blind_s) {
+  if (blind_s > 10.0 * mission.task.rules.blind_s || mission.scans == mission.bad_scans)
+    return fmt::format("no scan that could be used came for {:.1f} s", blind_s);
+  return fmt::format("its scans come too late to drive by: the newest is {:.1f} s old", blind_s);
 }
 
 }  // namespace
@@ -140,6 +168,11 @@ void judge_what_is_left(ExploreMission& mission) {
   mission.left = left_over(state, options, mission.decision.refused, true, mission.narrow);
   const bool explored = mission.stop_reason == "complete" || mission.stop_reason == "left_over";
   if (!explored) return;
+  if (std::string doubt = map_doubt(mission.slam); !doubt.empty()) {
+    mission.stop_reason = "lost";
+    mission.reason = std::move(doubt);
+    return;
+  }
   const bool complete = mission.left.places.empty();
   mission.stop_reason = complete ? "complete" : "left_over";
   if (!complete) mission.reason = mission.left.sentence(mission.task.robot.radius_m);
@@ -202,6 +235,7 @@ void perceive(ExploreMission& mission, const Observation& seen) {
   const Pose2 now = finite(seen.odometry) ? seen.odometry : mission.odometry;
   if (!mission.started_s) {
     mission.started_s = mission.scan_s = mission.time_s = mission.moved_on_s = seen.time_s;
+    mission.sighted_s = seen.time_s;
     mission.odometry = mission.odometry_of_slam = now;
   }
   const double passed_s = seen.time_s - mission.time_s;
@@ -210,6 +244,7 @@ void perceive(ExploreMission& mission, const Observation& seen) {
   mission.time_s = seen.time_s;
   mission.driven_m += norm(motion.position);
   mission.odometry = now;
+  remember_odometry(mission);
   mission.pose = compose(mission.slam.pose(), wrap_heading(relative_pose(mission.odometry_of_slam, now)));
   const bool touched = seen.touching && !mission.touching;
   mission.touching = seen.touching;
@@ -222,10 +257,12 @@ std::optional<Command> respond(ExploreMission& mission) {
   const double until_s = mission.time_s + mission.task.rules.period_s;
   const double blind_s = mission.time_s - mission.scan_s;
   if (blind_s > mission.task.rules.blind_s || mission.scans == mission.bad_scans) {
-    if (blind_s <= 10.0 * mission.task.rules.blind_s) return DriveTwist{{}, until_s};
-    end(mission, "blind", fmt::format("no scan that could be used came for {:.1f} s", blind_s));
+    const double stood_s = mission.time_s - mission.sighted_s;
+    if (std::max(blind_s, stood_s) <= 10.0 * mission.task.rules.blind_s) return DriveTwist{{}, until_s};
+    end(mission, "blind", why_blind(mission, blind_s));
     return std::nullopt;
   }
+  mission.sighted_s = mission.time_s;
   if (mission.looked) update_frontiers(mission);
   const Twist2 twist = drive(mission);
   mission.looked = false;

@@ -238,6 +238,7 @@ void note_flying(StopTasks& tasks, const Observation& seen, const GuardProblem& 
       continue;
     }
     if (result == nullptr) ++record.unanswered;
+    tasks.silence.note(ball.target, result != nullptr, seen.time_s);
     if (result != nullptr && result->hit) {
       settle(
           record, TargetStatus::reached,

@@ -180,7 +180,10 @@ std::string reason_of(const GuardRun& run, const Tally& tally) {
 }
 
 /// What is added to the reason if shots had no result; else an empty text.
-std::string why_unanswered(const std::vector<TargetRecord>& records) {
+std::string why_unanswered(const StopTasks& tasks) {
+  if (!tasks.given_up.empty())
+    return fmt::format("; {}: is the gun jammed, or its tank empty?", tasks.given_up);
+  const std::vector<TargetRecord>& records = tasks.records;
   int unanswered = 0;
   for (const TargetRecord& record : records) unanswered += record.unanswered;
   if (unanswered == 0) return {};
@@ -291,7 +294,7 @@ Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord&
   const std::string dry = ran_dry(log);
   report.status = tally.reached + tally.unreachable == tally.targets && dry.empty() ? "done" : "not_done";
   report.reason = dry.empty() ? reason_of(run, tally) + why_stranded(log) : dry;
-  if (report.status != "done") report.reason += why_unanswered(records);
+  if (report.status != "done") report.reason += why_unanswered(mission.tasks);
   return report;
 }
 

@@ -43,6 +43,8 @@ std::optional<Command> GuardMission::propose(const Observation& seen) {
 
 std::optional<Command> GuardMission::step(const Observation& seen) {
   note(seen);
+  if (auto wait = give_up_silent_gun(tasks, seen)) return wait;
+  if (!tasks.given_up.empty()) return std::nullopt;
   if (!problem_->supplies.any()) return propose(seen);
   while (!stores.stranded) {
     GuardMission tried = *this;

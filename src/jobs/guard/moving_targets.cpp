@@ -249,6 +249,7 @@ void note_moving(MovingTargets& targets, StopTasks& tasks, const Observation& se
       continue;
     }
     if (result == nullptr) ++record.unanswered;
+    tasks.silence.note(ball.target, result != nullptr, seen.time_s);
     if (result == nullptr || !result->hit) continue;
     targets.last_hit_s = result->landed_s;
     settle(record, TargetStatus::reached,

@@ -269,7 +269,22 @@ void note_shots(StopTasks& tasks, const Observation& seen, const GuardProblem& p
   const std::size_t target = tasks.queue.front().targets.front();
   const ShotResult* const result = result_of(seen, target);
   if (result == nullptr) ++tasks.records[target].unanswered;
+  tasks.silence.note(target, result != nullptr, seen.time_s);
   note_result(tasks, result != nullptr && result->hit, seen, problem);
+}
+
+std::optional<Command> give_up_silent_gun(StopTasks& tasks, const Observation& seen) {
+  std::string why = tasks.silence.verdict(seen.time_s);
+  if (why.empty()) return std::nullopt;
+  if (!tasks.flying.empty()) {
+    if (const auto wait = wait_for_balls(tasks, seen.time_s)) return *wait;
+  }
+  for (TargetRecord& record : tasks.records) {
+    if (record.status == TargetStatus::waiting) settle(record, TargetStatus::failed, why, seen.time_s);
+  }
+  tasks.queue.clear();
+  tasks.given_up = std::move(why);
+  return std::nullopt;
 }
 
 std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,

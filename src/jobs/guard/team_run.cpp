@@ -85,6 +85,11 @@ class TeamRunner {
   void step(TeamRobot& member) {
     const Observation seen = member.robot.sense();
     note_shots(member.tasks, seen, member.problem, firing_map_);
+    if (const auto wait = give_up_silent_gun(member.tasks, seen)) return member.robot.act(*wait);
+    if (!member.tasks.given_up.empty()) {
+      member.done = true;
+      return;
+    }
     StopTasks tried = member.tasks;  // a command that is refused has not been begun
     auto command = next_command(tried, seen, member.problem, firing_map_);
     if (!command) {

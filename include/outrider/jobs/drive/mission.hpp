@@ -32,8 +32,10 @@
 #include "outrider/jobs/drive/reckoning_history.hpp"
 #include "outrider/jobs/drive/relocaliser.hpp"
 #include "outrider/jobs/drive/stop_check.hpp"
+#include "outrider/jobs/drive/tag_votes.hpp"
 #include "outrider/jobs/drive/task.hpp"
 #include "outrider/robot/mission.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 
@@ -49,8 +51,31 @@ struct DriveArrival {
 struct Relocalisation {
   double time_s = 0.0;
   PoseBelief belief;
-  std::set<int> tags;         ///< ids of the tags that said so
-  bool corroborated = false;  ///< two different tags agree on it
+  std::set<int> tags;  ///< ids of the tags that said so
+};
+
+/// The tags that alone told where the robot is when its belief could not contradict them.
+struct TagSupport {
+  double time_s = 0.0;
+  std::set<int> tags;         ///< their ids, and of those that agreed later
+  bool corroborated = false;  ///< two different tags agree
+};
+
+/// A robot that turns in place at a stop, to see a second tag.
+struct LookRound {
+  std::vector<double> left_rad;    ///< headings that it has not tried yet
+  double heading_rad = 0.0;        ///< the one that it tries
+  double began_s = 0.0;            ///< when it began to turn there
+  std::optional<double> stands_s;  ///< since when it stands there
+  std::size_t votes = 0;           ///< tags that it had seen at the stop before
+};
+
+/// How a robot keeps clear of obstacles on the way to a waypoint.
+struct KeepClear {
+  std::size_t waypoint = std::numeric_limits<std::size_t>::max();  ///< the next one
+  Vec2 from;                                                       ///< where the leg to it begins
+  double kept_m = 0.0;                                             ///< beyond the radius
+  double held_s = 0.0;  ///< for which commands were held back on that leg
 };
 
 /// How often a tag agreed with the other tags and the belief.
@@ -83,6 +108,10 @@ struct DriveMission {
   std::size_t motion = 0;            ///< index of the current motion
   double since_s = 0.0;              ///< start of the path to the current waypoint, or of the current motion
   std::optional<StopCheck> stop;     ///< set while the robot stands at a stop
+  std::optional<LookRound> look_round;  ///< set while the robot looks round at a stop
+  TagVotes votes;                       ///< of the tags seen at this stop
+  bool wide = false;  ///< since the last stop, tags corrected a belief that could not contradict them
+  std::map<std::size_t, int> rounds_at;                       ///< how often it did, by waypoint
   double image_s = -std::numeric_limits<double>::infinity();  ///< time of the newest image
   double tag_s = 0.0;                                         ///< time of the last correction by a tag
   std::int64_t images = 0;                                    ///< number of images recent enough to use
@@ -92,12 +121,15 @@ struct DriveMission {
   Relocaliser relocaliser;           ///< of these images
   double corner_variance_px2 = 0.0;  ///< of a detected corner along each axis, estimated from recent tags
   std::vector<Relocalisation> relocalisations;
+  std::optional<TagSupport> support;  ///< on what the belief rests; nothing: on the start
   bool start_contradicted = false;  ///< the first tags in sight did not agree with the start, which is exact
   std::map<int, TagRecord> tag_records;  ///< by id
   /// Ids of tags that said alone where the robot is, and that other tags contradicted later. They confirm
   /// nothing.
   std::set<int> suspects;
   std::vector<DriveArrival> arrivals;
+  std::optional<CollisionMap> ground;  ///< the obstacles at the height of the camera
+  KeepClear keeps_clear;
   bool initial_stop_sent = false;
   DriveEnd end = DriveEnd::none;
   std::string reason;  ///< why the mission failed

@@ -10,8 +10,9 @@
 // bans the goal for a while. Where it touched something the ground stays blocked, also if the laser sees
 // nothing there. Where it has driven, the ground stays open, whatever noise does to the map. If it gets stuck
 // repeatedly, it trusts the newest scan more than the map. Unusable scans are skipped, as are those that
-// repeat the ranges of before after a motion, which a sensor does that is frozen; without any usable
-// scan for `blind_s` the robot stops.
+// repeat the ranges of before after a motion, which a sensor does that is frozen. A scan belongs to where the
+// robot was when it was measured, so one that comes late is matched there. Without any usable scan that is
+// younger than `blind_s` the robot stops; it does not drive by what it saw longer ago.
 //
 // Where nothing is left to see on ground that the map calls wide enough, the robot tries the ways on which it
 // may fit all the same: it drives up to them, measures the gap (close_range.hpp), and passes through its
@@ -22,11 +23,13 @@
 //   budget    the limit of time or distance is reached
 //   leak      the map exceeds its largest extent: the world is open
 //   stuck     the robot got stuck too often, or there is no path home
-//   lost      the robot no longer knows its pose
+//   lost      the robot no longer knows its pose, or its map cannot be believed (map_doubt.hpp): it may have
+//             been carried away
 //   blind     no usable scan came
 // Thread rule: one at a time. Sources: as in the headers named.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +49,12 @@ struct ExploreEvent {
   double time_s = 0.0;
   std::string kind;  ///< goal, home, touch, stuck, narrow, loop, end
   std::string text;  ///< one sentence
+};
+
+/// The odometry at a time.
+struct TimedOdometry {
+  double time_s = 0.0;
+  Pose2 odometry;
 };
 
 /// A point at which the robot touched something.
@@ -68,12 +77,14 @@ struct ExploreMission {
   Workspace workspace;
 
   double time_s = 0.0;
-  Pose2 pose;              ///< believed current pose, world_T_robot
-  Twist2 twist;            ///< recent velocity by odometry
-  Pose2 odometry;          ///< odometry of the previous observation
-  Pose2 odometry_of_slam;  ///< odometry of the previous scan
+  Pose2 pose;                            ///< believed current pose, world_T_robot
+  Twist2 twist;                          ///< recent velocity by odometry
+  Pose2 odometry;                        ///< odometry of the previous observation
+  Pose2 odometry_of_slam;                ///< odometry when the previous scan was measured
+  std::deque<TimedOdometry> odometries;  ///< of the last seconds, for scans that come late
   std::optional<double> started_s;
-  double scan_s = 0.0;          ///< time of the newest usable scan
+  double scan_s = 0.0;          ///< time at which the newest usable scan was measured
+  double sighted_s = 0.0;       ///< last time at which that was lately enough to drive
   double range_m = 3.5;         ///< of the range finder
   double driven_m = 0.0;        ///< distance by odometry
   std::vector<float> ranges_m;  ///< of the newest scan

@@ -24,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include "outrider/jobs/guard/gun_silence.hpp"
 #include "outrider/jobs/guard/plan.hpp"
 #include "outrider/robot/mission.hpp"
 
@@ -79,6 +80,7 @@ struct StopTasks {
   bool fired = false;                   ///< the last command was a shot
   bool on_the_move = false;             ///< as the plan (GuardPlan)
   std::vector<FlyingBall> flying = {};  ///< balls whose results are not known yet
+  GunSilence silence = {};              ///< the last shots without a result
   /// Records that may be hit during any drive, although a stop is to hit them; used on the move only.
   std::vector<std::size_t> by_the_way = {};
   /// Records that were to be shot at in passing, but had no shot then. Each has a stop, which is left out if
@@ -86,6 +88,7 @@ struct StopTasks {
   std::vector<std::size_t> lost = {};
   std::optional<double> waited_s = {};  ///< time at which the robot last waited for such a ball
   bool second_pass = false;             ///< the second pass has begun
+  std::string given_up = {};            ///< why nothing is tried any more; empty: it is
   bool more_to_come = false;            ///< delays the second pass, because more intruders may enter
   Vec2 last_place;                      ///< last place to which the robot was sent
   /// By record: the target of the problem at whose place it is now. Empty: each record is at its own target.
@@ -105,6 +108,10 @@ StopTasks tasks_of(const GuardProblem& problem, const GuardPlan& plan);
 /// nobody waits for, 5 s after the planned landing.
 void note_shots(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
                 const FiringMap& firing_map);
+
+/// If the gun does not shoot (gun_silence.hpp), waits for the balls that may be in the air and then gives all
+/// waiting targets up. Returns that wait, or nothing; then `tasks.given_up` says whether it gave up.
+std::optional<Command> give_up_silent_gun(StopTasks& tasks, const Observation& seen);
 
 /// Returns the next command, or nothing when the queue is empty and no second pass is due. At most 2 `tries`
 /// shots are fired at a target, so the tasks always end.

@@ -68,6 +68,21 @@ TEST(DriveClearance, NoFollowerTouchesAnythingOnThePathOfAnyPlanner) {
   }
 }
 
+/// A wheel that hardly turns takes the robot off its way, towards the box.
+TEST(DriveClearance, ARobotThatDoesNotMoveAsCommandedStopsBeforeItTouches) {
+  const auto setup = load_drive(arena("visibility_graph"));
+  ASSERT_TRUE(setup) << to_string(setup.error());
+  DriveSimParams params = testing::usual_faults();
+  params.wheels.gains[0] = 0.1;
+  for (int seed = 1; seed <= testing::costly_cases(10); ++seed) {
+    Log log;
+    const Report report = run_drive(setup->task, params, false, static_cast<std::uint64_t>(seed), log);
+    EXPECT_EQ(report.status, "not_done");
+    EXPECT_NE(report.reason.find("does not move as it is commanded"), std::string::npos) << report.reason;
+    EXPECT_GE(metric(report, "clearance_m"), setup->task.radius_m) << seed;
+  }
+}
+
 /// Against dense samples of the corner, cut by the room and by a little more.
 TEST(DriveClearance, TheRoomKeepsTheClearanceOfTheLegs) {
   Rng rng(1);

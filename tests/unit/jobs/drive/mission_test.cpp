@@ -159,7 +159,7 @@ TEST(DriveMission, ARobotThatTwoTagsPutElsewhereIsRelocalised) {
   }
   ASSERT_EQ(mission.relocalisations.size(), 1U);
   EXPECT_LT(distance(mission.relocalisations[0].belief.world_T_robot.position, truth.position), 0.01);
-  EXPECT_TRUE(mission.relocalisations[0].corroborated);
+  EXPECT_TRUE(mission.support->corroborated);
 }
 
 TEST(DriveMission, OneTagAloneRelocalisesButConfirmsNoStop) {
@@ -173,7 +173,7 @@ TEST(DriveMission, OneTagAloneRelocalisesButConfirmsNoStop) {
   mission.task.follow.within_rad = 3.0;
   EXPECT_EQ(run_at_rest(mission, [&](double) { return sightings; }), DriveEnd::unconfirmed);
   ASSERT_FALSE(mission.relocalisations.empty());
-  EXPECT_FALSE(mission.relocalisations[0].corroborated);
+  EXPECT_FALSE(mission.support->corroborated);
   EXPECT_NE(mission.reason.find("only tag 1"), std::string::npos) << mission.reason;
 }
 

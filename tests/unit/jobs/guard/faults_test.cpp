@@ -74,6 +74,22 @@ TEST(GuardFaults, AGunThatIsJammedForGoodEndsTheMission) {
   }
 }
 
+/// Of the three targets each would be tried 2 x 3 times; the gun is given up long before.
+TEST(GuardFaults, AGunThatGivesNoResultIsGivenUp) {
+  GunSilence silence;
+  for (int shot = 0; shot < 20; ++shot) {
+    silence.note(0, false, 10.0 * shot);
+    EXPECT_TRUE(silence.verdict(10.0 * shot).empty()) << "one target may be at fault";
+  }
+  silence.note(1, false, 200.0);
+  EXPECT_NE(silence.verdict(200.0).find("21 shots in a row at 2 targets"), std::string::npos);
+  silence.note(1, true, 201.0);
+  EXPECT_TRUE(silence.verdict(300.0).empty()) << "it shoots";
+  for (int shot = 0; shot < 20; ++shot) silence.note(static_cast<std::size_t>(shot), false, 300.0 + shot);
+  EXPECT_TRUE(silence.verdict(329.0).empty()) << "a short jam ends by itself";
+  EXPECT_FALSE(silence.verdict(330.0).empty());
+}
+
 TEST(GuardFaults, AfterAShortJamTargetsAreShotAtAgain) {
   for (const bool on_the_move : {false, true}) {
     GuardSimParams faults;

@@ -1,0 +1,163 @@
+#include "look_round.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "look.hpp"
+#include "outrider/core/units.hpp"
+#include "outrider/sim/simulated_tag_camera.hpp"
+#include "outrider/sim/tag_model.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr int headings = 72;              ///< that are tried, evenly spaced
+constexpr double off_rad = radians(4.0);  ///< a tag is in view also if the heading is off by so much
+constexpr int most_rounds = 3;            ///< at one waypoint
+constexpr double most_turning_s = 10.0;   ///< until the robot stands at the new heading
+constexpr double most_standing_s = 10.0;  ///< while another tag is in view
+constexpr double needed_sigma_m = 0.007;  ///< of the position by one tag alone
+constexpr double turning_per_s = 2.0;     ///< rate of a turn over the angle that is left
+constexpr std::size_t most_headings = 2;  ///< in one round
+
+/// What the map says a robot sees from a place.
+class Views {
+ public:
+  Views(const DriveTask& task, const PoseBelief& belief)
+      : task_(task),
+        camera_(robot_camera(task.eye)),
+        ground_(sight_lines(task.world, camera_.robot_T_camera.position.z)),
+        belief_(belief) {}
+
+  /// Returns how long images have to be averaged until one of the tags, seen at that heading, tells the
+  /// position well, and its id; infinity if there is none. Tags of `known` do not count.
+  [[nodiscard]] std::pair<double, int> averaging_s(double heading_rad, const std::set<int>& known) const {
+    PoseBelief there = belief_;
+    there.world_T_robot.heading_rad = heading_rad;
+    Rng unused(0);
+    std::pair<double, int> best{std::numeric_limits<double>::infinity(), -1};
+    for (const TagSighting& sighting :
+         modelled_sightings(task_.tags, camera_, {0.0, 0.0}, ground_, there.world_T_robot, unused)) {
+      if (known.contains(sighting.id) || !sees(sighting.id, heading_rad - off_rad) ||
+          !sees(sighting.id, heading_rad + off_rad))
+        continue;
+      const TagFix fix = localise({&sighting, 1}, task_.tags, camera_, there, task_.localise);
+      if (!fix.belief) continue;
+      const double images = std::pow(position_sigma_m(*fix.belief) / needed_sigma_m, 2);
+      best = std::min(best, {images / task_.eye.rate_hz, sighting.id});
+    }
+    return best;
+  }
+
+ private:
+  [[nodiscard]] bool sees(int id, double heading_rad) const {
+    const Vec2 at = belief_.world_T_robot.position;
+    const Pose3 world_T_robot{{at.x, at.y, 0.0}, Rotation::from_rpy(0.0, 0.0, heading_rad)};
+    const auto tag = std::ranges::find(task_.tags.tags, id, &Tag::id);
+    return in_view(*tag, camera_.camera, world_T_robot * camera_.robot_T_camera, ground_);
+  }
+
+  const DriveTask& task_;
+  RobotCamera camera_;
+  CollisionMap ground_;
+  PoseBelief belief_;
+};
+
+/// The tags that the robot need not look for.
+std::set<int> known_tags(const DriveMission& mission) {
+  std::set<int> ids = indispensable_tags(mission).value_or(std::set<int>{});
+  ids.insert(mission.suspects.begin(), mission.suspects.end());
+  if (mission.support && !is_trusted(mission))
+    ids.insert(mission.support->tags.begin(), mission.support->tags.end());
+  return ids;
+}
+
+/// Returns the headings at which another tag tells the position, soonest first, each by another tag.
+std::vector<double> headings_with_another(const DriveMission& mission) {
+  const PoseBelief& belief = mission.reckoning.belief;
+  const Views views(mission.task, belief);
+  const std::set<int> known = known_tags(mission);
+  struct Choice {
+    double time_s = 0.0;
+    int tag = -1;
+    double heading_rad = 0.0;
+  };
+  std::vector<Choice> choices;
+  for (int i = 0; i < headings; ++i) {
+    const double turn_rad = wrap_angle(2.0 * pi * i / headings);
+    const double heading_rad = belief.world_T_robot.heading_rad + turn_rad;
+    const auto [averaging_s, tag] = views.averaging_s(heading_rad, known);
+    const double turning_s = 2.0 * std::abs(turn_rad) / mission.task.follow.turn_rate_radps;
+    if (averaging_s <= most_standing_s) choices.push_back({turning_s + averaging_s, tag, heading_rad});
+  }
+  std::ranges::stable_sort(choices, {}, &Choice::time_s);
+  std::vector<double> best;
+  std::set<int> shown;
+  for (const Choice& choice : choices) {
+    if (best.size() < most_headings && shown.insert(choice.tag).second) best.push_back(choice.heading_rad);
+  }
+  return best;
+}
+
+/// The robot goes on to its stop, as after a leg.
+void end_look_round(DriveMission& mission) {
+  mission.look_round.reset();
+  mission.stop.reset();
+  const std::size_t next = mission.follower.next;
+  mission.follower = {};
+  mission.follower.next = next;
+  mission.follower.from = mission.reckoning.belief.world_T_robot;
+}
+
+void turn_to_next_heading(DriveMission& mission, double now_s) {
+  LookRound& round = *mission.look_round;
+  round.began_s = now_s;
+  round.stands_s.reset();
+  mission.stop.reset();
+  round.heading_rad = round.left_rad.front();
+  round.left_rad.erase(round.left_rad.begin());
+}
+
+/// Returns true if the robot has waited long enough at the present heading.
+bool is_in_vain(const DriveMission& mission, double now_s) {
+  const LookRound& round = *mission.look_round;
+  if (!round.stands_s) return now_s - round.began_s > most_turning_s;
+  const bool sees_another = mission.votes.votes.size() > round.votes;
+  return now_s - *round.stands_s > (sees_another ? most_standing_s : 2.0 * mission.task.rules.settle_s);
+}
+
+}  // namespace
+
+bool begin_look_round(DriveMission& mission, double now_s) {
+  if (is_corroborated(mission) || !mission.task.rules.tags_move) return false;
+  int& rounds = mission.rounds_at[mission.follower.next];
+  if (rounds == most_rounds) return false;
+  ++rounds;
+  const auto headings_rad = headings_with_another(mission);
+  if (headings_rad.empty()) return false;
+  mission.look_round = LookRound{headings_rad, 0.0, 0.0, std::nullopt, mission.votes.votes.size()};
+  turn_to_next_heading(mission, now_s);
+  return true;
+}
+
+Twist2 step_look_round(DriveMission& mission, const Pose2& believed, double now_s) {
+  LookRound& round = *mission.look_round;
+  if (is_corroborated(mission) || (is_in_vain(mission, now_s) && round.left_rad.empty())) {
+    end_look_round(mission);
+    return {};
+  }
+  if (is_in_vain(mission, now_s)) turn_to_next_heading(mission, now_s);
+  const double left_rad = wrap_angle(round.heading_rad - believed.heading_rad);
+  if (std::abs(left_rad) <= 0.5 * off_rad && !round.stands_s) {
+    round.stands_s = now_s;
+    mission.stop = StopCheck::at(now_s);
+  }
+  if (round.stands_s) return {};
+  const FollowOptions& follow = mission.task.follow;
+  const double rate_radps =
+      std::clamp(turning_per_s * std::abs(left_rad), follow.least_turn_rate_radps, follow.turn_rate_radps);
+  return {0.0, 0.0, std::copysign(rate_radps, left_rad)};
+}
+
+}  // namespace outrider

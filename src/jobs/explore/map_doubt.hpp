@@ -1,0 +1,20 @@
+// Why an explorer does not believe its own map.
+//
+// A robot that was carried away goes on mapping where odometry puts it. If it is recognised later, the map is
+// right; if it is not, parts of the map lie beside or over each other, and neither the map nor the pose of
+// the robot can be believed. So the robot asks, before it calls its map complete, what the map of `slam` is
+// asked: is there a gap that odometry alone joins, or a jump that neither odometry nor scans confirm, and do
+// the scans agree on what is free (slam/map_check.hpp)?
+#pragma once
+
+#include <string>
+
+#include "outrider/slam/laser_slam.hpp"
+
+namespace outrider {
+
+/// Returns why the map, and so the pose of the robot, cannot be believed; empty if it can.
+/// O(keyframes^2 + keyframes beams).
+std::string map_doubt(const LaserSlam& slam);
+
+}  // namespace outrider
