@@ -54,9 +54,8 @@ std::string why_off_its_way(const DriveMission& mission) {
   const Vec2 here = mission.reckoning.belief.world_T_robot.position;
   const Segment leg{keeps.from, mission.task.waypoints[keeps.waypoint].pose.position};
   return fmt::format(
-      "it does not move as it is commanded: it stopped {:.2f} m beside its way to waypoint {}, {:.3f} m from "
-      "an "
-      "obstacle",
+      "it does not move as it is commanded: it stopped {:.2f} m beside its way to waypoint {}, "
+      "{:.3f} m from an obstacle",
       distance(here, leg), keeps.waypoint + 1,
       mission.ground->clearance(here, mission.task.radius_m + most_kept_m) - mission.task.radius_m);
 }
