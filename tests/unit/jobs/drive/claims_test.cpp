@@ -133,9 +133,7 @@ TEST(DriveClaims, TheBeliefCoversTheErrorsOfWheelsAndSlip) {
       if (wheel) params.wheels.gains[static_cast<std::size_t>(seed) % 4] += seed % 2 == 0 ? 0.1 : -0.1;
       if (!wheel) params.wheels.strafe_slip = 0.5;
       params.sight.missed = 0.5;
-      DriveTask task = two_tags_in_view();
-      task.rules.tags_move = false;  // it does not look round
-      const auto run = driven_unseen(task, params, static_cast<std::uint64_t>(seed));
+      const auto run = driven_unseen(two_tags_in_view(), params, static_cast<std::uint64_t>(seed));
       expect_true_claims(run);
       EXPECT_LE(metric(run, "belief_error_ratio"), 6.0) << seed;
     }
@@ -182,6 +180,7 @@ TEST(DriveClaims, ATagThatIsMovedOnTheWayConfirmsNoWrongStop) {
       Rng rng(static_cast<std::uint64_t>(seed));
       DriveTask task = one_tag_in_view();
       task.follow.follower = follower;
+      task.rules.tags_move = true;
       DriveSimParams params = testing::usual_faults();
       params.moved_tag = {1 + static_cast<std::int64_t>(rng.below(3)),
                           (seed % 2 == 0 ? 1.0 : -1.0) * rng.uniform(0.02, 0.4), rng.uniform(2.0, 50.0)};
@@ -194,9 +193,9 @@ TEST(DriveClaims, ATagThatIsMovedOnTheWayConfirmsNoWrongStop) {
 TEST(DriveClaims, ARobotThatSeesOneTagLooksRoundForAnother) {
   for (int seed = 1; seed <= testing::costly_cases(10); ++seed) {
     DriveTask task = one_tag_in_view();
-    const auto looks = driven_unseen(task, testing::usual_faults(), static_cast<std::uint64_t>(seed));
-    task.rules.tags_move = false;
     const auto trusts = driven_unseen(task, testing::usual_faults(), static_cast<std::uint64_t>(seed));
+    task.rules.tags_move = true;
+    const auto looks = driven_unseen(task, testing::usual_faults(), static_cast<std::uint64_t>(seed));
     EXPECT_EQ(trusts.report.status, "done") << trusts.report.reason;
     EXPECT_EQ(looks.report.status, "done") << looks.report.reason;
     EXPECT_GT(metric(looks, "turned_rad"), metric(trusts, "turned_rad") + 1.0) << "it looked round";
@@ -222,6 +221,7 @@ TEST(DriveClaims, TagsOfAnotherWorldConfirmNoWrongStop) {
   for (int seed = 1; seed <= testing::costly_cases(30); ++seed) {
     Rng rng(static_cast<std::uint64_t>(seed));
     DriveTask task = one_tag_in_view();
+    task.rules.tags_move = true;
     DriveSimParams params = testing::usual_faults();
     TagMap world;
     for (Tag tag : task.tags.tags) {
@@ -271,7 +271,6 @@ TEST(DriveClaims, EveryFollowerPassesASharpCorner) {
     for (int seed = 1; seed <= testing::costly_cases(5); ++seed) {
       DriveTask task = two_tags_in_view();
       task.follow.follower = follower;
-      task.rules.tags_move = false;  // it does not look round
       task.waypoints = {{{{1, 0}, 0}, false}, {{{0, 1}, 0}}};
       const auto run = driven_unseen(task, testing::usual_faults(), static_cast<std::uint64_t>(seed));
       EXPECT_EQ(run.report.status, "done") << follower << ' ' << seed << ": " << run.report.reason;
