@@ -179,18 +179,26 @@ Outcome<std::vector<std::uint64_t>> compute_chunks(const Sweep& sweep, const Swe
   std::vector<std::uint64_t> others;
   for (std::uint64_t chunk = work.first_chunk; chunk < work.end_chunk; ++chunk) {
     const std::string path = chunk_path(work.folder, chunk);
-    if (file_exists(path)) continue;
     const std::string locked = path + ".lock";
+    const auto unlock = [&] {
+      std::error_code ignored;
+      fs::remove(locked, ignored);
+    };
+    if (file_exists(path)) {
+      unlock();  // whoever was killed between the chunk and its lock
+      continue;
+    }
     auto lock = FileLock::take(locked);
     if (!lock) return pass_on(lock);
-    if (!lock->held() || file_exists(path)) {
+    const bool is_done = file_exists(path);  // by another one, just now
+    if (!lock->held() || is_done) {
       if (!lock->held()) others.push_back(chunk);
+      if (lock->held()) unlock();
       counter.skip(sweep.begin_of(chunk + 1) - sweep.begin_of(chunk));
       continue;
     }
     const auto done = compute_chunk(sweep, chunk, work, watch, counter);
-    std::error_code ignored;
-    fs::remove(locked, ignored);
+    unlock();
     if (!done) return tl::unexpected<Fault>(done.error());
   }
   return others;

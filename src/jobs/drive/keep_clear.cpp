@@ -34,16 +34,17 @@ double kept_m(const DriveMission& mission) {
 
 bool must_stop(DriveMission& mission, const Pose2& believed, const Twist2& twist) {
   const DriveTask& task = mission.task;
+  const CollisionMap& ground = mission.ground.value();
   KeepClear& keeps = mission.keeps_clear;
   if (keeps.waypoint != mission.follower.next || !(keeps.from == mission.follower.from.position))
     keeps = {mission.follower.next, mission.follower.from.position, kept_m(mission), 0.0};
   const double rolls_s = task.rules.period_s + task.reckoning.lag_s;
   const Pose2 rest = moved(believed, executed(task.chassis, mission.reckoning.errors.mean, twist), rolls_s);
   const double wanted_m = task.radius_m + keeps.kept_m;
-  const double clearance_m = mission.ground->clearance(rest.position, wanted_m);
+  const double clearance_m = ground.clearance(rest.position, wanted_m);
   if (clearance_m >= wanted_m) return false;
   const Vec2 here = mission.reckoning.belief.world_T_robot.position;
-  if (clearance_m > mission.ground->clearance(here, wanted_m) - change_m) return false;
+  if (clearance_m > ground.clearance(here, wanted_m) - change_m) return false;
   keeps.held_s += task.rules.period_s;
   return true;
 }
@@ -57,7 +58,7 @@ std::string why_off_its_way(const DriveMission& mission) {
       "it does not move as it is commanded: it stopped {:.2f} m beside its way to waypoint {}, "
       "{:.3f} m from an obstacle",
       distance(here, leg), keeps.waypoint + 1,
-      mission.ground->clearance(here, mission.task.radius_m + most_kept_m) - mission.task.radius_m);
+      mission.ground.value().clearance(here, mission.task.radius_m + most_kept_m) - mission.task.radius_m);
 }
 
 }  // namespace outrider

@@ -107,7 +107,7 @@ void accept(DriveMission& mission, const std::vector<TagSighting>& sightings, co
   mission.refused = 0;
   mission.relocaliser = {};
   if (!mission.stop || mission.image_s < mission.stop->counts_from_s) return;
-  if (confirms) mission.stop->accept(*fix.belief);
+  if (confirms) mission.stop->accept(fix.belief.value());
   mission.stop->is_still = false;
   if (is_at_rest(mission.reckoning))
     mission.stop->compare(sightings, adapted(mission).corner_sigma_px, mission.image_s);
@@ -196,7 +196,7 @@ bool relocalise(DriveMission& mission) {
   const double tag_sigma_m = mission.task.localise.tag_sigma_m;
   belief.covariance.diagonal().head<2>().array() += tag_sigma_m * tag_sigma_m;
   if (!is_trusted(mission)) {
-    const int alone = *mission.support->tags.begin();
+    const int alone = *mission.support.value().tags.begin();
     if (!found.tags.contains(alone)) mission.suspects.insert(alone);
   }
   if (mission.used == 0) mission.start_contradicted = true;

@@ -111,7 +111,7 @@ void end_look_round(DriveMission& mission) {
 }
 
 void turn_to_next_heading(DriveMission& mission, double now_s) {
-  LookRound& round = *mission.look_round;
+  LookRound& round = mission.look_round.value();
   round.began_s = now_s;
   round.stands_s.reset();
   mission.stop.reset();
@@ -121,7 +121,7 @@ void turn_to_next_heading(DriveMission& mission, double now_s) {
 
 /// Returns true if the robot has waited long enough at the present heading.
 bool is_in_vain(const DriveMission& mission, double now_s) {
-  const LookRound& round = *mission.look_round;
+  const LookRound& round = mission.look_round.value();
   if (!round.stands_s) return now_s - round.began_s > most_turning_s;
   const bool sees_another = mission.votes.votes.size() > round.votes;
   return now_s - *round.stands_s > (sees_another ? most_standing_s : 2.0 * mission.task.rules.settle_s);
@@ -142,7 +142,7 @@ bool begin_look_round(DriveMission& mission, double now_s) {
 }
 
 Twist2 step_look_round(DriveMission& mission, const Pose2& believed, double now_s) {
-  LookRound& round = *mission.look_round;
+  LookRound& round = mission.look_round.value();
   if (is_corroborated(mission) || (is_in_vain(mission, now_s) && round.left_rad.empty())) {
     end_look_round(mission);
     return {};

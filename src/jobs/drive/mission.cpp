@@ -84,8 +84,9 @@ std::string stop_doubt(const DriveMission& mission) {
     return fmt::format("only tag {} tells that it stands there, and it may have been moved",
                        *needed->begin());
   }
+  const TagSupport& support = mission.support.value();
   return fmt::format("only tag {} tells where it is since {:.1f} s, and it may have been moved",
-                     *mission.support->tags.begin(), mission.support->time_s);
+                     *support.tags.begin(), support.time_s);
 }
 
 /// Decides about the stop at which the robot stands. Returns true if it goes on. `accepted`: the newest image
@@ -139,7 +140,7 @@ bool is_blocked(const DriveMission& mission) {
   const DriveTask& task = mission.task;
   const Segment leg{mission.reckoning.belief.world_T_robot.position,
                     task.waypoints[mission.follower.next].pose.position};
-  return !mission.ground->segment_free(leg, task.radius_m);
+  return !mission.ground.value().segment_free(leg, task.radius_m);
 }
 
 /// Ends the mission once the robot has stood at the last stop.

@@ -103,6 +103,17 @@ TEST_F(RunSweep, ChunksThatOthersComputeAreLeftToThem) {
   EXPECT_EQ(table(all, "out"), table(all, "once"));
 }
 
+TEST_F(RunSweep, ALockThatAKilledProcessLeftGoesAway) {
+  const Sweep all = sweep(toy_request());
+  const std::string whole = table(all, "out");
+  write("out/chunks/000001.csv.lock", "");  // killed before it took the lock away
+  write("out/chunks/000002.csv.lock", "");  // killed before its chunk was there
+  std::filesystem::remove(path("out/chunks/000002.csv"));
+  EXPECT_EQ(table(all, "out"), whole);
+  EXPECT_FALSE(file_exists(path("out/chunks/000001.csv.lock")));
+  EXPECT_FALSE(file_exists(path("out/chunks/000002.csv.lock")));
+}
+
 TEST_F(RunSweep, ADamagedChunkIsRefusedByItsName) {
   const Sweep all = sweep(toy_request());
   const std::string whole = table(all, "out");
