@@ -163,10 +163,11 @@ void CoverMissionNode::go_on(const Pose2& pose) {
     work.driver.stopped();
     moved_on_s_ = now_s();
     command({});
-    return stand_before(work.task.frame.to_file(*thing), work.task.frame.to_file(pose.position));
+    stand_before(work.task.frame.to_file(*thing), work.task.frame.to_file(pose.position));
+    return;
   }
   way_is_free(work.task.frame.to_file(pose.position));
-  if (distance(pose.position, stood_) > moved_on_m || work.driver.drives() == false) {
+  if (distance(pose.position, stood_) > moved_on_m || !work.driver.drives()) {
     stood_ = pose.position;
     moved_on_s_ = now_s();
   }

@@ -203,10 +203,14 @@ void DriveMissionNode::act() {
   }
   drive(clock_.rate());
   const Vec2 robot = mission_->reckoning.belief.world_T_robot.position;
-  if (thing) return stand_before(*thing, robot);
-  if (!why.empty()) return set_status(NodeLevel::error, "stopped", why);
-  way_is_free(robot);
-  set_status(NodeLevel::info, "driving", fmt::format("to waypoint {}", mission_->arrivals.size() + 1));
+  if (thing) {
+    stand_before(*thing, robot);
+  } else if (!why.empty()) {
+    set_status(NodeLevel::error, "stopped", why);
+  } else {
+    way_is_free(robot);
+    set_status(NodeLevel::info, "driving", fmt::format("to waypoint {}", mission_->arrivals.size() + 1));
+  }
 }
 
 }  // namespace outrider

@@ -94,7 +94,7 @@ void ExploreMissionNode::perceive_waiting() {
 }
 
 std::string ExploreMissionNode::why_to_stop() const {
-  std::string why = why_odometry_is_missing();
+  const std::string why = why_odometry_is_missing();
   return why.empty() ? why_missing("scan", scan_came_s_, options().patience_s) : why;
 }
 
@@ -102,7 +102,10 @@ void ExploreMissionNode::drive() {
   if (*odometry_s() > seen_s_) perceive_at(*odometry_s(), std::nullopt);
   const std::optional<Command> next = respond(*mission_);
   run_log_->note(*mission_, mission_->pose);
-  if (!next) return finish();
+  if (!next) {
+    finish();
+    return;
+  }
   const auto* twist = std::get_if<DriveTwist>(&*next);
   command(twist != nullptr ? twist->twist : Twist2{});
   set_status(NodeLevel::info, "exploring", mission_->decision.sentence);
@@ -132,7 +135,10 @@ void ExploreMissionNode::publish() {
 }
 
 void ExploreMissionNode::act() {
-  if (is_over()) return command({});
+  if (is_over()) {
+    command({});
+    return;
+  }
   const std::string why = why_to_stop();
   if (!why.empty() || !mission_) {
     if (!why.empty()) set_status(NodeLevel::error, mission_ ? "stopped" : "waiting", why);

@@ -113,9 +113,12 @@ void MissionNode::stand_before(Vec2 thing, Vec2 robot) {
   const std::string what =
       fmt::format("the scan shows something in the way that is not on the map, at about {:.1f}, {:.1f}",
                   thing.x, thing.y);
-  if (now_s() - *stands_s_ <= longest_s) return set_status(NodeLevel::error, "stopped", what);
-  end(NodeLevel::error, "blocked",
-      fmt::format("for {:g} s {}; take it away, or put it on the map", longest_s, what));
+  if (now_s() - *stands_s_ <= longest_s) {
+    set_status(NodeLevel::error, "stopped", what);
+  } else {
+    end(NodeLevel::error, "blocked",
+        fmt::format("for {:g} s {}; take it away, or put it on the map", longest_s, what));
+  }
 }
 
 void MissionNode::way_is_free(Vec2 robot) {

@@ -27,7 +27,8 @@ Status ScanPoints::take(const sensor_msgs::LaserScan& message, const RobotFrames
   points_.clear();
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
     const auto range_m = static_cast<double>(scan.ranges_m[i]);
-    if (!(range_m >= scan.least_m && range_m <= std::min(scan.most_m, most_m_))) continue;
+    const bool counts = range_m >= scan.least_m && range_m <= std::min(scan.most_m, most_m_);
+    if (!counts) continue;
     const double bearing = scan.first_rad + static_cast<double>(i) * scan.step_rad;
     points_.push_back(mount->robot_T_laser * (range_m * direction(bearing)));
   }

@@ -211,15 +211,16 @@ class Gazebo final : public RigidWorld {
   }
 
   std::optional<std::size_t> throw_ball(const Flight& flight, std::size_t target) override {
-    const auto free = std::ranges::find_if(balls_, [](const Ball& ball) { return ball.model == nullptr; });
-    if (free == balls_.end()) return std::nullopt;
-    const auto number = static_cast<std::size_t>(free - balls_.begin());
-    free->model =
+    std::size_t number = 0;
+    while (number < balls_.size() && balls_[number].model != nullptr) ++number;
+    if (number == balls_.size()) return std::nullopt;
+    Ball& ball = balls_[number];
+    ball.model =
         world_->ConstructModel(model_of(ball_sdf(number, flight.muzzle, problem_.gun.ball_radius_m)));
-    free->link = free->model->GetLink(0);
-    free->target = target;
+    ball.link = ball.model->GetLink(0);
+    ball.target = target;
     const Vec3 v = flight.velocity_mps;
-    free->model->FindFreeGroup()->SetWorldLinearVelocity(Eigen::Vector3d(v.x, v.y, v.z));
+    ball.model->FindFreeGroup()->SetWorldLinearVelocity(Eigen::Vector3d(v.x, v.y, v.z));
     show_to_balls(target);
     return number;
   }

@@ -85,7 +85,10 @@ class TeamRunner {
   void step(TeamRobot& member) {
     const Observation seen = member.robot.sense();
     note_shots(member.tasks, seen, member.problem, firing_map_);
-    if (const auto wait = give_up_silent_gun(member.tasks, seen)) return member.robot.act(*wait);
+    if (const auto wait = give_up_silent_gun(member.tasks, seen)) {
+      member.robot.act(*wait);
+      return;
+    }
     if (!member.tasks.given_up.empty()) {
       member.done = true;
       return;
