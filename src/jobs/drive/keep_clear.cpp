@@ -34,7 +34,7 @@ double kept_m(const DriveMission& mission) {
 
 bool must_stop(DriveMission& mission, const Pose2& believed, const Twist2& twist) {
   const DriveTask& task = mission.task;
-  const CollisionMap& ground = mission.ground.value();
+  const CollisionMap& ground = *mission.ground;
   KeepClear& keeps = mission.keeps_clear;
   if (keeps.waypoint != mission.follower.next || !(keeps.from == mission.follower.from.position))
     keeps = {mission.follower.next, mission.follower.from.position, kept_m(mission), 0.0};
@@ -58,7 +58,7 @@ std::string why_off_its_way(const DriveMission& mission) {
       "it does not move as it is commanded: it stopped {:.2f} m beside its way to waypoint {}, "
       "{:.3f} m from an obstacle",
       distance(here, leg), keeps.waypoint + 1,
-      mission.ground.value().clearance(here, mission.task.radius_m + most_kept_m) - mission.task.radius_m);
+      mission.ground->clearance(here, mission.task.radius_m + most_kept_m) - mission.task.radius_m);
 }
 
 }  // namespace outrider

@@ -107,7 +107,7 @@ void accept(DriveMission& mission, const std::vector<TagSighting>& sightings, co
   mission.refused = 0;
   mission.relocaliser = {};
   if (!mission.stop || mission.image_s < mission.stop->counts_from_s) return;
-  if (confirms) mission.stop->accept(fix.belief.value());
+  if (confirms && fix.belief) mission.stop->accept(*fix.belief);
   mission.stop->is_still = false;
   if (is_at_rest(mission.reckoning))
     mission.stop->compare(sightings, adapted(mission).corner_sigma_px, mission.image_s);
@@ -187,7 +187,11 @@ bool is_corroborated(const DriveMission& mission) {
   return needed && needed->empty();
 }
 
-bool is_trusted(const DriveMission& mission) { return !mission.support || mission.support->corroborated; }
+const TagSupport* lone_support(const DriveMission& mission) {
+  return mission.support && !mission.support->corroborated ? &*mission.support : nullptr;
+}
+
+bool is_trusted(const DriveMission& mission) { return lone_support(mission) == nullptr; }
 
 bool relocalise(DriveMission& mission) {
   const Relocaliser& found = mission.relocaliser;
@@ -195,8 +199,8 @@ bool relocalise(DriveMission& mission) {
   PoseBelief belief = *found.pose;  // the images share the errors of where the tags hang
   const double tag_sigma_m = mission.task.localise.tag_sigma_m;
   belief.covariance.diagonal().head<2>().array() += tag_sigma_m * tag_sigma_m;
-  if (!is_trusted(mission)) {
-    const int alone = *mission.support.value().tags.begin();
+  if (const TagSupport* const lone = lone_support(mission)) {
+    const int alone = *lone->tags.begin();
     if (!found.tags.contains(alone)) mission.suspects.insert(alone);
   }
   if (mission.used == 0) mission.start_contradicted = true;

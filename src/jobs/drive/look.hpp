@@ -12,6 +12,10 @@ bool look(DriveMission& mission, const Observation& seen);
 /// Returns true if the belief rests on the start, or on a pose that two different tags agree on.
 bool is_trusted(const DriveMission& mission);
 
+/// Returns the one tag on which the belief rests while nothing corroborates it; null if the belief is
+/// trusted.
+const TagSupport* lone_support(const DriveMission& mission);
+
 /// Returns the tags without which nothing puts the robot where it believes to stand; nothing if no tags do
 /// that well enough (tag_votes.hpp). An empty set: the stop does not depend on any one tag.
 std::optional<std::set<int>> indispensable_tags(const DriveMission& mission);

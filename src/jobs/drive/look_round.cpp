@@ -68,8 +68,7 @@ class Views {
 std::set<int> known_tags(const DriveMission& mission) {
   std::set<int> ids = indispensable_tags(mission).value_or(std::set<int>{});
   ids.insert(mission.suspects.begin(), mission.suspects.end());
-  if (mission.support && !is_trusted(mission))
-    ids.insert(mission.support->tags.begin(), mission.support->tags.end());
+  if (const TagSupport* const lone = lone_support(mission)) ids.insert(lone->tags.begin(), lone->tags.end());
   return ids;
 }
 
@@ -110,8 +109,7 @@ void end_look_round(DriveMission& mission) {
   mission.follower.from = mission.reckoning.belief.world_T_robot;
 }
 
-void turn_to_next_heading(DriveMission& mission, double now_s) {
-  LookRound& round = mission.look_round.value();
+void turn_to_next_heading(DriveMission& mission, LookRound& round, double now_s) {
   round.began_s = now_s;
   round.stands_s.reset();
   mission.stop.reset();
@@ -120,8 +118,7 @@ void turn_to_next_heading(DriveMission& mission, double now_s) {
 }
 
 /// Returns true if the robot has waited long enough at the present heading.
-bool is_in_vain(const DriveMission& mission, double now_s) {
-  const LookRound& round = mission.look_round.value();
+bool is_in_vain(const DriveMission& mission, const LookRound& round, double now_s) {
   if (!round.stands_s) return now_s - round.began_s > most_turning_s;
   const bool sees_another = mission.votes.votes.size() > round.votes;
   return now_s - *round.stands_s > (sees_another ? most_standing_s : 2.0 * mission.task.rules.settle_s);
@@ -136,18 +133,18 @@ bool begin_look_round(DriveMission& mission, double now_s) {
   ++rounds;
   const auto headings_rad = headings_with_another(mission);
   if (headings_rad.empty()) return false;
-  mission.look_round = LookRound{headings_rad, 0.0, 0.0, std::nullopt, mission.votes.votes.size()};
-  turn_to_next_heading(mission, now_s);
+  LookRound& round =
+      mission.look_round.emplace(LookRound{headings_rad, 0.0, 0.0, std::nullopt, mission.votes.votes.size()});
+  turn_to_next_heading(mission, round, now_s);
   return true;
 }
 
-Twist2 step_look_round(DriveMission& mission, const Pose2& believed, double now_s) {
-  LookRound& round = mission.look_round.value();
-  if (is_corroborated(mission) || (is_in_vain(mission, now_s) && round.left_rad.empty())) {
+Twist2 step_look_round(DriveMission& mission, LookRound& round, const Pose2& believed, double now_s) {
+  if (is_corroborated(mission) || (is_in_vain(mission, round, now_s) && round.left_rad.empty())) {
     end_look_round(mission);
     return {};
   }
-  if (is_in_vain(mission, now_s)) turn_to_next_heading(mission, now_s);
+  if (is_in_vain(mission, round, now_s)) turn_to_next_heading(mission, round, now_s);
   const double left_rad = wrap_angle(round.heading_rad - believed.heading_rad);
   if (std::abs(left_rad) <= 0.5 * off_rad && !round.stands_s) {
     round.stands_s = now_s;

@@ -78,15 +78,13 @@ std::string stop_doubt(const DriveMission& mission) {
                            fmt::join(mission.suspects, ", "));
     return doubt;
   }
-  if (is_trusted(mission)) {
-    const auto needed = indispensable_tags(mission);
-    if (!needed) return "no tags in view are enough to tell that it stands there";
-    return fmt::format("only tag {} tells that it stands there, and it may have been moved",
-                       *needed->begin());
+  if (const TagSupport* const lone = lone_support(mission)) {
+    return fmt::format("only tag {} tells where it is since {:.1f} s, and it may have been moved",
+                       *lone->tags.begin(), lone->time_s);
   }
-  const TagSupport& support = mission.support.value();
-  return fmt::format("only tag {} tells where it is since {:.1f} s, and it may have been moved",
-                     *support.tags.begin(), support.time_s);
+  const auto needed = indispensable_tags(mission);
+  if (!needed) return "no tags in view are enough to tell that it stands there";
+  return fmt::format("only tag {} tells that it stands there, and it may have been moved", *needed->begin());
 }
 
 /// Decides about the stop at which the robot stands. Returns true if it goes on. `accepted`: the newest image
@@ -140,7 +138,7 @@ bool is_blocked(const DriveMission& mission) {
   const DriveTask& task = mission.task;
   const Segment leg{mission.reckoning.belief.world_T_robot.position,
                     task.waypoints[mission.follower.next].pose.position};
-  return !mission.ground.value().segment_free(leg, task.radius_m);
+  return !mission.ground->segment_free(leg, task.radius_m);
 }
 
 /// Ends the mission once the robot has stood at the last stop.
@@ -194,7 +192,7 @@ DriveWheels step_closed(DriveMission& mission, const Observation& seen) {
     return command(mission, {}, now_s + rules.period_s);
   }
   if (mission.look_round) {
-    const Twist2 twist = step_look_round(mission, foreseen(mission), now_s);
+    const Twist2 twist = step_look_round(mission, *mission.look_round, foreseen(mission), now_s);
     return command(mission, made_up(mission, twist), now_s + rules.period_s);
   }
   const Pose2 believed = foreseen(mission);
@@ -246,7 +244,8 @@ DriveWheels step_open(DriveMission& mission, const Observation& seen) {
 DriveMission begin(DriveTask given) {
   DriveMission mission;
   mission.task = std::move(given);
-  mission.ground = CollisionMap::of(mission.task.world, mission.task.eye.height_m);
+  mission.ground =
+      std::make_shared<const CollisionMap>(CollisionMap::of(mission.task.world, mission.task.eye.height_m));
   set_rooms(mission.task, *mission.ground);
   const DriveTask& task = mission.task;
   constexpr double start_sigma_m = 0.01, start_sigma_rad = 0.01;

@@ -4,71 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "outrider/jobs/guard/stops.hpp"
+#include "lost_targets.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr double lost_s = 5.0;  // after the planned landing, a ball without a result
-
-/// A place for a new task.
-struct Detour {
-  std::size_t after = 0;  // task that it follows
-  Vec2 place;
-  double longer_m = std::numeric_limits<double>::infinity();  // than without it, along straight lines
-};
-
-/// The shortest detour to one of the cells, after some task before the next call at a station.
-Detour shortest_detour(const StopTasks& tasks, const FiringMap& firing_map,
-                       const std::vector<std::size_t>& cells) {
-  Detour best{0, tasks.queue.front().place};
-  for (std::size_t k = 0; k < tasks.queue.size(); ++k) {
-    const Vec2 from = tasks.queue[k].place;
-    const auto place = nearest_place(firing_map, cells, from, 0.0);
-    if (!place) return best;
-    const bool last = k + 1 == tasks.queue.size();
-    const Vec2 to = last ? *place : tasks.queue[k + 1].place;
-    const double longer_m = distance(from, *place) + distance(*place, to) - (last ? 0.0 : distance(from, to));
-    if (longer_m < best.longer_m) best = {k, *place, longer_m};
-    if (!last && tasks.queue[k + 1].call) return best;
-  }
-  return best;
-}
-
-bool is_among(const FiringMap& firing_map, const std::vector<std::size_t>& sure, Vec2 place) {
-  const Cell cell = firing_map.frame.cell_at(place);
-  return firing_map.frame.contains(cell) && std::ranges::binary_search(sure, firing_map.frame.index(cell));
-}
-
-/// The first of the stops to come from which a target with these sure cells is hit; the end if there is none.
-auto stop_among(StopTasks& tasks, const FiringMap& firing_map, const std::vector<std::size_t>& sure) {
-  return std::ranges::find_if(tasks.queue, [&](const StopTask& task) {
-    return !task.call && is_among(firing_map, sure, task.place);
-  });
-}
-
-/// Shoots at a target from the first of the stops to come from which it is a sure hit; without any, from the
-/// place of the shortest detour.
-void stop_for(StopTasks& tasks, std::size_t target, const GuardProblem& problem,
-              const FiringMap& firing_map) {
-  const std::vector<std::size_t> sure = SureCells(problem, firing_map).of(target_of(tasks, target));
-  if (const auto task = stop_among(tasks, firing_map, sure); task != tasks.queue.end()) {
-    task->targets.push_back(target);
-    return;
-  }
-  if (tasks.queue.empty()) {
-    const Vec2 here = tasks.last_place;
-    tasks.queue.push_back({nearest_place(firing_map, sure, here, 0.0).value_or(here), {target}});
-    tasks.arrived = false;
-    return;
-  }
-  const Detour detour = shortest_detour(tasks, firing_map, sure);
-  tasks.queue.insert(tasks.queue.begin() + static_cast<std::ptrdiff_t>(detour.after) + 1,
-                     StopTask{detour.place, {target}});
-}
 
 /// Takes a target off the stops that were to hit it.
 void take_off(StopTasks& tasks, std::size_t target) {
@@ -141,23 +84,6 @@ std::vector<std::size_t> not_hit_of(const std::vector<std::size_t>& records,
   return left;
 }
 
-/// Lets the robot first shoot from where it stands at those planned for the drive who cannot be hit on it,
-/// if they are sure hits from here but from no stop to come. Returns false if there is nobody like that.
-bool stays_for(StopTasks& tasks, const std::vector<std::size_t>& records, Vec2 here,
-               const GuardProblem& problem, const FiringMap& firing_map) {
-  const SureCells cells(problem, firing_map);
-  StopTask stay{here};
-  for (const std::size_t record : records) {
-    const std::vector<std::size_t> sure = cells.of(target_of(tasks, record));
-    const bool later = stop_among(tasks, firing_map, sure) != tasks.queue.end();
-    if (!later && is_among(firing_map, sure, here)) stay.targets.push_back(record);
-  }
-  if (stay.targets.empty()) return false;
-  for (const std::size_t record : stay.targets) std::erase(tasks.queue.front().passing, record);
-  tasks.queue.push_front(std::move(stay));
-  return true;
-}
-
 /// Notes that a shot will be fired in passing.
 void note_shot(StopTasks& tasks, std::size_t target, const PassingHit& hit, const std::vector<Vec2>& way,
                const Observation& seen, const GuardProblem& problem, const FiringMap& firing_map) {
@@ -173,20 +99,6 @@ void note_shot(StopTasks& tasks, std::size_t target, const PassingHit& hit, cons
 }
 
 }  // namespace
-
-std::optional<Vec2> nearest_place(const FiringMap& firing_map, const std::vector<std::size_t>& cells,
-                                  Vec2 here, double apart_m) {
-  std::optional<Vec2> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::size_t cell : cells) {
-    const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(cell));
-    const double away = distance(here, place);
-    if (away < apart_m || away >= least) continue;
-    least = away;
-    best = place;
-  }
-  return best;
-}
 
 std::string missed(const TargetRecord& record) {
   if (record.unanswered > 0) {
@@ -210,8 +122,7 @@ std::optional<std::vector<FireInPassing>> shots_in_passing(StopTasks& tasks, con
   PassingShots solver(problem, firing_map);
   auto hits = hits_along(solver, seen, way, targets, planned.size());
   hits.resize(std::min(hits.size(), shots_left(seen, problem)));
-  if (stays_for(tasks, not_hit_of(planned, targets, hits), seen.odometry.position, problem, firing_map))
-    return std::nullopt;
+  if (stops_first(tasks, not_hit_of(planned, targets, hits), seen, problem, firing_map)) return std::nullopt;
   tasks.queue.front().passing.clear();
   for (const PassingHit& hit : hits) {
     const auto nth = std::ranges::find(targets, hit.target) - targets.begin();

@@ -10,17 +10,17 @@
 
 namespace outrider {
 
-/// Returns the place of the cell nearest to `here` among those at least `apart_m` away.
-std::optional<Vec2> nearest_place(const FiringMap& firing_map, const std::vector<std::size_t>& cells,
-                                  Vec2 here, double apart_m);
+/// Returns the waypoints that the robot would drive from one place to another.
+std::vector<Vec2> way_between(const StopTasks& tasks, const Pose2& from, Vec2 to, const GuardProblem& problem,
+                              const FiringMap& firing_map);
 
 /// Returns what there is to say of a target that was never hit. Tries without a shot are no misses.
 std::string missed(const TargetRecord& record);
 
 /// Returns the shots to fire during the drive along `way` to the present task: at the targets that the task
 /// has in passing, and at those by the way, which are taken off their stops. No more shots than the tank has.
-/// Who has to be hit in passing and cannot gets a stop. Nothing if the robot first shoots from where it is:
-/// that has become the present task.
+/// Who has to be hit in passing and cannot gets a stop. Nothing if the robot first makes a stop for
+/// them: that has become the present task.
 std::optional<std::vector<FireInPassing>> shots_in_passing(StopTasks& tasks, const std::vector<Vec2>& way,
                                                            const Observation& seen,
                                                            const GuardProblem& problem,

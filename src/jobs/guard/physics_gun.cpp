@@ -152,18 +152,17 @@ void PhysicsGuard::note_impact(const BallInAir& ball, const Impact& impact) {
   const bool same_contact = impact.hit == expected.hit &&
                             impact.solid.has_value() == expected.solid.has_value() &&
                             (!impact.solid || contact == space.solids()[*expected.solid].name);
-  RigidRecord& rigid = record.rigid.value();
-  if (same_contact) ++rigid.as_foreseen;
+  if (same_contact) ++rigid_.as_foreseen;
   const Vec3 at = impact.position;
   if (impact.hit) {
     tell("hit", fmt::format("hits {}", target.name));
   } else {
-    rigid.misses[ball.target] =
+    rigid_.misses[ball.target] =
         fmt::format("touches {} at ({:.2f}, {:.2f}, {:.2f}), {:.3f} m from it", contact, at.x, at.y, at.z,
                     std::max(0.0, outrider::distance(at, solid_of(target)) - radius));
-    tell("miss", fmt::format("misses {}: {}", target.name, rigid.misses[ball.target]));
+    tell("miss", fmt::format("misses {}: {}", target.name, rigid_.misses[ball.target]));
   }
-  rigid.flight_error_m = std::max(rigid.flight_error_m, norm(at - ball.flight.position(impact.time_s)));
+  rigid_.flight_error_m = std::max(rigid_.flight_error_m, norm(at - ball.flight.position(impact.time_s)));
   landed_.push_back({ball.target, impact.hit, now_s()});
 }
 

@@ -30,7 +30,8 @@ double covered_rate(double distance, const Limits& limits, double time_s) {
 
 PhysicsGuard::PhysicsGuard(const GuardProblem& problem, const FiringMap& firing_map, RigidWorld& bodies,
                            Log& log, std::uint64_t seed)
-    : problem_(problem),
+    : rigid_(record.rigid.emplace()),
+      problem_(problem),
       firing_map_(firing_map),
       bodies_(bodies),
       log_(log),
@@ -38,8 +39,7 @@ PhysicsGuard::PhysicsGuard(const GuardProblem& problem, const FiringMap& firing_
       gun_rng_(Rng(seed).child("gun")),
       timing_rng_(Rng(seed).child("timing")),
       attempts_(problem.targets.size(), 0) {
-  record.rigid.emplace();
-  record.rigid->misses.resize(problem.targets.size());
+  rigid_.misses.resize(problem.targets.size());
   for (double t = 0.0; t < let_down_s; t += roll_s) bodies_.step(roll_s);
   sample();
 }
@@ -108,7 +108,7 @@ void PhysicsGuard::roll() {
   for (const std::size_t body : bodies_.touched_by_robot()) {
     if (std::ranges::find(bumped_, body) != bumped_.end()) continue;
     bumped_.push_back(body);
-    ++record.rigid->bumps;
+    ++rigid_.bumps;
     tell("bump",
          fmt::format("touches {} at ({:.2f}, {:.2f})", name_of(body), after.position.x, after.position.y));
   }
@@ -201,7 +201,7 @@ void PhysicsGuard::follow(const FollowWaypoints& command) {
   point_gun(waypoints, command, 0);
   for (std::size_t leg = 1; leg < waypoints.size(); ++leg) drive_leg(waypoints, leg, command);
   gun_goal_ = gun_;
-  record.rigid->arrival_errors_m.push_back(distance(pose().position, goal));
+  rigid_.arrival_errors_m.push_back(distance(pose().position, goal));
   log_plan(log_, now_s(), {});
   sample();
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "flying_balls.hpp"
+#include "lost_targets.hpp"
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/jobs/guard/stops.hpp"
 #include "team_detour.hpp"
@@ -130,25 +131,6 @@ Fill fill(StopTasks& tasks) {
   return {call};
 }
 
-/// Waypoints from where the robot stands to the place of the present task.
-std::vector<Vec2> way_to(const StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
-                         const FiringMap& firing_map) {
-  const Vec2 here = seen.odometry.position;
-  const Vec2 place = tasks.queue.front().place;
-  if (tasks.keep_away) {
-    const auto& [standing, gap_m] = *tasks.keep_away;
-    if (auto way = way_around(problem, firing_map, here, place, standing, gap_m)) return std::move(*way);
-  }
-  if (tasks.routes) {
-    if (auto route = tasks.routes->route(seen.odometry, place)) return std::move(route->waypoints);
-  }
-  // No corner of an obstacle is seen from here or from there: along the grid.
-  if (const auto routes = yard_routes(problem, firing_map, {here, place}, {})) {
-    if (auto way = routes->waypoints(0, 1); !way.empty()) return way;
-  }
-  return {here};
-}
-
 /// The direction of the barrel of a robot there, for these joint angles.
 AimGun barrel(const FiringMap& firing_map, Vec2 place, const GunAngles& joints) {
   const Shot along = shot_of(stance_at(firing_map.rules, place), joints, 0.0);
@@ -164,7 +146,7 @@ AimGun gun_at_rest(const FiringMap& firing_map, const Pose2& robot) {
 std::optional<FollowWaypoints> set_off(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
                                        const FiringMap& firing_map) {
   const Vec2 place = tasks.queue.front().place;
-  auto way = way_to(tasks, seen, problem, firing_map);
+  auto way = way_between(tasks, seen.odometry, place, problem, firing_map);
   auto shots = shots_in_passing(tasks, way, seen, problem, firing_map);
   if (!shots) return set_off(tasks, seen, problem, firing_map);
   tasks.arrived = true;
@@ -217,6 +199,23 @@ Fire fire(StopTasks& tasks, double time_s) {
 }
 
 }  // namespace
+
+std::vector<Vec2> way_between(const StopTasks& tasks, const Pose2& from, Vec2 to, const GuardProblem& problem,
+                              const FiringMap& firing_map) {
+  if (tasks.keep_away) {
+    const auto& [standing, gap_m] = *tasks.keep_away;
+    if (auto way = way_around(problem, firing_map, from.position, to, standing, gap_m))
+      return std::move(*way);
+  }
+  if (tasks.routes) {
+    if (auto route = tasks.routes->route(from, to)) return std::move(route->waypoints);
+  }
+  // No corner of an obstacle is seen from here or from there: along the grid.
+  if (const auto routes = yard_routes(problem, firing_map, {from.position, to}, {})) {
+    if (auto way = routes->waypoints(0, 1); !way.empty()) return way;
+  }
+  return {from.position};
+}
 
 void settle(TargetRecord& record, TargetStatus status, std::string reason, double time_s) {
   record.status = status;

@@ -23,6 +23,7 @@
 
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -128,7 +129,7 @@ struct DriveMission {
   /// nothing.
   std::set<int> suspects;
   std::vector<DriveArrival> arrivals;
-  std::optional<CollisionMap> ground;  ///< the obstacles at the height of the camera
+  std::shared_ptr<const CollisionMap> ground;  ///< the obstacles at the height of the camera
   KeepClear keeps_clear;
   bool initial_stop_sent = false;
   DriveEnd end = DriveEnd::none;

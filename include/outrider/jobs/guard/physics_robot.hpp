@@ -80,6 +80,7 @@ class PhysicsGuard final : public Robot {
   void note_impact(const BallInAir& ball, const Impact& impact);
   [[nodiscard]] std::string contact_of(const Impact& impact, std::size_t target) const;
 
+  RigidRecord& rigid_;  // of the record
   const GuardProblem& problem_;
   const FiringMap& firing_map_;
   RigidWorld& bodies_;

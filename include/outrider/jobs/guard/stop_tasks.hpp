@@ -14,8 +14,8 @@
 // made on the move, the gun turns to the first shot of a stop during the drive there, and the robot goes on
 // while a ball that hits for sure is in the air. A target that cannot be hit from the path is shot at from
 // the first stop to come that hits it for sure, or else before the drive if that hits it for sure, or else
-// from a stop at the shortest detour; so is one that such a ball missed, but not before the drive. The
-// mission ends when the last ball has landed.
+// from a stop at the shortest detour, before the present one only if that takes no planned shot away; so is
+// one that such a ball missed, but not before a drive. The mission ends when the last ball has landed.
 #pragma once
 
 #include <deque>

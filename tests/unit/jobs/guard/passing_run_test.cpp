@@ -230,6 +230,41 @@ TEST(PassingRun, WhoIsLostOnADriveIsShotAtBeforeItIfThatHits) {
   EXPECT_EQ(later.queue.back().targets, (std::vector{std::size_t{1}, lost}));
 }
 
+/// A target in a pen, which no drive hits and only places east of it do: the robot stops there before the
+/// present stop if that is the shorter detour, and the shots planned for the drive go with the drives before
+/// and after.
+TEST(PassingRun, WhoIsLostOnADriveGetsAStopBeforeItIfThatIsShorter) {
+  GuardProblem problem = street();
+  problem.world.bounds = {{-1, -8}, {16, 12}};
+  problem.targets.push_back({"pen", {7.0, 9.0, 0.0}, {0.5, 0.5, 0.45}, 0.0});
+  for (const Solid& wall : {testing::box_at("south", {7.0, 8.3, 3.0}, {2.2, 0.1, 6.0}),
+                            testing::box_at("north", {7.0, 9.7, 3.0}, {2.2, 0.1, 6.0}),
+                            testing::box_at("west", {5.9, 9.0, 3.0}, {0.1, 1.5, 6.0})}) {
+    problem.world.solids.push_back(wall);
+  }
+  const auto firing_map = build_firing_map(problem, on_the_move());
+  ASSERT_TRUE(firing_map.has_value());
+  constexpr std::size_t pen = 5, planned = 2;  // at (7.8, 2)
+  Observation seen{0.0, {{0.0, 0.0}, 0.0}};
+  seen.gun = GunState{};
+  StopTasks tasks = tasks_of(problem, {});
+  tasks.on_the_move = true;
+  tasks.queue = {{{15.0, 0.0}, {4}}, {{15.0, -7.0}, {3}}};
+  tasks.queue.front().passing = {planned, pen};
+  const auto drive = next_command(tasks, seen, problem, *firing_map);
+  ASSERT_TRUE(drive && std::holds_alternative<FollowWaypoints>(*drive));
+  ASSERT_EQ(tasks.queue.size(), 3U);
+  const StopTask& stop = tasks.queue.front();
+  EXPECT_EQ(stop.targets, std::vector{pen});
+  EXPECT_GT(stop.place.x, 7.0);
+  EXPECT_EQ(std::get<FollowWaypoints>(*drive).waypoints.back(), stop.place);
+  EXPECT_EQ(tasks.queue[1].place, (Vec2{15.0, 0.0}));
+  const auto& shots = std::get<FollowWaypoints>(*drive).shots;
+  const bool now = std::ranges::count(shots, planned, &FireInPassing::target) == 1;
+  EXPECT_EQ(std::ranges::count(tasks.queue[1].passing, planned), now ? 0 : 1) << "on one of both drives";
+  EXPECT_TRUE(tasks.lost.empty());
+}
+
 /// A robot that carries nothing out and tells nothing.
 TEST(PassingRun, EndsWhenNobodyTellsOfTheShots) {
   const Planned p = planned(street());
