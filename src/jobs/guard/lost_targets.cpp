@@ -73,6 +73,7 @@ std::optional<std::vector<std::size_t>> planned_before(const StopTasks& tasks,
   const auto hit_along = [&](const Pose2& from, Vec2 to, GunState& gun, double& heading_rad) {
     const std::vector<Vec2> way = way_between(tasks, from, to, problem, firing_map);
     std::vector<std::size_t> targets;
+    targets.reserve(planned.size());
     for (const std::size_t record : planned) targets.push_back(target_of(tasks, record));
     const auto hits = solver.along(from.heading_rad, way, gun, targets);
     gun = gun_after(hits, gun);
