@@ -73,6 +73,14 @@ class GuardBench(ToolTest):
         self.assertEqual(line.split()[:3], ["yard", "shrinking_circles", "1"])
         self.assertEqual(line.split()[-1], "-")
 
+    def test_a_yard_of_so_many_targets_is_made(self):
+        flags = ("--targets", "5", "--planners", "best_tour", "--seeds", "1", "--json")
+        row, = self.json_of(self.bench(*flags))["rows"]
+        self.assertEqual((row["yard"], row["reached"]), ("5 targets", 5))
+        self.assertTrue(0 <= row["gap"] <= row["anywhere_gap"] <= 1, row)
+        again, = self.json_of(self.bench(*flags))["rows"]
+        self.assertEqual(again["mission_s"], row["mission_s"])
+
     def test_refusals(self):
         for args, words in [(["--scenarios", "nowhere.yaml"], ["nowhere.yaml"]),
                             (["--data", "nowhere"], ["nowhere/worlds/by_small.sdf"]),

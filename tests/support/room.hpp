@@ -8,6 +8,7 @@
 
 #include "outrider/io/map_server.hpp"
 #include "outrider/jobs/explore/scenario.hpp"
+#include "outrider/nodes/cover_mission_node.hpp"
 #include "outrider/nodes/sim_node.hpp"
 #include "outrider/world/occupancy.hpp"
 #include "support/data.hpp"
@@ -53,6 +54,20 @@ class RoomBehindTopics : public ::testing::Test {
   void start_robot(NodeBus& bus) const { start_robot(bus, map_file()); }
 
   test::Folder folder;
+};
+
+/// The room is to be covered.
+class CoverOfTheRoom : public RoomBehindTopics {
+ protected:
+  void SetUp() override {
+    RoomBehindTopics::SetUp();
+    scenario.area = map_file();
+    scenario.problem.width_m = 0.4;
+    scenario.problem.pace.speed_mps = 0.3;
+    scenario.problem.pace.pause_s = 0.1;
+  }
+
+  CoverScenario scenario;
 };
 
 }  // namespace outrider::testing

@@ -193,6 +193,13 @@ const TagSupport* lone_support(const DriveMission& mission) {
 
 bool is_trusted(const DriveMission& mission) { return lone_support(mission) == nullptr; }
 
+void begin_leg_anew(DriveMission& mission) {
+  const std::size_t next = mission.follower.next;
+  mission.follower = {};
+  mission.follower.next = next;
+  mission.follower.from = mission.reckoning.belief.world_T_robot;
+}
+
 bool relocalise(DriveMission& mission) {
   const Relocaliser& found = mission.relocaliser;
   if (!found.pose || found.images < mission.task.rules.relocalise) return false;
@@ -213,10 +220,7 @@ bool relocalise(DriveMission& mission) {
   mission.stop.reset();
   mission.look_round.reset();
   mission.votes = {};
-  const std::size_t next = mission.follower.next;
-  mission.follower = {};
-  mission.follower.next = next;
-  mission.follower.from = belief.world_T_robot;
+  begin_leg_anew(mission);
   return true;
 }
 

@@ -24,6 +24,9 @@ std::optional<std::set<int>> indispensable_tags(const DriveMission& mission);
 /// the way since the last stop.
 bool is_corroborated(const DriveMission& mission);
 
+/// Lets the way to the next waypoint begin where the robot believes to be.
+void begin_leg_anew(DriveMission& mission);
+
 /// Replaces the belief by the pose that the tags in sight agree on, if they do. Returns true if it did.
 bool relocalise(DriveMission& mission);
 

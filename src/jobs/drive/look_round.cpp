@@ -103,10 +103,7 @@ std::vector<double> headings_with_another(const DriveMission& mission) {
 void end_look_round(DriveMission& mission) {
   mission.look_round.reset();
   mission.stop.reset();
-  const std::size_t next = mission.follower.next;
-  mission.follower = {};
-  mission.follower.next = next;
-  mission.follower.from = mission.reckoning.belief.world_T_robot;
+  begin_leg_anew(mission);
 }
 
 void turn_to_next_heading(DriveMission& mission, LookRound& round, double now_s) {

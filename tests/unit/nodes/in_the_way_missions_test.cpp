@@ -19,18 +19,9 @@ namespace {
 
 using testing::NodeBus;
 
-class CoverWithAThingInTheWay : public testing::RoomBehindTopics {
+class CoverWithAThingInTheWay : public testing::CoverOfTheRoom {
  protected:
-  void SetUp() override {
-    RoomBehindTopics::SetUp();
-    scenario.area = map_file();
-    scenario.problem.width_m = 0.4;
-    scenario.problem.pace.speed_mps = 0.3;
-    scenario.problem.pace.pause_s = 0.1;
-  }
   [[nodiscard]] std::string world() const { return (folder.path / "world.yaml").string(); }
-
-  CoverScenario scenario;
 };
 
 TEST_F(CoverWithAThingInTheWay, ItStopsSaysWhyAndEndsWithoutContact) {

@@ -23,18 +23,7 @@ namespace {
 using testing::NodeBus;
 using testing::Published;
 
-class CoverBehindTopics : public testing::RoomBehindTopics {
- protected:
-  void SetUp() override {
-    RoomBehindTopics::SetUp();
-    scenario.area = map_file();
-    scenario.problem.width_m = 0.4;
-    scenario.problem.pace.speed_mps = 0.3;
-    scenario.problem.pace.pause_s = 0.1;
-  }
-
-  CoverScenario scenario;
-};
+class CoverBehindTopics : public testing::CoverOfTheRoom {};
 
 TEST_F(CoverBehindTopics, CoversTheMapFromWhereTheRobotStands) {
   NodeBus bus;

@@ -112,7 +112,7 @@ struct DriveMission {
   std::optional<LookRound> look_round;  ///< set while the robot looks round at a stop
   TagVotes votes;                       ///< of the tags seen at this stop
   bool wide = false;  ///< since the last stop, tags corrected a belief that could not contradict them
-  std::map<std::size_t, int> rounds_at;                       ///< how often it did, by waypoint
+  std::map<std::size_t, int> rounds_at;                       ///< how often it looked round, by waypoint
   double image_s = -std::numeric_limits<double>::infinity();  ///< time of the newest image
   double tag_s = 0.0;                                         ///< time of the last correction by a tag
   std::int64_t images = 0;                                    ///< number of images recent enough to use
