@@ -18,6 +18,7 @@
 #include "outrider/io/text.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/report/run_json.hpp"
+#include "outrider/sweep/merge_chunks.hpp"
 #include "outrider/sweep/picture.hpp"
 #include "outrider/sweep/run_sweep.hpp"
 #include "outrider/sweep/summary.hpp"
@@ -245,7 +246,8 @@ Outcome<Answer> emit_slurm(const Plan& plan, const SweepFlags& flags) {
 /// Makes the table, the summary and what shows it.
 Outcome<Answer> conclude(const Plan& plan) {
   const std::string& folder = plan.work.folder;
-  const auto hash = merge_chunks(plan.sweep, folder);
+  ChunkReader chunks(plan.sweep, folder);
+  const auto hash = merge_chunks(chunks);
   if (!hash) return tl::unexpected<Fault>(hash.error());
   Answer answer;
   if (hash->empty()) {
@@ -253,12 +255,12 @@ Outcome<Answer> conclude(const Plan& plan) {
     answer.text = answer.reason + "\n";
     return answer;
   }
-  const auto summary = summarise(plan.sweep, folder);
+  const auto summary = summarise(chunks);
   if (!summary) return tl::unexpected<Fault>(summary.error());
   answer.summary = Json::parse(summary_json(plan.sweep, *summary));
   answer.table_sha256 = *hash;
   answer.text = summary_text(plan.sweep, *summary);
-  const auto picture = sweep_picture(plan.sweep, folder, *summary);
+  const auto picture = sweep_picture(chunks, *summary);
   if (!picture) return tl::unexpected<Fault>(picture.error());
   const std::string title = fmt::format("{}: {} runs", plan.sweep.job.name, plan.sweep.total);
   const std::vector<NamedContent> files = {{folder + "/sweep.svg", *picture},

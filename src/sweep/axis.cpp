@@ -58,12 +58,13 @@ Axis number_axis(const Varied& varied, const Column& column) {
 
 }  // namespace
 
-Outcome<std::vector<Axis>> sweep_axes(const Sweep& sweep, const std::string& folder, std::size_t most) {
+Outcome<std::vector<Axis>> sweep_axes(ChunkReader& chunks, std::size_t most) {
+  const Sweep& sweep = chunks.sweep();
   std::vector<Axis> axes;
   for (std::size_t i = 0; i < sweep.varied.size() && axes.size() < most; ++i) {
     const Varied& varied = sweep.varied[i];
     if (varied.is_random_number()) {
-      const auto columns = read_columns(sweep, folder, {varied.key});
+      const auto columns = read_columns(chunks, {varied.key});
       if (!columns) return tl::unexpected<Fault>(columns.error());
       axes.push_back(number_axis(varied, columns->front()));
       if (axes.back().labels.empty()) axes.pop_back();
@@ -74,10 +75,11 @@ Outcome<std::vector<Axis>> sweep_axes(const Sweep& sweep, const std::string& fol
   return axes;
 }
 
-Outcome<std::vector<bool>> done_runs(const Sweep& sweep, const std::string& folder) {
+Outcome<std::vector<bool>> done_runs(ChunkReader& chunks) {
+  const Sweep& sweep = chunks.sweep();
   std::vector<bool> done(sweep.total, true);
   const auto outcomes = read_outcomes(
-      sweep, folder, [&](std::uint64_t run, const std::string&, const std::string&) { done[run] = false; });
+      chunks, [&](std::uint64_t run, const std::string&, const std::string&) { done[run] = false; });
   if (!outcomes) return tl::unexpected<Fault>(outcomes.error());
   return done;
 }

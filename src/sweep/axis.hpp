@@ -16,9 +16,9 @@ struct Axis {
 };
 
 /// Returns the axes of the keys that can be shown, in order: grids of 2 to 40 values, and random numbers.
-Outcome<std::vector<Axis>> sweep_axes(const Sweep& sweep, const std::string& folder, std::size_t most);
+Outcome<std::vector<Axis>> sweep_axes(ChunkReader& chunks, std::size_t most);
 
 /// Returns whether each run is done.
-Outcome<std::vector<bool>> done_runs(const Sweep& sweep, const std::string& folder);
+Outcome<std::vector<bool>> done_runs(ChunkReader& chunks);
 
 }  // namespace outrider

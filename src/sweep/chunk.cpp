@@ -30,6 +30,12 @@ std::string last_line(std::size_t runs, std::string_view text) {
   return fmt::format("# {} runs, sha256 {}\n", runs, sha256(text));
 }
 
+/// Returns where the last line begins; 0 if there is none.
+std::size_t body_end(std::string_view text) {
+  const std::size_t end = text.rfind("\n# ");
+  return end == std::string_view::npos ? 0 : end + 1;
+}
+
 /// Returns the name of the column of a metric, which differs from those of keys.
 std::string column_of(const std::string& metric, const std::vector<std::string>& fixed) {
   return std::ranges::count(fixed, metric) > 0 ? "metric." + metric : metric;
@@ -116,32 +122,38 @@ std::string chunk_text(const Sweep& sweep, const std::vector<SweepResult>& resul
   return text + last_line(results.size(), text);
 }
 
-Outcome<ChunkText> check_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
-                               const std::string& name) {
-  const std::size_t last = text.rfind("\n# ");
-  if (last == std::string_view::npos) return damaged(name, "its last line is missing");
-  const std::uint64_t first = sweep.begin_of(chunk);
-  const std::uint64_t count = sweep.begin_of(chunk + 1) - first;
-  std::string_view body = text.substr(0, last + 1);
-  if (text.substr(last + 1) != last_line(count, body)) {
+std::string chunk_path(const std::string& folder, std::uint64_t chunk) {
+  return fmt::format("{}/chunks/{:06}.csv", folder, chunk);
+}
+
+Status check_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text, const std::string& name) {
+  const std::size_t end = body_end(text);
+  if (end == 0) return damaged(name, "its last line is missing");
+  if (text.substr(end) != last_line(sweep.begin_of(chunk + 1) - sweep.begin_of(chunk), text.substr(0, end))) {
     return damaged(name, "its content is not what its last line says");
   }
+  return {};
+}
+
+Outcome<ChunkText> split_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
+                               const std::string& name) {
+  std::string_view body = text.substr(0, body_end(text));
   const auto fixed = fixed_columns(sweep);
   const auto columns = csv_fields(take_line(body));
   if (columns.size() < fixed.size() || !std::equal(fixed.begin(), fixed.end(), columns.begin())) {
     return damaged(name, "it has columns of another sweep");
   }
-  if (!body.starts_with(fmt::format("{},", first))) return damaged(name, "it has runs of another chunk");
+  if (!body.starts_with(fmt::format("{},", sweep.begin_of(chunk)))) {
+    return damaged(name, "it has runs of another chunk");
+  }
   return ChunkText{{columns.begin() + static_cast<std::ptrdiff_t>(fixed.size()), columns.end()}, body};
 }
 
-Outcome<SweepTable> read_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
-                               const std::string& name) {
-  auto checked = check_chunk(sweep, chunk, text, name);
-  if (!checked) return pass_on(checked);
-  SweepTable table{.metrics = std::move(checked->metrics), .rows = {}};
+Outcome<SweepTable> read_rows(const Sweep& sweep, std::uint64_t chunk, const ChunkText& text,
+                              const std::string& name) {
+  SweepTable table{.metrics = text.metrics, .rows = {}};
   const std::size_t columns = fixed_columns(sweep).size() + table.metrics.size();
-  for (std::string_view body = checked->lines; !body.empty();) {
+  for (std::string_view body = text.lines; !body.empty();) {
     table.rows.push_back(csv_fields(take_line(body)));
     if (table.rows.back().size() != columns) {
       return damaged(name, fmt::format("line {} lacks fields", table.rows.size() + 1));

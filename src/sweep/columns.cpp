@@ -4,17 +4,17 @@
 #include <limits>
 
 #include "outrider/io/text.hpp"
-#include "outrider/sweep/run_sweep.hpp"
 
 namespace outrider {
 
-Outcome<Outcomes> read_outcomes(const Sweep& sweep, const std::string& folder,
+Outcome<Outcomes> read_outcomes(ChunkReader& chunks,
                                 const std::function<void(std::uint64_t run, const std::string& status,
                                                          const std::string& reason)>& each) {
+  const Sweep& sweep = chunks.sweep();
   Outcomes outcomes;
   outcomes.status_of.reserve(sweep.total);
   const std::size_t status_column = fixed_columns(sweep).size() - 2;
-  auto ok = for_each_chunk(sweep, folder, [&](std::uint64_t, const SweepTable& table) {
+  auto ok = chunks.for_each_table([&](const SweepTable& table) {
     add_columns(outcomes.metrics, table.metrics);
     for (const auto& row : table.rows) {
       const std::string& status = row[status_column];
@@ -28,8 +28,8 @@ Outcome<Outcomes> read_outcomes(const Sweep& sweep, const std::string& folder,
   return outcomes;
 }
 
-Outcome<std::vector<Column>> read_columns(const Sweep& sweep, const std::string& folder,
-                                          const std::vector<std::string>& names) {
+Outcome<std::vector<Column>> read_columns(ChunkReader& chunks, const std::vector<std::string>& names) {
+  const Sweep& sweep = chunks.sweep();
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const auto fixed = fixed_columns(sweep);
   std::vector<Column> columns;
@@ -37,7 +37,7 @@ Outcome<std::vector<Column>> read_columns(const Sweep& sweep, const std::string&
     columns.push_back({name, {}});
     columns.back().values.reserve(sweep.total);
   }
-  auto ok = for_each_chunk(sweep, folder, [&](std::uint64_t, const SweepTable& table) {
+  auto ok = chunks.for_each_table([&](const SweepTable& table) {
     auto all = fixed;
     all.insert(all.end(), table.metrics.begin(), table.metrics.end());
     for (Column& column : columns) {

@@ -247,16 +247,16 @@ std::string heading(const Sweep& sweep, const SweepSummary& summary) {
 
 }  // namespace
 
-Outcome<std::string> sweep_picture(const Sweep& sweep, const std::string& folder,
-                                   const SweepSummary& summary) {
-  const auto axes = sweep_axes(sweep, folder, most_axes);
+Outcome<std::string> sweep_picture(ChunkReader& chunks, const SweepSummary& summary) {
+  const Sweep& sweep = chunks.sweep();
+  const auto axes = sweep_axes(chunks, most_axes);
   if (!axes) return tl::unexpected<Fault>(axes.error());
-  const auto done = done_runs(sweep, folder);
+  const auto done = done_runs(chunks);
   if (!done) return tl::unexpected<Fault>(done.error());
   const auto shown = shown_metrics(sweep, summary);
   std::vector<std::string> names;
   for (const std::size_t i : shown) names.push_back(summary.sides[0].metrics[i].name);
-  const auto columns = read_columns(sweep, folder, names);
+  const auto columns = read_columns(chunks, names);
   if (!columns) return tl::unexpected<Fault>(columns.error());
   Panels panels;
   std::string body = heading(sweep, summary);

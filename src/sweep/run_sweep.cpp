@@ -6,26 +6,27 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
+#include <future>
 #include <mutex>
 #include <system_error>
 
 #include "outrider/core/parallel.hpp"
-#include "outrider/core/sha256.hpp"
 #include "outrider/io/file_lock.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/folders.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/job/write_run.hpp"
-#include "outrider/log/byte_sink.hpp"
 
 namespace outrider {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string chunk_path(const std::string& folder, std::uint64_t chunk) {
-  return fmt::format("{}/chunks/{:06}.csv", folder, chunk);
+std::string lock_of(const std::string& path) { return path + ".lock"; }
+void remove_lock(const std::string& path) {
+  std::error_code ignored;
+  fs::remove(lock_of(path), ignored);
 }
 std::string manifest_path(const std::string& folder) { return folder + "/manifest.json"; }
 
@@ -104,8 +105,29 @@ class Counter {
   SweepProgress progress_;
 };
 
-Status compute_chunk(const Sweep& sweep, std::uint64_t chunk, const SweepWork& work, const SweepWatch& watch,
-                     Counter& counter) {
+/// Writes a chunk while the next one is computed, since a disk takes some 10 ms for it.
+class ChunkWriter {
+ public:
+  /// Begins to write the chunk; takes its lock away then. Fault: that of the chunk before.
+  Status write(const std::string& path, std::string text, FileLock lock) {
+    auto before = finish();
+    writing_ = std::async(std::launch::async, [path, text = std::move(text), held = std::move(lock)] {
+      auto written = write_file(path, text);
+      remove_lock(path);
+      return written;
+    });
+    return before;
+  }
+  /// Waits for the last chunk.
+  Status finish() { return writing_.valid() ? writing_.get() : Status(); }
+
+ private:
+  std::future<Status> writing_;  // its destructor waits
+};
+
+/// Returns the text of the chunk.
+Outcome<std::string> compute_chunk(const Sweep& sweep, std::uint64_t chunk, const SweepWork& work,
+                                   const SweepWatch& watch, Counter& counter) {
   const std::uint64_t first = sweep.begin_of(chunk);
   std::vector<SweepResult> results(sweep.begin_of(chunk + 1) - first);
   std::vector<Status> kept(results.size());
@@ -121,7 +143,7 @@ Status compute_chunk(const Sweep& sweep, std::uint64_t chunk, const SweepWork& w
     return pass_on(*failed);
   }
   if (!whole) return fault(FaultCode::cancelled, "it was cancelled; the same command continues it");
-  return write_file(chunk_path(work.folder, chunk), chunk_text(sweep, results));
+  return chunk_text(sweep, results);
 }
 
 }  // namespace
@@ -177,30 +199,30 @@ Outcome<std::vector<std::uint64_t>> compute_chunks(const Sweep& sweep, const Swe
   }
   Counter counter(watch, left);
   std::vector<std::uint64_t> others;
+  ChunkWriter writer;
   for (std::uint64_t chunk = work.first_chunk; chunk < work.end_chunk; ++chunk) {
     const std::string path = chunk_path(work.folder, chunk);
-    const std::string locked = path + ".lock";
-    const auto unlock = [&] {
-      std::error_code ignored;
-      fs::remove(locked, ignored);
-    };
     if (file_exists(path)) {
-      unlock();  // whoever was killed between the chunk and its lock
+      remove_lock(path);  // whoever was killed between the chunk and its lock
       continue;
     }
-    auto lock = FileLock::take(locked);
+    auto lock = FileLock::take(lock_of(path));
     if (!lock) return pass_on(lock);
     const bool is_done = file_exists(path);  // by another one, just now
     if (!lock->held() || is_done) {
       if (!lock->held()) others.push_back(chunk);
-      if (lock->held()) unlock();
+      if (lock->held()) remove_lock(path);
       counter.skip(sweep.begin_of(chunk + 1) - sweep.begin_of(chunk));
       continue;
     }
-    const auto done = compute_chunk(sweep, chunk, work, watch, counter);
-    unlock();
-    if (!done) return tl::unexpected<Fault>(done.error());
+    auto text = compute_chunk(sweep, chunk, work, watch, counter);
+    if (!text) {
+      remove_lock(path);
+      return pass_on(text);
+    }
+    if (auto ok = writer.write(path, std::move(*text), std::move(*lock)); !ok) return pass_on(ok);
   }
+  if (auto ok = writer.finish(); !ok) return pass_on(ok);
   return others;
 }
 
@@ -210,105 +232,6 @@ std::vector<std::uint64_t> missing_chunks(const Sweep& sweep, const std::string&
     if (!file_exists(chunk_path(folder, chunk))) missing.push_back(chunk);
   }
   return missing;
-}
-
-namespace {
-
-/// Calls use(chunk, text of the chunk, its path) for all of them, until one is refused.
-Status for_each_text(
-    const Sweep& sweep, const std::string& folder,
-    const std::function<Status(std::uint64_t, const std::string& text, const std::string& path)>& use) {
-  for (std::uint64_t chunk = 0; chunk < sweep.chunks(); ++chunk) {
-    const std::string path = chunk_path(folder, chunk);
-    const auto text = read_file(path);
-    if (!text) return tl::unexpected<Fault>(text.error());
-    if (auto ok = use(chunk, *text, path); !ok) return ok;
-  }
-  return {};
-}
-
-Outcome<std::vector<std::string>> all_metrics(const Sweep& sweep, const std::string& folder) {
-  std::vector<std::string> metrics;
-  auto ok = for_each_text(
-      sweep, folder, [&](std::uint64_t chunk, const std::string& text, const std::string& path) -> Status {
-        const auto checked = check_chunk(sweep, chunk, text, path);
-        if (!checked) return tl::unexpected<Fault>(checked.error());
-        add_columns(metrics, checked->metrics);
-        return {};
-      });
-  if (!ok) return pass_on(ok);
-  return metrics;
-}
-
-/// Returns the lines of a chunk with the metrics of the whole table.
-std::string widened(const SweepTable& table, std::size_t fixed, const std::vector<std::string>& metrics) {
-  std::string text;
-  std::vector<std::string> fields(fixed + metrics.size());
-  for (const auto& row : table.rows) {
-    std::ranges::fill(fields, std::string());
-    std::copy_n(row.begin(), fixed, fields.begin());
-    for (std::size_t i = 0; i < table.metrics.size(); ++i) {
-      const auto place = std::ranges::find(metrics, table.metrics[i]) - metrics.begin();
-      fields[fixed + static_cast<std::size_t>(place)] = row[fixed + i];
-    }
-    text += csv_line(fields);
-  }
-  return text;
-}
-
-/// Writes the merged table through `write`.
-Status write_merged(const Sweep& sweep, const std::string& folder, const std::vector<std::string>& metrics,
-                    const std::function<Status(std::string_view)>& write) {
-  std::vector<std::string> columns = fixed_columns(sweep);
-  const std::size_t fixed = columns.size();
-  columns.insert(columns.end(), metrics.begin(), metrics.end());
-  if (auto ok = write(csv_line(columns)); !ok) return ok;
-  return for_each_text(sweep, folder,
-                       [&](std::uint64_t chunk, const std::string& text, const std::string& path) -> Status {
-                         const auto checked = check_chunk(sweep, chunk, text, path);
-                         if (!checked) return tl::unexpected<Fault>(checked.error());
-                         if (checked->metrics == metrics) return write(checked->lines);  // as they are
-                         const auto table = read_chunk(sweep, chunk, text, path);
-                         if (!table) return tl::unexpected<Fault>(table.error());
-                         return write(widened(*table, fixed, metrics));
-                       });
-}
-
-}  // namespace
-
-Status for_each_chunk(const Sweep& sweep, const std::string& folder,
-                      const std::function<void(std::uint64_t chunk, const SweepTable&)>& use) {
-  return for_each_text(sweep, folder,
-                       [&](std::uint64_t chunk, const std::string& text, const std::string& path) -> Status {
-                         const auto table = read_chunk(sweep, chunk, text, path);
-                         if (!table) return tl::unexpected<Fault>(table.error());
-                         use(chunk, *table);
-                         return {};
-                       });
-}
-
-Outcome<std::string> merge_chunks(const Sweep& sweep, const std::string& folder) {
-  const auto metrics = all_metrics(sweep, folder);
-  if (!metrics) return tl::unexpected<Fault>(metrics.error());
-  const std::string part = folder + "/table.part";
-  auto lock = FileLock::take(part);
-  if (!lock) return pass_on(lock);
-  if (!lock->held()) return std::string();
-  auto sink = make_file_sink(part);
-  if (!sink) return pass_on(sink);
-  Sha256 hash;
-  auto written = write_merged(sweep, folder, *metrics, [&](std::string_view text) {
-    hash.add(text);
-    return (*sink)->write(text);
-  });
-  if (written) written = (*sink)->close();
-  if (written) written = write_files({}, {{folder + "/table.csv", part}});
-  if (!written) {
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    return pass_on(written);
-  }
-  return hash.hex();
 }
 
 }  // namespace outrider

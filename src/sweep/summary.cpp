@@ -12,7 +12,7 @@
 namespace outrider {
 namespace {
 
-constexpr std::size_t most_numbers = 16'000'000;  // in memory at a time
+constexpr std::size_t numbers_at_a_time = 16'000'000;  // in memory
 constexpr std::size_t most_reasons = 100;
 constexpr std::array<double, 5> shares = {0.05, 0.25, 0.5, 0.75, 0.95};
 
@@ -182,11 +182,12 @@ std::string kind_of_reason(std::string_view reason) {
   return kind;
 }
 
-Outcome<SweepSummary> summarise(const Sweep& sweep, const std::string& folder) {
+Outcome<SweepSummary> summarise(ChunkReader& chunks) {
+  const Sweep& sweep = chunks.sweep();
   SweepSummary summary{.job = std::string(sweep.job.name), .runs = sweep.total, .sides = {}};
   ReasonCounter reasons;
-  const auto outcomes = read_outcomes(
-      sweep, folder, [&](std::uint64_t run, const std::string& status, const std::string& reason) {
+  const auto outcomes =
+      read_outcomes(chunks, [&](std::uint64_t run, const std::string& status, const std::string& reason) {
         reasons.add(run, status, reason);
       });
   if (!outcomes) return tl::unexpected<Fault>(outcomes.error());
@@ -205,12 +206,11 @@ Outcome<SweepSummary> summarise(const Sweep& sweep, const std::string& folder) {
   std::vector<RunsSummary*> runs;
   for (RunsSummary& one : summary.sides) runs.push_back(&one);
   for (RunsSummary& one : summary.points) runs.push_back(&one);
-  const std::size_t at_once = std::max<std::size_t>(1, most_numbers / sweep.total);
+  const std::size_t at_once = std::max<std::size_t>(1, numbers_at_a_time / sweep.total);
   for (std::size_t begin = 0; begin < outcomes->metrics.size(); begin += at_once) {
     const std::size_t end = std::min(begin + at_once, outcomes->metrics.size());
-    const auto columns = read_columns(sweep, folder,
-                                      {outcomes->metrics.begin() + static_cast<std::ptrdiff_t>(begin),
-                                       outcomes->metrics.begin() + static_cast<std::ptrdiff_t>(end)});
+    const auto columns = read_columns(chunks, {outcomes->metrics.begin() + static_cast<std::ptrdiff_t>(begin),
+                                               outcomes->metrics.begin() + static_cast<std::ptrdiff_t>(end)});
     if (!columns) return tl::unexpected<Fault>(columns.error());
     add_metrics(sweep, sets, runs, *columns, summary);
   }

@@ -42,19 +42,25 @@ std::vector<std::string> fixed_columns(const Sweep& sweep);
 /// Returns the text of the chunk with these runs. O(text).
 std::string chunk_text(const Sweep& sweep, const std::vector<SweepResult>& results);
 
-/// A chunk that is whole.
+/// Returns the path of a chunk in the folder of its sweep.
+std::string chunk_path(const std::string& folder, std::uint64_t chunk);
+
+/// Checks by the hash in its last line that the text is whole. Fault: bad_input with `name`. O(text).
+Status check_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text, const std::string& name);
+
+/// The text of a chunk in parts.
 struct ChunkText {
   std::vector<std::string> metrics;  ///< names of the last columns
   std::string_view lines;            ///< those of its runs, within the text
 };
 
-/// Checks that the text is the given chunk of the sweep, by its hash. Fault: bad_input with `name`.
-Outcome<ChunkText> check_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
+/// Splits a text that was checked. Fault: bad_input with `name` if it is not the given chunk of the sweep.
+Outcome<ChunkText> split_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
                                const std::string& name);
 
-/// Reads a chunk. Fault: bad_input with `name` if it is damaged or is not the given chunk of the sweep.
-Outcome<SweepTable> read_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text,
-                               const std::string& name);
+/// Reads the rows of a chunk. Fault: bad_input with `name` if they are not those of the given chunk.
+Outcome<SweepTable> read_rows(const Sweep& sweep, std::uint64_t chunk, const ChunkText& text,
+                              const std::string& name);
 
 /// Appends the names to the columns of `into` that it lacks, in order.
 void add_columns(std::vector<std::string>& into, const std::vector<std::string>& names);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "outrider/sweep/chunk.hpp"
+#include "outrider/sweep/chunk_reader.hpp"
 
 namespace outrider {
 
@@ -25,11 +25,10 @@ struct Outcomes {
 
 /// Reads the outcomes; `each` receives the status and reason of each run that is not done.
 Outcome<Outcomes> read_outcomes(
-    const Sweep& sweep, const std::string& folder,
+    ChunkReader& chunks,
     const std::function<void(std::uint64_t run, const std::string& status, const std::string& reason)>& each);
 
 /// Reads these columns at once: metrics, or keys that vary. Memory: 8 bytes for each run and name.
-Outcome<std::vector<Column>> read_columns(const Sweep& sweep, const std::string& folder,
-                                          const std::vector<std::string>& names);
+Outcome<std::vector<Column>> read_columns(ChunkReader& chunks, const std::vector<std::string>& names);
 
 }  // namespace outrider

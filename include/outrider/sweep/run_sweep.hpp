@@ -1,8 +1,8 @@
-// Functions that compute a sweep into a folder: chunk by chunk, and the chunks to one table.
+// Functions that compute a sweep into a folder, chunk by chunk.
 //
 //   FOLDER/manifest.json      what the sweep is made of (manifest.hpp)
 //   FOLDER/chunks/000000.csv  its chunks (chunk.hpp), each written under another name and renamed
-//   FOLDER/table.csv          all of them, in order
+//   FOLDER/table.csv          all of them, in order (merge_chunks.hpp)
 //   FOLDER/failures/17        with keep_failures: the log of run 17
 //
 // A chunk is a pure function of the manifest: any process may compute any chunk, in any order, with any
@@ -70,14 +70,5 @@ Outcome<std::vector<std::uint64_t>> compute_chunks(const Sweep& sweep, const Swe
 
 /// Returns the chunks that are not in the folder.
 std::vector<std::uint64_t> missing_chunks(const Sweep& sweep, const std::string& folder);
-
-/// Reads the chunks in order, one at a time. Fault: bad_input if one is missing or damaged.
-Status for_each_chunk(const Sweep& sweep, const std::string& folder,
-                      const std::function<void(std::uint64_t chunk, const SweepTable&)>& use);
-
-/// Writes the table of all runs, whose metrics are in the order in which the runs first have them, so it does
-/// not depend on the size of chunks. Returns its SHA-256; empty if another process is writing it. Faults:
-/// those of for_each_chunk(); cannot_write.
-Outcome<std::string> merge_chunks(const Sweep& sweep, const std::string& folder);
 
 }  // namespace outrider

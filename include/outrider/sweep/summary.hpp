@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "outrider/sweep/chunk_reader.hpp"
 #include "outrider/sweep/statistics.hpp"
-#include "outrider/sweep/sweep.hpp"
 
 namespace outrider {
 
@@ -81,8 +81,8 @@ struct SweepSummary {
 inline constexpr std::size_t most_points_summarised = 1000;
 
 /// Summarises the chunks of a complete sweep. All quantiles are exact. Reads the chunks as often as the
-/// columns need, 16 million numbers at a time: 128 MiB. Faults: those of for_each_chunk().
-Outcome<SweepSummary> summarise(const Sweep& sweep, const std::string& folder);
+/// columns need, 16 million numbers at a time: 128 MiB. Faults: those of ChunkReader.
+Outcome<SweepSummary> summarise(ChunkReader& chunks);
 
 /// Returns the reason with # for numbers and '...' for what is quoted.
 std::string kind_of_reason(std::string_view reason);

@@ -17,9 +17,10 @@ std::ptrdiff_t count_of(const std::string& text, const std::string& pattern) {
 TEST_F(SweepPicture, ShowsRatesAHeatMapAndHistograms) {
   const Sweep all = sweep({.runs = 200, .seed = 2, .vary = {"x=uniform(0,10)", "mode=a,b"}});
   ASSERT_FALSE(table(all, "out").empty());
-  const auto summary = summarise(all, path("out"));
+  ChunkReader chunks(all, path("out"));
+  const auto summary = summarise(chunks);
   ASSERT_TRUE(summary);
-  const auto svg = sweep_picture(all, path("out"), *summary);
+  const auto svg = sweep_picture(chunks, *summary);
   ASSERT_TRUE(svg) << to_string(svg.error());
   for (const char* title : {">done, by x<", ">done, by mode<", ">across: x, up: mode<", ">y<", ">twice<"}) {
     EXPECT_NE(svg->find(title), std::string::npos) << title;
@@ -41,9 +42,10 @@ TEST_F(SweepPicture, HoldsWhereNothingVaries) {
     const Sweep all = sweep(request);
     const std::string folder = "out" + std::to_string(count++);
     ASSERT_FALSE(table(all, folder).empty());
-    const auto summary = summarise(all, path(folder));
+    ChunkReader chunks(all, path(folder));
+    const auto summary = summarise(chunks);
     ASSERT_TRUE(summary);
-    const auto svg = sweep_picture(all, path(folder), *summary);
+    const auto svg = sweep_picture(chunks, *summary);
     ASSERT_TRUE(svg) << to_string(svg.error());
     EXPECT_EQ(count_of(*svg, "nan|inf"), 0);
   }

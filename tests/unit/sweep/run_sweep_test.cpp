@@ -32,7 +32,7 @@ TEST_F(RunSweep, TheTableDoesNotDependOnChunksOrTheirOrder) {
     ASSERT_TRUE(
         compute_chunks(all, {.folder = path("backwards"), .first_chunk = chunk, .end_chunk = chunk + 1}));
   }
-  const auto hash = merge_chunks(all, path("backwards"));
+  const auto hash = merge(all, "backwards");
   ASSERT_TRUE(hash);
   EXPECT_EQ(*hash, sha256(once));
   EXPECT_EQ(read_file(path("backwards/table.csv")).value_or(""), once);
@@ -85,7 +85,7 @@ TEST_F(RunSweep, ASweepThatWasStoppedIsContinued) {
   EXPECT_EQ(stopped.error().code, FaultCode::cancelled);
   const auto missing = missing_chunks(all, path("out"));
   EXPECT_EQ(missing.front(), 4U);
-  EXPECT_FALSE(merge_chunks(all, path("out")));
+  EXPECT_FALSE(merge(all, "out"));
   EXPECT_EQ(table(all, "out"), once);
 }
 
@@ -124,7 +124,7 @@ TEST_F(RunSweep, ADamagedChunkIsRefusedByItsName) {
   for (const std::string& bad : {std::string(), std::string("\n# "), second.substr(0, second.size() / 2),
                                  second.substr(0, second.size() - 1), second + "x", changed, third}) {
     write("out/chunks/000001.csv", bad);
-    const auto merged = merge_chunks(all, path("out"));
+    const auto merged = merge(all, "out");
     ASSERT_FALSE(merged) << bad;
     EXPECT_EQ(merged.error().where, path("out/chunks/000001.csv"));
     EXPECT_NE(merged.error().sentence.find("damaged"), std::string::npos);

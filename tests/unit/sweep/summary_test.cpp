@@ -61,7 +61,8 @@ void expect_same(const RunsSummary& found, Rows rows) {
 TEST_F(Summary, RatesAndMetricsAreThoseOfTheTable) {
   const Sweep all = sweep({.runs = 100, .seed = 2, .vary = {"x=uniform(0,9)", "mode=a,b"}, .chunk_runs = 64});
   const Rows rows = rows_of(table(all, "out"));
-  const auto summary = summarise(all, path("out"));
+  ChunkReader chunks(all, path("out"));
+  const auto summary = summarise(chunks);
   ASSERT_TRUE(summary) << to_string(summary.error());
   ASSERT_EQ(summary->sides.size(), 1U);
   ASSERT_EQ(summary->points.size(), 2U);
@@ -80,7 +81,8 @@ TEST_F(Summary, RatesAndMetricsAreThoseOfTheTable) {
 TEST_F(Summary, ComparisonsPairTheRunsOfOneSeed) {
   const Sweep all = sweep({.runs = 50, .seed = 2, .vary = {"mode=uniform(0,1)"}, .compare = {"x=7,7.5"}});
   const Rows rows = rows_of(table(all, "out"));
-  const auto summary = summarise(all, path("out"));
+  ChunkReader chunks(all, path("out"));
+  const auto summary = summarise(chunks);
   ASSERT_TRUE(summary);
   ASSERT_EQ(summary->sides.size(), 2U);
   for (const RunsSummary& side : summary->sides) expect_same(side, rows);

@@ -10,6 +10,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/io/files.hpp"
+#include "outrider/sweep/merge_chunks.hpp"
 #include "outrider/sweep/run_sweep.hpp"
 
 namespace outrider::testing {
@@ -80,11 +81,16 @@ class SweepFolder : public ::testing::Test {
     EXPECT_TRUE(made) << to_string(made.error());
     return *made;
   }
+  /// Makes the table of a folder, and returns its hash.
+  [[nodiscard]] Outcome<std::string> merge(const Sweep& of, const std::string& folder) const {
+    ChunkReader chunks(of, path(folder));
+    return merge_chunks(chunks);
+  }
   /// Computes the whole sweep in a folder and returns its table.
   [[nodiscard]] std::string table(const Sweep& of, const std::string& folder) const {
     EXPECT_TRUE(begin_sweep(manifest(of), path(folder)));
     EXPECT_TRUE(compute_chunks(of, {.folder = path(folder), .end_chunk = of.chunks()}));
-    const auto hash = merge_chunks(of, path(folder));
+    const auto hash = merge(of, folder);
     EXPECT_TRUE(hash) << to_string(hash.error());
     return read_file(path(folder + "/table.csv")).value_or("");
   }

@@ -1,0 +1,33 @@
+#include "outrider/sweep/chunk_reader.hpp"
+
+#include "outrider/io/files.hpp"
+
+namespace outrider {
+
+Status ChunkReader::for_each_text(
+    const std::function<Status(std::uint64_t chunk, const ChunkText& text, const std::string& path)>& use) {
+  for (std::uint64_t chunk = 0; chunk < sweep_->chunks(); ++chunk) {
+    const std::string path = chunk_path(folder_, chunk);
+    const auto text = read_file(path);
+    if (!text) return tl::unexpected<Fault>(text.error());
+    if (!checked_[chunk]) {
+      if (auto ok = check_chunk(*sweep_, chunk, *text, path); !ok) return ok;
+      checked_[chunk] = true;
+    }
+    const auto split = split_chunk(*sweep_, chunk, *text, path);
+    if (!split) return tl::unexpected<Fault>(split.error());
+    if (auto ok = use(chunk, *split, path); !ok) return ok;
+  }
+  return {};
+}
+
+Status ChunkReader::for_each_table(const std::function<void(const SweepTable&)>& use) {
+  return for_each_text([&](std::uint64_t chunk, const ChunkText& text, const std::string& path) -> Status {
+    const auto table = read_rows(*sweep_, chunk, text, path);
+    if (!table) return tl::unexpected<Fault>(table.error());
+    use(*table);
+    return {};
+  });
+}
+
+}  // namespace outrider
