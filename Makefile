@@ -150,7 +150,7 @@ check-packages: packages  ## install the packages in a fresh Debian, use them th
 	@scripts/check-packages build/packages
 
 bench:  ## run the benchmarks, and write what they measure to out/bench, from where the docs site draws it
-	$(INSTALL) build bench page browser python
+	$(INSTALL) build bench page browser python ompl cbc ceres peers
 	$(CONFIGURE) release build -DOUTRIDER_BUILD_BENCH=ON -DOUTRIDER_WITH_CERES=AUTO $(FIRST)
 	@ninja -C build -j $(JOBS) bench/all
 	@ninja -C build -j $(JOBS) outrider $$([ -e build/bench/call_bench ] && echo outrider_python)
