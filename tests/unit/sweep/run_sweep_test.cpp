@@ -89,6 +89,20 @@ TEST_F(RunSweep, ASweepThatWasStoppedIsContinued) {
   EXPECT_EQ(table(all, "out"), once);
 }
 
+TEST_F(RunSweep, AChunkThatCannotBeWrittenEndsTheSweep) {
+  const Sweep all = sweep(toy_request());
+  for (const std::uint64_t chunk :
+       {std::uint64_t{0}, all.chunks() - 1}) {  // one while others follow, and the last
+    ASSERT_TRUE(begin_sweep(manifest(all), path("out")));
+    const auto taken_away = [&](const SweepProgress&) { std::filesystem::remove_all(path("out/chunks")); };
+    const auto computed = compute_chunks(
+        all, {.folder = path("out"), .first_chunk = chunk, .end_chunk = all.chunks()}, {{}, taken_away});
+    ASSERT_FALSE(computed);
+    EXPECT_TRUE(computed.error().where.starts_with(path("out/chunks/"))) << to_string(computed.error());
+  }
+  EXPECT_EQ(table(all, "out"), table(all, "once"));
+}
+
 TEST_F(RunSweep, ChunksThatOthersComputeAreLeftToThem) {
   const Sweep all = sweep(toy_request());
   ASSERT_TRUE(begin_sweep(manifest(all), path("out")));
