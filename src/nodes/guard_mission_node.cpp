@@ -129,6 +129,7 @@ void GuardMissionNode::begin_command(const Pose2& pose) {
   const auto* fire = std::get_if<Fire>(&*present_);
   if (fire == nullptr || gun_.was_hit(fire->target)) return;
   gun_.fire_at(fire->target);
+  ++shots_;
   send(fire_output_, std_msgs::Float64{fire->shot.speed_mps});
   log_event(log(), time_s, "shot",
             fmt::format("shoots at {} from ({:.2f}, {:.2f})", targets[fire->target].name, pose.position.x,
@@ -245,11 +246,9 @@ void GuardMissionNode::note(const Pose2& pose) {
 void GuardMissionNode::finish() {
   const StopTasks& tasks = guard_->mission->tasks;
   const GuardVerdict verdict = verdict_of(*guard_->mission);
-  int shots = 0;
-  for (const TargetRecord& record : tasks.records) shots += record.shots;
   const auto hit = std::ranges::count(tasks.records, TargetStatus::reached, &TargetRecord::status);
   std::string sentence =
-      fmt::format("{} of {} targets are told to be hit, by {} shots", hit, tasks.records.size(), shots);
+      fmt::format("{} of {} targets are told to be hit, by {} shots", hit, tasks.records.size(), shots_);
   if (!verdict.reason.empty()) sentence += "; " + verdict.reason;
   if (!tasks.given_up.empty()) sentence += "; " + tasks.given_up;
   const bool good = verdict.status == "done";

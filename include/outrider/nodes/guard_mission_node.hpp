@@ -84,6 +84,7 @@ class GuardMissionNode final : public MissionNode {
   std::vector<Vec2> strange_;        ///< what the newest scan shows beside the solids, on the map
   std::vector<ShotResult> results_;  ///< that the mission has not seen
   double noted_s_ = -1e9;            ///< when pose and joints were logged
+  int shots_ = 0;                    ///< that were sent to the gun
   std::size_t aim_output_, fire_output_;
 };
 
