@@ -11,10 +11,12 @@
 #include "outrider/jobs/cover/job.hpp"
 #include "outrider/jobs/drive/job.hpp"
 #include "outrider/jobs/explore/job.hpp"
+#include "outrider/jobs/guard/job.hpp"
 #include "outrider/jobs/pursue/job.hpp"
 #include "outrider/nodes/cover_mission_node.hpp"
 #include "outrider/nodes/drive_mission_node.hpp"
 #include "outrider/nodes/explore_mission_node.hpp"
+#include "outrider/nodes/guard_mission_node.hpp"
 #include "outrider/nodes/pursue_mission_node.hpp"
 #include "ros_request.hpp"
 #include "terminal.hpp"
@@ -28,6 +30,7 @@ struct MissionRequest {
   MissionNodeOptions node;
   double latency_s = DriveMissionNodeOptions().latency_s;
   PursueMissionNodeOptions pursue;
+  GuardMissionNodeOptions guard;
 };
 
 std::vector<OptionGroup> describe_mission(MissionRequest& request) {
@@ -42,6 +45,11 @@ std::vector<OptionGroup> describe_mission(MissionRequest& request) {
   for (OptionGroup& group : describe(request.pursue)) {
     group.name = "pursue";
     group.sentence = "for the job pursue";
+    all.push_back(std::move(group));
+  }
+  for (OptionGroup& group : describe(request.guard)) {
+    group.name = "guard";
+    group.sentence = "for the job guard";
     all.push_back(std::move(group));
   }
   return all;
@@ -87,6 +95,19 @@ MadeNode make_pursuer(const MissionRequest& request) {
   return std::make_unique<PursueMissionNode>(options, std::move(*task), name);
 }
 
+MadeNode make_guard(const MissionRequest& request) {
+  GuardJob job;
+  if (auto ok = read_scenario(job, request.file); !ok) return pass_on(ok);
+  auto warnings = job.load();
+  if (!warnings) return pass_on(warnings);
+  warn(*warnings);
+  GuardMissionNodeOptions options = request.guard;
+  options.node = request.node;
+  auto guard = GuardMissionNode::prepare(std::move(job.scenario), options);
+  if (!guard) return pass_on(guard);
+  return std::make_unique<GuardMissionNode>(options, std::move(*guard));
+}
+
 /// A job whose robot can be behind topics, or why it cannot.
 struct MissionKind {
   std::string_view job;
@@ -99,10 +120,7 @@ constexpr std::array<MissionKind, 8> kinds{
      {"drive", make_driver, ""},
      {"explore", make_explorer, ""},
      {"pursue", make_pursuer, ""},
-     {"guard", nullptr,
-      "it needs a gun that is aimed and tells of each shot whether it hit, and ROS has no messages for that; "
-      "`outrider run` plans and simulates it, `outrider ros planner` and `follower` drive a robot to its "
-      "stops"},
+     {"guard", make_guard, ""},
      {"slam", nullptr,
       "it maps logs and drives no robot; `outrider ros mapper` does with scans on topics what it does with "
       "those of a log"},
@@ -122,8 +140,8 @@ MadeNode make_node(const MissionRequest& request) {
         fmt::format("the job {} cannot have its robot behind topics: {}", kind.job, kind.why_not),
         request.file);
   }
-  return bad_input(fmt::format("the job '{}' cannot have its robot behind topics; cover, drive, explore and "
-                               "pursue can",
+  return bad_input(fmt::format("the job '{}' cannot have its robot behind topics; cover, drive, explore, "
+                               "guard and pursue can",
                                *named),
                    request.file);
 }
@@ -141,7 +159,7 @@ int run_mission(MissionRequest& request, const Command& words, const std::stop_t
 void add_ros_run(Command& ros, const std::stop_token& stop) {
   Command& command = ros.add("run", "run the mission of a scenario with its robot behind topics");
   auto request = std::make_shared<MissionRequest>();
-  command.positional("scenario", &request->file, "scenario of cover, drive, explore or pursue")
+  command.positional("scenario", &request->file, "scenario of cover, drive, explore, guard or pursue")
       .required()
       .type("FILE");
   add_flags(command, describe_mission(*request));

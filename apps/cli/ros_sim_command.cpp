@@ -10,6 +10,8 @@
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/drive/job.hpp"
 #include "outrider/jobs/explore/job.hpp"
+#include "outrider/jobs/guard/job.hpp"
+#include "outrider/nodes/guard_sim_node.hpp"
 #include "outrider/nodes/sim_node.hpp"
 #include "outrider/nodes/tag_sim_node.hpp"
 #include "ros_request.hpp"
@@ -79,7 +81,7 @@ Status read_world(SimRequest& request, const std::string& job) {
   if (job == "explore") return read_scenario(request.job, request.file);
   if (!job.empty()) {
     return bad_input(
-        fmt::format("it is a scenario of the job {}; give a world, or one of explore or drive", job),
+        fmt::format("it is a scenario of the job {}; give a world, or one of explore, drive or guard", job),
         request.file);
   }
   return change(request.job, {{"world", request.file}});
@@ -109,23 +111,28 @@ int simulate_explorer(SimRequest& request, const Command& words, const std::stop
   return job_done;
 }
 
-/// Refuses flags of the robot of explore: the robot of drive is that of its scenario.
-Status check_flags_of_drive(SimRequest& request, const Command& words) {
+/// Refuses flags of the robot of explore: that of another job is as its scenario says.
+Status check_flags_of(const std::string& job, const std::string& why_localised, SimRequest& request,
+                      const Command& words) {
   for (const OptionGroup& group : groups_of(request.job, {"", "robot", "laser", "wheels"})) {
     for (const Option& option : group.options) {
       const std::string flag = flag_of(group.name, option.name);
-      if (words.given(flag) && flag != "--seed")
-        return bad_input("the robot of a scenario of drive is as the scenario says; change it there", flag);
+      if (words.given(flag) && flag != "--seed") {
+        return bad_input(
+            fmt::format("the robot of a scenario of {} is as the scenario says; change it there", job), flag);
+      }
     }
   }
-  if (words.given("--localised"))
-    return bad_input("the robot of a scenario of drive finds itself by its tags; leave it out",
+  if (words.given("--localised")) {
+    return bad_input(fmt::format("the robot of a scenario of {} {}; leave it out", job, why_localised),
                      "--localised");
+  }
   return {};
 }
 
 int simulate_driver(SimRequest& request, const Command& words, const std::stop_token& stop) {
-  if (auto ok = check_flags_of_drive(request, words); !ok) return print_fault(ok.error(), false);
+  if (auto ok = check_flags_of("drive", "finds itself by its tags", request, words); !ok)
+    return print_fault(ok.error(), false);
   DriveJob job;
   if (auto ok = read_scenario(job, request.file); !ok) return print_fault(ok.error(), false);
   const auto setup = load_drive(job.scenario);
@@ -153,6 +160,31 @@ int simulate_driver(SimRequest& request, const Command& words, const std::stop_t
   return job_done;
 }
 
+int simulate_guard(SimRequest& request, const Command& words, const std::stop_token& stop) {
+  if (auto ok = check_flags_of("guard", "is always told where it is", request, words); !ok)
+    return print_fault(ok.error(), false);
+  GuardJob job;
+  if (auto ok = read_scenario(job, request.file); !ok) return print_fault(ok.error(), false);
+  const auto warnings = job.load();
+  if (!warnings) return print_fault(warnings.error(), false);
+  warn(*warnings);
+  const auto yard = GuardSimYard::make(job.scenario);
+  if (!yard) return print_fault(yard.error(), false);
+  RobotSimOptions options;
+  options.seed =
+      static_cast<std::uint64_t>(words.given("--seed") ? request.job.scenario.seed : job.scenario.seed);
+  options.plain_twist = request.plain_twist;
+  options.patience_s = request.patience_s;
+  options.faults = request.faults;
+  GuardSimNode node(*yard, options);
+  const int status = run_ros_node(node, request.ros, words, stop);
+  if (status != job_done) return status;
+  const auto& body = node.robot().body<TwistBody>();
+  show("{:.1f} s simulated, {:.2f} m driven, {} contacts; {} of {} targets were hit, by {} shots\n",
+       body.time_s(), body.driven_m(), body.contacts(), node.hits(), node.gone().size(), node.shots());
+  return job_done;
+}
+
 int simulate(SimRequest& request, const Command& words, const std::stop_token& stop) {
   if (auto ok = check_ros(); !ok) return print_fault(ok.error(), false);
   const std::string job = job_of(request.file);
@@ -163,6 +195,7 @@ int simulate(SimRequest& request, const Command& words, const std::stop_token& s
     return print_fault({FaultCode::bad_input, "only robots of scenarios of drive have a camera", "--images"},
                        false);
   }
+  if (job == "guard") return simulate_guard(request, words, stop);
   if (auto ok = read_world(request, job); !ok) return print_fault(ok.error(), false);
   return simulate_explorer(request, words, stop);
 }
@@ -170,12 +203,13 @@ int simulate(SimRequest& request, const Command& words, const std::stop_token& s
 }  // namespace
 
 void add_ros_sim(Command& ros, const std::stop_token& stop) {
-  Command& command =
-      ros.add("sim", "simulate a robot with a range finder in a known world, or one that sees tags");
+  Command& command = ros.add(
+      "sim", "simulate a robot with a range finder in a known world, one that sees tags, or one with a gun");
   auto request = std::make_shared<SimRequest>();
   command
-      .positional("world", &request->file,
-                  "SDF, map_server YAML, PGM or PNG image, slices CSV; or a scenario of explore or drive")
+      .positional(
+          "world", &request->file,
+          "SDF, map_server YAML, PGM or PNG image, slices CSV; or a scenario of explore, drive or guard")
       .required()
       .type("FILE");
   add_flags(command, describe_sim(*request));

@@ -131,14 +131,11 @@ void CoverMissionNode::finish() {
 
 /// Notes what the newest scan shows and the map does not have.
 void CoverMissionNode::note_strange() {
-  if (!scan().came_s() || scan().time_s() == strange_s_) return;
-  const auto odom_T_then = frames().odom_T_robot(scan().time_s());
-  if (!odom_T_then) return;
-  const Pose2 map_T_then = compose(*frames().map_T_odom(), *odom_T_then);
-  strange_s_ = scan().time_s();
+  const auto points = new_scan_on_map();
+  if (!points) return;
   strange_.clear();
-  for (const Vec2 point : scan().points()) {
-    const Vec2 at = work_->task.frame.to_local(map_T_then * point);
+  for (const Vec2 point : *points) {
+    const Vec2 at = work_->task.frame.to_local(point);
     if (is_strange(at, work_->plan.ground, work_->task.problem.transfers)) strange_.push_back(at);
   }
 }

@@ -52,11 +52,14 @@ ExplorerNode::ExplorerNode(ExplorerNodeOptions options)
     : Node("explorer", 0.1, "explore/status"),
       options_(std::move(options)),
       frames_(options_.frames),
+      scan_(2.0 * CloseRange::reach_m),
       frontiers_(options_.explore.frontier, options_.robot.radius_m) {
   blacklist_.ban_s = options_.explore.ban_s;
   if (const auto home = parse_pose(options_.home, "home")) home_ = *home;
   listen<nav_msgs::OccupancyGrid>("map", Delivery::latched,
                                   [this](const auto& map) { return take_map(map); });
+  listen<sensor_msgs::LaserScan>("scan", Delivery::sensor,
+                                 [this](const auto& scan) { return take_scan(scan); });
   listen_to_transforms(frames_);
   goal_output_ = add_output<geometry_msgs::PoseStamped>("goal_pose", Delivery::reliable);
   frontier_output_ = add_output<visualization_msgs::MarkerArray>("frontiers", Delivery::reliable);
@@ -83,6 +86,12 @@ Status ExplorerNode::take_map(const nav_msgs::OccupancyGrid& map) {
   frontiers_.update(*grid, {true, {}});
   has_map_ = new_map_ = true;
   return {};
+}
+
+/// The odometry at the time of a scan may come after it.
+Status ExplorerNode::take_scan(const sensor_msgs::LaserScan& scan) {
+  gap_.add(scan_, frames_);
+  return scan_.take(scan, frames_, now_s());
 }
 
 ExploreState ExplorerNode::state() {
@@ -126,23 +135,54 @@ void ExplorerNode::end() {
 /// Looks at the narrow ways from near, one after the other, then goes home.
 void ExplorerNode::nothing_to_reach(const Decision& decision) {
   if (narrow_way_) return;  // it is on its way to one
-  const LeftOvers left = left_over(state(), options_.explore, decision.refused, false, narrow_);
+  LeftOvers left = left_over(state(), options_.explore, decision.refused, false, narrow_);
   if (!left.worth_a_try.empty()) {
     narrow_way_ = left.worth_a_try.front();
     const Vec2 stand = narrow_way_->points.front();
     goal_ = Pose2{stand, heading_of(narrow_way_->narrowest - stand)};
     moved_on();
     arrived_s_.reset();
+    gap_.begin_anew();
     set_status(NodeLevel::info, "exploring",
                fmt::format("to {:.2f}, {:.2f} to look at a narrow place from near", stand.x, stand.y));
     return send_goal();
   }
+  const LeftOvers hidden = take_out_of_sight(left);
   for (const LeftOver& one : left.places) {
     tell(NodeLevel::info, fmt::format("left over at {:.2f}, {:.2f}: up to {:.1f} m2: {}", one.place.x,
                                       one.place.y, one.area_m2, one.sentence));
   }
-  left.places.empty() ? go_home("complete", decision.sentence)
-                      : go_home("left_over", left.sentence(options_.robot.radius_m));
+  if (!left.places.empty()) return go_home("left_over", left.sentence(options_.robot.radius_m));
+  go_home("complete",
+          hidden.places.empty()
+              ? decision.sentence
+              : fmt::format("{}; out of sight: up to {:.1f} m2 behind {} gap{} too narrow for the "
+                            "robot, which takes {:.2f} m with its clearance",
+                            decision.sentence, hidden.area_m2(), hidden.places.size(),
+                            hidden.places.size() == 1 ? "" : "s", 2.0 * wanted_room_m()));
+}
+
+/// Takes out what the robot sees from nowhere, since it lies behind gaps that are too narrow: as was measured
+/// from near, or as the map shows though its walls may be drawn too thick.
+LeftOvers ExplorerNode::take_out_of_sight(LeftOvers& left) {
+  LeftOvers hidden;
+  std::erase_if(left.places, [&](const LeftOver& one) {
+    const bool in_doubt = std::ranges::any_of(narrow_, [&](const NarrowPlace& looked) {
+      return !looked.measured && distance(looked.place, one.narrowest) <= same_place_m;
+    });
+    if (one.reason != LeftReason::narrow || in_doubt) return false;
+    tell(NodeLevel::info,
+         fmt::format("out of sight at {:.2f}, {:.2f}: the gap at {:.2f}, {:.2f} is {:.2f} m wide",
+                     one.place.x, one.place.y, one.narrowest.x, one.narrowest.y, one.width_m));
+    hidden.places.push_back(one);
+    return true;
+  });
+  return hidden;
+}
+
+/// Returns the least room on each side of its centre where the robot drives.
+double ExplorerNode::wanted_room_m() const {
+  return options_.robot.radius_m + options_.explore.frontier.ground.margin_m;
 }
 
 void ExplorerNode::decide_where(const Decision& decision) {
@@ -183,6 +223,7 @@ void ExplorerNode::judge_goal() {
     if (going_home) return end();
     if (!arrived_s_) arrived_s_ = now_s();
   }
+  if (narrow_way_ && arrived_s_) gap_.look(*narrow_way_, pose_, options_.robot.radius_m);
   const bool seen_in_vain = arrived_s_ && now_s() - *arrived_s_ > options_.look_s;
   if (!seen_in_vain && now_s() - moved_on_s_ <= options_.patience_s) return;
   if (!seen_in_vain) {
@@ -201,7 +242,9 @@ void ExplorerNode::judge_goal() {
   }
   if (going_home) return;
   if (narrow_way_) {  // what is narrow still, after a look from near, is too narrow
-    narrow_.push_back({narrow_way_->narrowest, 0.0, false, looked_at});
+    const auto gap = gap_.gap();
+    const bool too_narrow = gap && gap->width_m < 2.0 * wanted_room_m();
+    narrow_.push_back(too_narrow ? *gap : NarrowPlace{narrow_way_->narrowest, 0.0, false, looked_at});
     narrow_way_.reset();
     return decide_anew();
   }

@@ -101,6 +101,19 @@ void MissionNode::listen_to_scan() {
                                  [this](const auto& scan) { return scan_.take(scan, frames_, now_s()); });
 }
 
+std::optional<std::vector<Vec2>> MissionNode::new_scan_on_map() {
+  if (!scan_.came_s() || scan_.time_s() == placed_s_) return std::nullopt;
+  const auto odom_T_then = frames_.odom_T_robot(scan_.time_s());
+  const auto map_T_odom = frames_.map_T_odom();
+  if (!odom_T_then || !map_T_odom) return std::nullopt;
+  placed_s_ = scan_.time_s();
+  const Pose2 map_T_then = compose(*map_T_odom, *odom_T_then);
+  std::vector<Vec2> points;
+  points.reserve(scan_.points().size());
+  for (const Vec2 point : scan_.points()) points.push_back(map_T_then * point);
+  return points;
+}
+
 std::string MissionNode::why_scan_is_missing() const {
   return scan_.came_s() ? why_missing("scan", scan_.came_s(), options_.patience_s) : std::string();
 }
@@ -143,6 +156,7 @@ std::optional<std::size_t> MissionNode::output_of(std::string_view topic) const 
 void MissionNode::begin_log(double time_s) {
   began_s_ = time_s;
   log_.begin_at(began_s_);
+  log_.keep_newest(kept);
   log_.add_sink(*topics_);
 }
 

@@ -6,12 +6,16 @@
 #include <cmath>
 #include <utility>
 
+#include "outrider/nodes/in_the_way.hpp"
+
 namespace outrider {
 namespace {
 
 constexpr double soon_s = 1e-6;
 constexpr double silent_seconds = 2.0;  // of the mission, without the target, after which the robot stands
 constexpr double there_part = 0.05;     // of a cell: nearer to its middle the robot is there
+constexpr double on_map_m = 0.1;  // from a cell that cannot be entered: what is seen there is on the map
+constexpr double careful = 0.5;   // of the deceleration, since messages come late
 constexpr std::uint64_t most_expansions = 5'000'000;
 
 }  // namespace
@@ -35,6 +39,7 @@ std::vector<OptionGroup> describe(PursueMissionNodeOptions& options) {
   return {{"",
            "the robot",
            {{"cell", "m", 0.01, 1000.0, "side of a cell of the map", &options.cell_m},
+            {"radius", "m", 0.01, 100.0, "of a disk that contains the robot", &options.radius_m},
             {"second", "s", 0.1, 3600.0, "for which a second of the mission takes", &options.second_s},
             {"speed", "m/s", 0.01, 100.0, "at which it drives from cell to cell", &options.pace.speed_mps},
             {"acceleration", "m/s2", 0.01, 100.0, "of the drive", &options.pace.acceleration_mps2},
@@ -61,6 +66,7 @@ PursueMissionNode::PursueMissionNode(PursueMissionNodeOptions options, PursuitTa
   task_.rules.known_s = 0;
   if (task_.rules.budget.expansions > most_expansions) task_.rules.budget.expansions = most_expansions;
   listen_to_pose();
+  listen_to_scan();
   listen<geometry_msgs::PoseStamped>("target_pose", Delivery::sensor,
                                      [this](const auto& target) { return take_target(target); });
   set_status(NodeLevel::info, "waiting", "no odometry has come yet");
@@ -89,6 +95,7 @@ Cell PursueMissionNode::cell_of(Vec2 point) const {
 std::string PursueMissionNode::why_to_stop() const {
   if (std::string why = why_pose_is_missing(); !why.empty()) return why;
   if (!frames().map_T_robot()) return "no transform says where the robot is";
+  if (std::string why = why_scan_is_missing(); !why.empty()) return why;
   if (!target_) return "the target was not seen yet";
   if (now_s() - target_came_s_ <= silent_seconds * options_.second_s) return {};
   return fmt::format("the target was not seen for {:g} s", silent_seconds * options_.second_s);
@@ -125,6 +132,43 @@ void PursueMissionNode::step(const Pose2& pose) {
   driver_.begin(drive, now_s());
 }
 
+/// Returns true if something at that point is not on the map, and not the target.
+bool PursueMissionNode::is_strange(Vec2 point) const {
+  if (distance(point, *target_) <= options_.cell_m) return false;
+  const auto can_enter = [&](Vec2 at) {
+    const Cell cell = cell_of(at);
+    return task_.problem.costs->contains(cell) && (*task_.problem.costs)[cell] < task_.problem.threshold;
+  };
+  for (const double x : {-on_map_m, on_map_m}) {
+    for (const double y : {-on_map_m, on_map_m}) {
+      if (!can_enter(point + Vec2{x, y})) return false;
+    }
+  }
+  return true;
+}
+
+/// Drives on, or stands before what is in the way.
+void PursueMissionNode::drive(const Pose2& pose) {
+  const Twist2 twist = driver_.twist(now_s(), pose).value_or(Twist2{});
+  if (const auto points = new_scan_on_map()) {
+    strange_.clear();
+    std::ranges::copy_if(*points, std::back_inserter(strange_),
+                         [&](Vec2 point) { return is_strange(point); });
+  }
+  StopRule rule;
+  rule.radius_m = options_.radius_m;
+  rule.braking_mps2 = careful * options_.pace.acceleration_mps2;
+  if (const auto thing = in_the_way(strange_, pose, twist, rule)) {
+    driver_.stopped();
+    command({});
+    return stand_before(*thing, pose.position);
+  }
+  way_is_free(pose.position);
+  command(twist);
+  set_status(NodeLevel::info, "pursuing",
+             fmt::format("second {} of the mission", mission_->run.state.time_s));
+}
+
 void PursueMissionNode::finish() {
   if (mission_->fault)
     return end(NodeLevel::error, std::string(to_string(mission_->fault->code)), to_string(*mission_->fault));
@@ -150,10 +194,7 @@ void PursueMissionNode::act() {
   }
   if (!mission_) begin(cell_of(pose.position));
   if (!is_over() && now_s() + soon_s >= next_s_) step(pose);
-  if (is_over()) return;
-  command(driver_.twist(now_s(), pose).value_or(Twist2{}));
-  set_status(NodeLevel::info, "pursuing",
-             fmt::format("second {} of the mission", mission_->run.state.time_s));
+  if (!is_over()) drive(pose);
 }
 
 }  // namespace outrider

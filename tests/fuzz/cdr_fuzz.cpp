@@ -45,7 +45,9 @@ constexpr std::array readers = {read<outrider::sensor_msgs::LaserScan>,
                                 read<outrider::rcl_interfaces::ListParametersRequest>,
                                 read<outrider::rcl_interfaces::GetParametersRequest>,
                                 read<outrider::rcl_interfaces::SetParametersRequest>,
-                                read<outrider::rcl_interfaces::DescribeParametersResponse>};
+                                read<outrider::rcl_interfaces::DescribeParametersResponse>,
+                                read<outrider::std_msgs::Float64>,
+                                read<outrider::std_msgs::String>};
 
 /// Returns the number that FUZZ_MESSAGE gives, or else that of the input.
 std::size_t type_of(std::uint8_t chosen) {

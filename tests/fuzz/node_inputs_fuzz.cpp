@@ -7,14 +7,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 
+#include "outrider/nodes/cover_mission_node.hpp"
 #include "outrider/nodes/coverage_node.hpp"
 #include "outrider/nodes/drive_mission_node.hpp"
 #include "outrider/nodes/explore_mission_node.hpp"
 #include "outrider/nodes/explorer_node.hpp"
 #include "outrider/nodes/follower_node.hpp"
+#include "outrider/nodes/guard_mission_node.hpp"
+#include "outrider/nodes/guard_sim_node.hpp"
 #include "outrider/nodes/mapper_node.hpp"
 #include "outrider/nodes/planner_node.hpp"
 #include "outrider/nodes/pursue_mission_node.hpp"
@@ -47,8 +52,48 @@ std::unique_ptr<Node> coverer() {
   return std::make_unique<CoverageNode>(options);
 }
 
+/// The mission of covering a rectangle.
+std::unique_ptr<Node> covering() {
+  const auto file = std::filesystem::temp_directory_path() / "outrider_node_inputs_fuzz.geojson";
+  static const bool written = [&] {
+    std::ofstream(file) << R"({"type": "Polygon", "coordinates": [[[0,0],[2,0],[2,1],[0,1],[0,0]]]})";
+    return true;
+  }();
+  CoverScenario scenario;
+  if (written) scenario.area = file.string();
+  scenario.units = "metres";
+  scenario.problem.width_m = 0.5;
+  return std::make_unique<CoverMissionNode>(MissionNodeOptions(), scenario);
+}
+
+/// A yard with one target.
+GuardScenario yard() {
+  GuardScenario scenario;
+  scenario.problem.world.bounds = {{-3.0, -3.0}, {3.0, 3.0}};
+  scenario.problem.start = {{0.0, -1.0}, 1.5};
+  Target target;
+  target.name = "tom";
+  target.base = {1.0, 2.0, 0.0};
+  target.size = {0.5, 0.3, 0.4};
+  scenario.problem.targets = {target};
+  scenario.options.resolution_m = 0.5;
+  return scenario;
+}
+
+std::unique_ptr<Node> guard() {
+  auto prepared = GuardMissionNode::prepare(yard(), {});
+  if (!prepared) std::abort();
+  return std::make_unique<GuardMissionNode>(GuardMissionNodeOptions(), std::move(*prepared));
+}
+
+std::unique_ptr<Node> gunner() {
+  const auto made = GuardSimYard::make(yard());
+  if (!made) std::abort();
+  return std::make_unique<GuardSimNode>(*made, RobotSimOptions());
+}
+
 std::unique_ptr<Node> node_of(std::uint8_t choice) {
-  switch (choice % 8) {
+  switch (choice % 11) {
     case 0: return std::make_unique<MapperNode>(MapperNodeOptions());
     case 1: return std::make_unique<PlannerNode>(PlannerNodeOptions());
     case 2: return std::make_unique<ExplorerNode>(ExplorerNodeOptions());
@@ -56,12 +101,19 @@ std::unique_ptr<Node> node_of(std::uint8_t choice) {
     case 4: return driver();
     case 5: return pursuer();
     case 6: return coverer();
+    case 8: return covering();
+    case 9: return guard();
+    case 10: return gunner();
     default: return std::make_unique<ExploreMissionNode>(ExploreMissionNodeOptions());
   }
 }
 
 /// What a robot is told must be a motion.
 void check(const std::string& topic, const std::string& bytes) {
+  if (topic == "gun/fire") {
+    const auto speed = decode<std_msgs::Float64>(MessageEncoding::cdr, bytes);
+    if (!speed || !(speed->data > 0.0 && speed->data < 100.0)) std::abort();
+  }
   if (topic != "cmd_vel") return;
   const auto command = decode<geometry_msgs::TwistStamped>(MessageEncoding::cdr, bytes);
   if (!command || !std::isfinite(command->twist.linear.x) || !std::isfinite(command->twist.angular.z))

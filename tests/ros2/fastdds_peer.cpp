@@ -248,7 +248,10 @@ const std::vector<std::string> echoed = {"sensor_msgs::msg::dds_::LaserScan_",
                                          "visualization_msgs::msg::dds_::MarkerArray_",
                                          "diagnostic_msgs::msg::dds_::DiagnosticStatus_",
                                          "rosgraph_msgs::msg::dds_::Clock_",
-                                         "rcl_interfaces::msg::dds_::Log_"};
+                                         "rcl_interfaces::msg::dds_::Log_",
+                                         "sensor_msgs::msg::dds_::JointState_",
+                                         "std_msgs::msg::dds_::Float64_",
+                                         "std_msgs::msg::dds_::String_"};
 
 Twist doubled(Twist& asked) {
   asked.visit([](double& number) { number *= 2.0; });

@@ -45,6 +45,13 @@ class Run(unittest.TestCase):
         off_m = float(re.search(r"is ([\d.]+) m from its last waypoint", robot).group(1))
         self.assertLess(off_m, 0.05, robot)
 
+    def test_guard_a_yard_with_a_gun(self):
+        status, said, robot = self.run_mission("yard/yard.yaml", ["--rate", "2", "--delay", "0.05"])
+        self.assertEqual(status, 0, said)
+        self.assertIn("done: 23 of 24 targets are told to be hit", said)
+        found = re.search(r"(\d+) contacts; (\d+) of 24 targets were hit", robot.splitlines()[-1])
+        self.assertEqual(found.groups(), ("0", "23"), robot)
+
     def test_explore_in_a_namespace(self):
         status, said, robot = self.run_mission("explore/office.yaml", ["--rate", "3", "--ns", "robot_1"], "--ns", "robot_1")
         last = said.strip().splitlines()[-1]
@@ -55,8 +62,7 @@ class Run(unittest.TestCase):
         self.assertLess(float(found.group(2)), 0.3, robot)
 
     def test_jobs_without_a_robot_behind_topics_are_told_why(self):
-        for file, job, why in [("yard/yard.yaml", "guard", "no messages for that; `outrider run` plans"),
-                               ("fleet/warehouse.yaml", "fleet", "give each robot a planner and a follower"),
+        for file, job, why in [("fleet/warehouse.yaml", "fleet", "give each robot a planner and a follower"),
                                ("slam/office.yaml", "slam", "`outrider ros mapper` does with scans"),
                                ("terrain/terrain.yaml", "plan", "`outrider ros planner` plans paths")]:
             with self.subTest(job):

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -108,8 +109,16 @@ class Log {
   /// Returns the time of the newest message of all channels, s; 0 if there is none.
   [[nodiscard]] double end_s() const { return seconds(end_ns_); }
 
+  /// Keeps only the newest messages of each channel from now on, up to twice that many, for runs without end
+  /// of which sinks receive everything. Expects 1 or more.
+  void keep_newest(std::size_t messages) {
+    kept_ = messages;
+    order_.clear();
+  }
+
   /// Sends everything so far to a sink in the order in which it was appended, then each new message. The sink
-  /// must outlive the log or be removed.
+  /// must outlive the log or be removed. Of a log that keeps only the newest, a sink receives the channels
+  /// and what comes from then on.
   void add_sink(LogSink& sink);
   void remove_sink(LogSink& sink) { std::erase(sinks_, &sink); }
 
@@ -137,11 +146,16 @@ class Log {
 
   void note_channel(std::string_view topic, const Channel& info);
   void note_message(std::size_t channel, std::int64_t time_ns, const void* message);
+  /// Returns how many of so many messages of a channel are too old to be kept.
+  [[nodiscard]] std::size_t too_old(std::size_t messages) const {
+    return kept_ && messages >= 2 * *kept_ ? messages - *kept_ : 0;
+  }
 
   std::vector<std::unique_ptr<AnyChannel>> channels_;
   std::vector<Channel> infos_;
   std::map<std::string, std::size_t, std::less<>> numbers_;  ///< topic -> channel
-  std::vector<std::uint32_t> order_;                         ///< the channel of each message
+  std::vector<std::uint32_t> order_;  ///< the channel of each message, unless only the newest are kept
+  std::optional<std::size_t> kept_;   ///< messages of each channel; unset: all
   std::int64_t origin_ns_ = 0;
   std::int64_t end_ns_ = 0;
   std::vector<LogSink*> sinks_;
@@ -160,6 +174,7 @@ void Log::append_at(std::string_view topic, std::int64_t time_ns, Message messag
   if (!all.empty()) time_ns = std::max(time_ns, all.back().time_ns);
   all.push_back({time_ns, std::move(message)});
   note_message(channel, time_ns, &all.back().message);
+  all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(too_old(all.size())));
 }
 
 template <class Message>

@@ -48,7 +48,6 @@ class CoverMissionNode final : public MissionNode {
   PieceDrive drive_;
   std::vector<Vec2>
       strange_;  ///< what the newest scan shows and the map does not have, in the frame of the area
-  double strange_s_ = -1.0;  ///< time of that scan
   double moved_on_s_ = 0.0;  ///< when it last got on
   Vec2 stood_;
 };

@@ -1,15 +1,21 @@
 // ExplorerNode: chooses where to go next so that everything that can be seen is mapped, then goes home.
 //
 //   map             nav_msgs/OccupancyGrid    ->   goal_pose       geometry_msgs/PoseStamped
-//   /tf, /tf_static                                frontiers       visualization_msgs/MarkerArray
-//                                                  explore/status  what it does, and why it ended
+//   scan            sensor_msgs/LaserScan          frontiers       visualization_msgs/MarkerArray
+//   /tf, /tf_static                                explore/status  what it does, and why it ended
 //
 // Goals are those of jobs/explore/decide.hpp, chosen again with every map. A goal at which the robot stood
 // without seeing what it was to see there, or to which it makes no way for `patience`, is left alone for a
 // while. Narrow ways on which the robot may fit, as far as the map tells, are looked at from near, since the
-// noise of the scans makes many; the robot does not pass them. States: exploring, going_home, complete,
-// left_over, leak, stuck, map_lost. The sentence of an end says what is left over
-// (jobs/explore/left_over.hpp), or why. A goal is sent again every second, since messages get lost.
+// noise of the scans makes many; the robot does not pass them. If scans come, their width is measured there
+// (gap_measure.hpp).
+//
+// The exploration is complete if nothing is left over (jobs/explore/left_over.hpp) but what the robot sees
+// from nowhere: it lies behind gaps that were measured to be too narrow for the robot with its clearance, the
+// radius and `explore.margin` on each side, or that are so on the map though its walls may be drawn too
+// thick. Without scans no gap is measured. States: exploring, going_home, complete, left_over, leak, stuck,
+// map_lost. The sentence of an end says what is left over or out of sight, or why. A goal is sent again every
+// second, since messages get lost.
 #pragma once
 
 #include <optional>
@@ -18,6 +24,7 @@
 #include "outrider/jobs/explore/decide.hpp"
 #include "outrider/jobs/explore/left_over.hpp"
 #include "outrider/nodes/checked.hpp"
+#include "outrider/nodes/gap_measure.hpp"
 #include "outrider/nodes/node.hpp"
 #include "outrider/nodes/robot_frames.hpp"
 
@@ -48,11 +55,14 @@ class ExplorerNode final : public Node {
 
  private:
   Status take_map(const nav_msgs::OccupancyGrid& map);
+  Status take_scan(const sensor_msgs::LaserScan& scan);
   void act() override;
   void decide_anew();
   void decide_where(const Decision& decision);
   Outcome<Decision> decision_with_tries();
   void nothing_to_reach(const Decision& decision);
+  LeftOvers take_out_of_sight(LeftOvers& left);
+  [[nodiscard]] double wanted_room_m() const;
   void judge_goal();
   void moved_on();
   void go_home(std::string state, std::string sentence);
@@ -65,6 +75,8 @@ class ExplorerNode final : public Node {
   RobotFrames frames_;
   NewestStamp maps_;
   MapBeginning beginning_;
+  ScanPoints scan_;
+  GapMeasure gap_;
   FrontierMap frontiers_;
   Blacklist blacklist_;
   Workspace workspace_;

@@ -31,8 +31,9 @@ class MissionNode : public Node {
  public:
   ~MissionNode() override;
   [[nodiscard]] bool is_over() const override { return over_; }
-  /// The messages of the run so far.
+  /// Returns the newest messages of the run: at least `kept` of each channel, if there are so many.
   [[nodiscard]] const Log& log() const { return log_; }
+  static constexpr std::size_t kept = 50;
 
  protected:
   explicit MissionNode(std::string name, MissionNodeOptions options, double period_s = 0.02);
@@ -44,6 +45,9 @@ class MissionNode : public Node {
   /// Listens to scans, which show what is in the way; the mission goes on without them if none ever comes.
   void listen_to_scan();
   [[nodiscard]] const ScanPoints& scan() const { return scan_; }
+  /// Returns where beams of the newest scan end on the map, once for each scan; nothing if it was returned
+  /// before, or the pose at its time is not known.
+  [[nodiscard]] std::optional<std::vector<Vec2>> new_scan_on_map();
   /// Returns why the robot has to stand still because of its scans; empty if it does not.
   [[nodiscard]] std::string why_scan_is_missing() const;
   /// Says that the robot stands before a thing that the scan shows; ends the mission if it does for 30 s.
@@ -85,6 +89,7 @@ class MissionNode : public Node {
   NewestStamp odometries_;
   std::optional<double> odometry_came_s_;
   ScanPoints scan_;
+  double placed_s_ = -1.0;          ///< time of the scan that was returned last
   std::optional<double> stands_s_;  ///< since when it stands before something
   Vec2 stands_at_;
   std::unique_ptr<Topics> topics_;

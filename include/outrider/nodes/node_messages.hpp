@@ -11,6 +11,30 @@
 
 namespace outrider {
 
+namespace std_msgs {
+
+struct Float64 {
+  double data = 0.0;
+
+  static constexpr std::string_view type = "std_msgs/msg/Float64";
+  template <class List>
+  static void describe(List& list) {
+    list.field("data", &Float64::data);
+  }
+};
+
+struct String {
+  std::string data;
+
+  static constexpr std::string_view type = "std_msgs/msg/String";
+  template <class List>
+  static void describe(List& list) {
+    list.field("data", &String::data);
+  }
+};
+
+}  // namespace std_msgs
+
 namespace rosgraph_msgs {
 
 /// The time of a simulation.

@@ -9,8 +9,12 @@
 // origin of the map. Its target tells only for how many seconds it is there; where it is comes on the topic,
 // and where it will be from the forecast. A second of the mission takes `second`: so long the robot has for
 // the way to the next cell. If it is not there by then, it plans anew from where it is. One robot pursues;
-// its start is where it stands. States: waiting, pursuing, stopped, caught, not_caught, or the fault of the
-// planner.
+// its start is where it stands.
+//
+// The robot stands before what the newest scan shows in its way (in_the_way.hpp) that is neither off the map,
+// nor within 0.1 m of a cell that cannot be entered, nor within the width of a cell of the target. The
+// seconds of the mission pass meanwhile. States: waiting, pursuing, stopped, blocked, caught, not_caught, or
+// the fault of the planner.
 #pragma once
 
 #include <memory>
@@ -27,6 +31,7 @@ struct PursueMissionNodeOptions {
   MissionNodeOptions node;
   double cell_m = 1.0;    ///< side of a cell
   double second_s = 1.0;  ///< duration of a second of the mission
+  double radius_m = 0.2;  ///< of a disk that contains the robot, with which it stops before things
   Pace pace;              ///< how fast the robot drives
 
   PursueMissionNodeOptions();
@@ -49,6 +54,8 @@ class PursueMissionNode final : public MissionNode {
   [[nodiscard]] Cell cell_of(Vec2 point) const;
   void begin(Cell robot);
   void step(const Pose2& pose);
+  void drive(const Pose2& pose);
+  [[nodiscard]] bool is_strange(Vec2 point) const;
   void finish();
 
   PursueMissionNodeOptions options_;
@@ -61,8 +68,9 @@ class PursueMissionNode final : public MissionNode {
   std::unique_ptr<PursuitMission> mission_;
   std::unique_ptr<PursuitLog> run_log_;
   PieceDriver driver_;
-  std::size_t seconds_ = 0;  ///< that the mission has seen
-  double next_s_ = 0.0;      ///< when the next one ends
+  std::vector<Vec2> strange_;  ///< what the newest scan shows beside the map
+  std::size_t seconds_ = 0;    ///< that the mission has seen
+  double next_s_ = 0.0;        ///< when the next one ends
 };
 
 }  // namespace outrider

@@ -135,5 +135,27 @@ TEST(Log, ASinkReceivesEverythingOnceWheneverItComes) {
   EXPECT_EQ(late.began_with, 2U) << "it may look at the log before anything else";
 }
 
+TEST(Log, KeepsOnlyTheNewestIfItIsToldTo) {
+  Log log;
+  Keeper all, late;
+  log.add_sink(all);
+  log.append("/a", 0.0, at(0));
+  log.keep_newest(10);
+  for (int i = 1; i < 1000; ++i) {
+    log.append("/a", i, at(i));
+    if (i % 100 == 0) log.append("/b", i, at(i));
+    const auto& kept = log.messages<geometry_msgs::Point>("/a");
+    ASSERT_LT(kept.size(), 20U);
+    ASSERT_EQ(kept.back().message.x, i);
+    ASSERT_EQ(kept[kept.size() - std::min<std::size_t>(kept.size(), 10)].message.x, std::max(i - 9, 0));
+  }
+  EXPECT_EQ(all.received.size(), 1009U);
+  EXPECT_EQ(log.messages<geometry_msgs::Point>("/b").size(), 9U);
+  log.add_sink(late);
+  log.append("/b", 2000.0, at(7));
+  EXPECT_EQ(late.channels, log.channels());
+  ASSERT_EQ(late.received.size(), 1U);
+}
+
 }  // namespace
 }  // namespace outrider

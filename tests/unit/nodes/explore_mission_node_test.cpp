@@ -47,7 +47,8 @@ TEST_F(ExploreBehindTopics, PublishesTheChannelsOfItsRun) {
     EXPECT_GT(side, 2.5 + 2.0 * 0.5);
     EXPECT_LT(side, std::hypot(3.0, 2.5) + 2.0 * 0.5 + 0.2);  // the room is turned
   }
-  const geometry_msgs::PoseStamped& first = log.messages<geometry_msgs::PoseStamped>(topic::pose)[0].message;
+  const auto first =
+      decode<geometry_msgs::PoseStamped>(MessageEncoding::cdr, published.all().at("/pose").front()).value();
   EXPECT_NEAR(time_of(first.header.stamp).value(), 5.0, 0.3);
 }
 

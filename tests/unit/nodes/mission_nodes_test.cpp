@@ -216,6 +216,32 @@ TEST(PursueBehindTopics, StandsStillWithoutTheTarget) {
   EXPECT_EQ(bus.status("pursue").sentence, "the target was not seen for 2 s");
 }
 
+/// A wall that is not on the grid lies between the robot and the target.
+TEST(PursueBehindTopics, StopsForWhatTheScanShows) {
+  NodeBus bus;
+  bus.talk();
+  World field;
+  field.bounds = {{0.0, 0.0}, {12.0, 9.0}};
+  field.solids.push_back({"wall", {{6.0, 4.5, 0.5}, {}}, BoxShape{{6.0, 0.05, 0.5}}});
+  SimNodeOptions sim;
+  sim.start = {{1.5, 1.5}, 0.0};
+  sim.robot = burger();
+  sim.localised = true;
+  bus.start(std::make_unique<SimNode>(field, sim));
+  bus.start(std::make_unique<TargetNode>(9.0));
+  PursueMissionNodeOptions options;
+  options.second_s = 10.0;
+  options.radius_m = 0.105;
+  options.pace.speed_mps = 0.2;
+  options.pace.acceleration_mps2 = 0.5;
+  bus.start(std::make_unique<PursueMissionNode>(options, pursuit_task(), "field"));
+  const auto& node = bus.node<PursueMissionNode>("pursue");
+  ASSERT_TRUE(bus.run(600.0, [&] { return node.is_over(); })) << node.status().sentence;
+  EXPECT_EQ(node.status().state, "blocked") << node.status().sentence;
+  EXPECT_EQ(bus.node<SimNode>("sim").robot().body<TwistBody>().contacts(), 0);
+  EXPECT_GT(bus.node<SimNode>("sim").robot().pose().position.y, 3.5);
+}
+
 TEST(PursueBehindTopics, ATeamIsNotOneRobot) {
   PursuitTask task = pursuit_task();
   task.robots.resize(2);

@@ -1,0 +1,36 @@
+#include "outrider/jobs/guard/mission_log.hpp"
+
+#include "guard_log.hpp"
+#include "regions_log.hpp"
+
+namespace outrider {
+
+struct GuardMissionLog::Parts {
+  Parts(Log& log, const PreparedGuard& guard)
+      : run{.problem = guard.scenario.problem,
+            .firing_map = guard.firing_map,
+            .plan = guard.plan,
+            .options = guard.scenario.options},
+        targets(log, queue, run) {}
+
+  GuardRun run;
+  LogQueue queue;
+  TargetLog targets;
+};
+
+GuardMissionLog::GuardMissionLog(Log& log, const PreparedGuard& guard) {
+  const GuardProblem& problem = guard.scenario.problem;
+  log_yard(log, problem, guard.scenario.options, static_cast<std::uint64_t>(guard.scenario.seed), false);
+  log_firing_map(log, guard.firing_map);
+  log_blocked_flights(log, problem, guard.firing_map);
+  log_tour(log, problem, draft_of(problem, guard.plan));
+  parts_ = std::make_unique<Parts>(log, guard);
+}
+
+GuardMissionLog::~GuardMissionLog() = default;
+
+void GuardMissionLog::note(const GuardMission& mission, double time_s) {
+  parts_->targets.note(mission, time_s);
+}
+
+}  // namespace outrider
