@@ -27,8 +27,7 @@ std::vector<Option> describe(WayFaults& faults) {
       {"stuck_from", "s", 0.0, 1e9, "from then on the wheels do not turn", &faults.stuck_from_s},
       {"stuck_for", "s", 0.0, 1e9, "for how long", &faults.stuck_for_s},
       {"blocked_at", "s", 0.0, 1e9,
-       "when a low post is put in the middle of the straight that the robot drives, or of the next that is "
-       "long enough; nothing sees it",
+       "when a low post that nothing sees is put in the middle of the straight that is driven or comes next",
        &faults.blocked_at_s},
       {"blocked_for", "s", 0.0, 1e9, "for how long it stands there", &faults.blocked_for_s},
       {"blocked_radius", "m", 0.01, 10.0, "radius of the post", &faults.blocked_radius_m},

@@ -45,7 +45,7 @@ struct ExploreRun {
 ///   contacts, visible_contacts       touches of anything, and of what the laser sees
 ///   returned_home                    1 when the true robot ended within 0.3 m of its start
 ///   home_error_m                     distance of the true robot from its start in the end
-///   false_complete                   1 if the robot believes to be done, and is elsewhere or its map is wrong
+///   false_complete                   1 if it believes to be done, and is elsewhere or its map wrong
 ///   pose_error_m                     distance of its true from its believed position in the end
 ///   stuck, bad_scans, loops          how often it got stuck; unusable scans; closed loops
 ///   home_contradiction               share of what it sees at home that contradicts its first scan
