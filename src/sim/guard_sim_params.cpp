@@ -1,10 +1,12 @@
 #include "outrider/sim/guard_sim_params.hpp"
 
+#include <utility>
+
 namespace outrider {
 
 bool GuardSimParams::any() const {
   const GuardSimParams none;
-  return gun.jammed_at_s != none.gun.jammed_at_s || gun.balls != none.gun.balls ||
+  return gun.jammed_at_s != none.gun.jammed_at_s || gun.balls != none.gun.balls || way.any() ||
          position_ratio != none.position_ratio || aim_ratio != none.aim_ratio;
 }
 
@@ -16,7 +18,7 @@ ExecutionErrors true_errors(ExecutionErrors told, const GuardSimParams& params) 
 }
 
 std::vector<Option> describe(GuardSimParams& params) {
-  return {
+  std::vector<Option> options = {
       {"jammed_at", "s", 0.0, 1e9, "when the gun jams: the trigger fires nothing, and nobody is told",
        &params.gun.jammed_at_s},
       {"jammed_for", "s", 0.0, 1e9, "for how long", &params.gun.jammed_for_s},
@@ -29,6 +31,8 @@ std::vector<Option> describe(GuardSimParams& params) {
       {"aim", "", 0.0, 1.9, "true largest errors of gun and muzzle speed, relative to those of errors",
        &params.aim_ratio},
   };
+  for (Option& option : describe(params.way)) options.push_back(std::move(option));
+  return options;
 }
 
 }  // namespace outrider

@@ -39,6 +39,11 @@ void SimulatedRobot::act_on(WaypointBody& body, const Command& command) {
                       },
                       [](const auto&) {}},
              command);
+  if (body.suffer()) {
+    tell(body.time_s(), "kidnapped",
+         fmt::format("is put to ({:.2f}, {:.2f})", body.pose().position.x, body.pose().position.y));
+    sample();
+  }
   gauge();
   log_now();
 }
@@ -76,6 +81,8 @@ void SimulatedRobot::gauge() {
   const auto& waypoints = body<WaypointBody>();
   record.driven_m = waypoints.driven_m();
   record.turned_rad = waypoints.turned_rad();
+  record.contacts = waypoints.hindrance().contacts();
+  record.post_contacts = waypoints.hindrance().post_contacts();
   if (!devices_.stores) return;
   devices_.stores->note(waypoints.time_s(), record.driven_m, record.shots);
   if (Log* const log = log_now()) {
@@ -107,6 +114,8 @@ void SimulatedRobot::drive_straight(WaypointBody& body, const std::vector<Vec2>&
                                     const FollowWaypoints& command) {
   const StraightDrive drive = body.begin_straight(waypoints[leg], [this] { sample(); });
   if (drive.length_m == 0.0) return;
+  const auto stopped_s = body.stopped_after_s(drive);
+  const double drives_s = stopped_s.value_or(drive.total_s);
   const auto [first, last] = std::ranges::equal_range(command.shots, leg, {}, &FireInPassing::leg);
   int samples = 1;
   double last_shot = 0.0;
@@ -119,6 +128,7 @@ void SimulatedRobot::drive_straight(WaypointBody& body, const std::vector<Vec2>&
   for (auto shot = first; devices_.gun && shot != last; ++shot) {
     SimulatedGun& gun = *devices_.gun;
     const double at = std::clamp(shot->after_s + gun.draw_delay_s(), last_shot, drive.total_s);
+    if (stopped_s && at > drives_s) break;
     sample_until(at);
     body.be_on(drive, at);
     sample();
@@ -128,8 +138,11 @@ void SimulatedRobot::drive_straight(WaypointBody& body, const std::vector<Vec2>&
     turn_gun(waypoints, command, static_cast<std::size_t>(shot - command.shots.begin()) + 1);
     last_shot = at;
   }
-  sample_until(drive.total_s);
-  body.end_straight(drive);
+  sample_until(drives_s);
+  if (stopped_s)
+    body.cut_short(drive, drives_s);
+  else
+    body.end_straight(drive);
   sample();
 }
 
@@ -141,8 +154,15 @@ void SimulatedRobot::follow(WaypointBody& body, const FollowWaypoints& command) 
   tell(body.time_s(), "drive",
        fmt::format("drives to ({:.2f}, {:.2f})", waypoints.back().x, waypoints.back().y));
   turn_gun(waypoints, command, 0);
+  body.begin_way();
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
     drive_straight(body, waypoints, i, command);
+    if (body.stopped()) {
+      tell(body.time_s(), "stopped",
+           fmt::format("stops at ({:.2f}, {:.2f}): the drive does not go on", body.pose().position.x,
+                       body.pose().position.y));
+      break;
+    }
     if (command.until_arrival && devices_.targets && devices_.targets->somebody_entered(body.time_s())) break;
   }
   gun_motion_.reset();

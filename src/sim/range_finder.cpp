@@ -190,7 +190,15 @@ std::vector<double> RangeFinder::ranges(const Pose2& world_T_laser, std::int64_t
   return nearest;
 }
 
-LaserScan RangeFinder::look(const Pose2& world_T_laser, double time_s, Rng& rng) const {
+LaserScan RangeFinder::look(const Pose2& world_T_laser, double time_s, Rng& rng,
+                            const RangeFinder& other) const {
+  std::vector<double> nearest = ranges(world_T_laser, model_.beams);
+  const std::vector<double> others = other.ranges(world_T_laser, model_.beams);
+  for (std::size_t i = 0; i < nearest.size(); ++i) nearest[i] = std::min(nearest[i], others[i]);
+  return measured(nearest, time_s, rng);
+}
+
+LaserScan RangeFinder::measured(const std::vector<double>& ranges_m, double time_s, Rng& rng) const {
   LaserScan scan{time_s,
                  0.0,
                  in_single_precision(2.0 * pi / static_cast<double>(model_.beams)),
@@ -199,7 +207,7 @@ LaserScan RangeFinder::look(const Pose2& world_T_laser, double time_s, Rng& rng)
                  {}};
   scan.ranges_m.reserve(static_cast<std::size_t>(model_.beams));
   constexpr float infinite = std::numeric_limits<float>::infinity();
-  for (const double exact : ranges(world_T_laser, model_.beams)) {
+  for (const double exact : ranges_m) {
     const double error_m = model_.noise_m * rng.normal();
     const bool missed = rng.uniform() < model_.missed;
     const double measured = missed || exact < model_.least_m ? 0.0 : std::max(0.0, exact + error_m);

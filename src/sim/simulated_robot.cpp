@@ -21,8 +21,9 @@ void sense_body(const WaypointBody& body, Observation& seen) { seen.odometry = b
 
 }  // namespace
 
-SimulatedRobot::SimulatedRobot(SimulatedBody body, SimulatedDevices devices, const Kidnapping& kidnapping)
-    : body_(std::move(body)), devices_(std::move(devices)), kidnapping_(kidnapping) {}
+SimulatedRobot::SimulatedRobot(SimulatedBody body, SimulatedDevices devices, const Kidnapping& kidnapping,
+                               const ClockFaults& clock)
+    : body_(std::move(body)), devices_(std::move(devices)), kidnapping_(kidnapping), clock_(clock) {}
 
 SimulatedRobot::SimulatedRobot(Log& log, WaypointBody body, SimulatedDevices devices)
     : body_(std::move(body)), devices_(std::move(devices)), log_(&log) {
@@ -42,7 +43,10 @@ Observation SimulatedRobot::sense() {
   Observation seen;
   seen.time_s = time_s();
   std::visit([&](auto& body) { sense_body(body, seen); }, body_);
-  if (devices_.laser) seen.scan = devices_.laser->look(pose(), seen.time_s);
+  if (devices_.laser) {
+    const auto* twist = std::get_if<TwistBody>(&body_);
+    seen.scan = devices_.laser->look(pose(), seen.time_s, twist != nullptr ? &twist->walk_ins() : nullptr);
+  }
   if (devices_.camera) seen.image = devices_.camera->newest(seen.time_s);
   if (devices_.gun) seen.gun = devices_.gun->state();
   if (devices_.stores) seen.stores = {devices_.stores->water(), devices_.stores->charge_j()};
@@ -52,10 +56,22 @@ Observation SimulatedRobot::sense() {
   });
   seen.shots.assign(flights_.begin(), flying);
   flights_.erase(flights_.begin(), flying);
+  if (seen.scan) seen.scan->time_s += clock_.ahead_s(seen.scan->time_s);
+  if (seen.image) seen.image->taken_s += clock_.ahead_s(seen.image->taken_s);
+  seen.time_s += clock_.ahead_s(seen.time_s);
   return seen;
 }
 
-void SimulatedRobot::act(const Command& command) {
+/// Returns the command with true times.
+Command SimulatedRobot::in_true_time(Command command) const {
+  const double ahead_s = clock_.ahead_s(time_s());
+  if (auto* twist = std::get_if<DriveTwist>(&command)) twist->until_s -= ahead_s;
+  if (auto* wheels = std::get_if<DriveWheels>(&command)) wheels->until_s -= ahead_s;
+  return command;
+}
+
+void SimulatedRobot::act(const Command& given) {
+  const Command command = in_true_time(given);
   if (auto* body = std::get_if<WaypointBody>(&body_)) {
     act_on(*body, command);
     return;
@@ -82,9 +98,11 @@ void SimulatedRobot::run_until(double time_s) {
 SimulatedRobot simulated_explorer(const World& world, const Pose2& start, const RobotModel& robot,
                                   const ExplorerSimParams& params, std::uint64_t seed) {
   const Rng rng(seed);
-  return SimulatedRobot(TwistBody(world, start, robot, params.wheels, rng.child("wheels"), params.faults),
-                        {.laser = SimulatedLaser(world, params.laser, rng.child("laser"), params.faults)},
-                        params.faults.kidnapping);
+  return SimulatedRobot(
+      TwistBody(world, start, robot, params.wheels, rng.child("wheels"), params.faults,
+                rng.child("walk-ins")),
+      {.laser = SimulatedLaser(world, params.laser, rng.child("laser"), params.faults, params.link)},
+      params.faults.kidnapping, params.faults.clock);
 }
 
 }  // namespace outrider

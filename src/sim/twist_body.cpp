@@ -9,20 +9,23 @@ namespace outrider {
 namespace {
 
 constexpr double step_s = 0.005;
-constexpr double instant_s = 1e-9;  ///< times closer than this are one
-constexpr double apart_m = 1e-3;    ///< a robot so far from everything touches it no more
-constexpr int halvings = 20;        ///< with which the place of a contact is found
+constexpr double instant_s = 1e-9;    ///< times closer than this are one
+constexpr double apart_m = 1e-3;      ///< a robot so far from everything touches it no more
+constexpr double at_rest_mps = 0.02;  ///< no faster, the robot does not drive
+constexpr int halvings = 20;          ///< with which the place of a contact is found
 
 double nearer_by(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 
 }  // namespace
 
 TwistBody::TwistBody(const World& world, const Pose2& start, const RobotModel& robot,
-                     const ExplorerWheels& wheels, const Rng& wheel_rng, const ExplorerFaults& faults)
+                     const ExplorerWheels& wheels, const Rng& wheel_rng, const ExplorerFaults& faults,
+                     const Rng& walk_in_rng)
     : robot_(robot),
       wheels_(wheels),
       faults_(faults),
       ground_(world, robot, wheels.climbs_m),
+      walk_ins_(world, start.position, wheels.climbs_m, faults.walk_ins, walk_in_rng),
       wheel_rng_(wheel_rng),
       pose_(start) {
   left_scale_ += wheels_.scale_error * wheel_rng_.normal();
@@ -41,6 +44,7 @@ void TwistBody::run_until(double time_s) {
     const bool last = time_s - time_s_ < step_s + instant_s;
     const double duration_s = last ? time_s - time_s_ : step_s;
     speed_up(duration_s);
+    walk_ins_.advance(time_s_, {pose_, robot_.radius_m, twist_.ahead_mps > at_rest_mps}, ground_);
     pass(duration_s);
     time_s_ = last ? time_s : time_s_ + step_s;
   }
@@ -73,22 +77,42 @@ void TwistBody::pass(double duration_s) {
   Pose2 next = moved(pose_, {grip * on_wheels.ahead_mps, 0.0, grip * on_wheels.turn_radps}, duration_s);
   const Vec2 here = pose_.position;
   const Vec2 way = next.position - here;
-  if (!ground_.free({here, next.position})) {
-    double free = 0.0;
+  if (!free({here, next.position})) {
+    double open = 0.0;
     double part = 0.5;
     for (int i = 0; i < halvings; ++i, part *= 0.5) {
-      if (ground_.free({here, here + (free + part) * way})) free += part;
+      if (free({here, here + (open + part) * way})) open += part;
     }
-    next.position = here + free * way;
+    next.position = here + open * way;
     if (!touching_) ++contacts_;
     touching_ = touched_ = true;
-    touch_rad_ = wrap_angle(ground_.towards_nearest(next.position) - next.heading_rad);
+    touch_rad_ = wrap_angle(towards_nearest(next.position) - next.heading_rad);
   } else if (touching_) {
-    touching_ = ground_.gap_m(next.position) < apart_m;
+    touching_ = gap_m(next.position) < apart_m;
   }
   driven_m_ += distance(here, next.position);
   turned_rad_ += std::abs(next.heading_rad - pose_.heading_rad);
   pose_ = next;
+}
+
+/// Returns true if the robot touches nothing new on the way. It may leave who has come too near.
+bool TwistBody::free(Segment way) const {
+  if (!ground_.free(way)) return false;
+  const double gap_m = walk_ins_.gap_m(way, robot_.radius_m);
+  return gap_m >= 0.0 ||
+         walk_ins_.gap_m({way.b, way.b}, robot_.radius_m) > walk_ins_.gap_m({way.a, way.a}, robot_.radius_m);
+}
+
+double TwistBody::gap_m(Vec2 centre) const {
+  return std::min(ground_.gap_m(centre), walk_ins_.gap_m({centre, centre}, robot_.radius_m));
+}
+
+double TwistBody::towards_nearest(Vec2 centre) const {
+  if (ground_.gap_m(centre) <= walk_ins_.gap_m({centre, centre}, robot_.radius_m))
+    return ground_.towards_nearest(centre);
+  const auto nearest = std::ranges::min_element(
+      walk_ins_.disks(), {}, [&](const RoundedPolygon& disk) { return signed_distance(centre, disk); });
+  return heading_of(nearest->core.front() - centre);
 }
 
 /// The way of a wheel as the robot counts it.

@@ -12,8 +12,13 @@ constexpr double sample_period_s = 0.1;
 }  // namespace
 
 WaypointBody::WaypointBody(const RobotModel& robot, const BodyGround& on, const Pose2& start,
-                           const ExecutionErrors& errors, const Rng& rng)
-    : robot_(robot), on_(on), errors_(errors), rng_(rng), pose_(start) {}
+                           const ExecutionErrors& errors, const Rng& rng, const WayFaults& faults)
+    : robot_(robot),
+      on_(on),
+      errors_(errors),
+      rng_(rng),
+      pose_(start),
+      hindrance_(faults, robot, on.ground) {}
 
 std::vector<Vec2> WaypointBody::displaced_waypoints(std::vector<Vec2> waypoints) {
   const Vec2 error = random_in_disk(rng_, errors_.position_m);
@@ -25,8 +30,10 @@ std::vector<Vec2> WaypointBody::displaced_waypoints(std::vector<Vec2> waypoints)
 void WaypointBody::turn_to(double heading_rad, const std::function<void()>& sample) {
   const double from = pose_.heading_rad;
   const double turn = wrap_angle(heading_rad - from);
-  const double total = duration(std::abs(turn), robot_.turning());
+  const double whole = duration(std::abs(turn), robot_.turning());
   const double begin = time_s_;
+  const auto cut_s = hindrance_.cuts_turn(begin, begin + whole);
+  const double total = cut_s ? *cut_s - begin : whole;
   for (int i = 1; i * sample_period_s < total; ++i) {
     const double t = i * sample_period_s;
     const double done = covered(std::abs(turn), robot_.turning(), t);
@@ -35,8 +42,10 @@ void WaypointBody::turn_to(double heading_rad, const std::function<void()>& samp
     sample();
   }
   time_s_ = begin + total;
-  pose_.heading_rad = heading_rad;
-  turned_rad_ += std::abs(turn);
+  const double done = cut_s ? covered(std::abs(turn), robot_.turning(), total) : std::abs(turn);
+  pose_.heading_rad = cut_s ? wrap_angle(from + std::copysign(done, turn)) : heading_rad;
+  turned_rad_ += done;
+  if (cut_s) give_up_way();
   if (total > 0.0) sample();
 }
 
@@ -45,6 +54,7 @@ StraightDrive WaypointBody::begin_straight(Vec2 goal, const std::function<void()
   const double length = on_.ground.length({from, goal});
   if (length == 0.0) return {from, goal, 0.0, time_s_, 0.0};
   turn_to(heading_of(goal - from), sample);
+  if (stopped_) return {from, goal, 0.0, time_s_, 0.0};
   return {from, goal, length, time_s_, duration(length, robot_.straight())};
 }
 
@@ -81,6 +91,28 @@ void WaypointBody::end_straight(const StraightDrive& drive) {
   time_s_ = drive.begin_s + drive.total_s;
   pose_.position = drive.goal;
   driven_m_ += drive.length_m;
+}
+
+std::optional<double> WaypointBody::stopped_after_s(const StraightDrive& drive) {
+  return hindrance_.cuts_leg({{drive.from, drive.goal}, drive.begin_s, drive.total_s});
+}
+
+void WaypointBody::cut_short(const StraightDrive& drive, double after_s) {
+  be_on(drive, after_s);
+  driven_m_ += covered(drive.length_m, robot_.straight(), after_s);
+  give_up_way();
+}
+
+void WaypointBody::give_up_way() {
+  stopped_ = true;
+  hindrance_.note_cut();
+  time_s_ += hindrance_.gives_up_after_s(time_s_);
+}
+
+bool WaypointBody::suffer() {
+  const auto elsewhere = hindrance_.put_elsewhere(pose_, time_s_);
+  if (elsewhere) pose_ = *elsewhere;
+  return elsewhere.has_value();
 }
 
 void WaypointBody::end_way() { pose_.heading_rad = wrap_angle(pose_.heading_rad + heading_error_rad_); }

@@ -15,17 +15,11 @@ WheelBody::WheelBody(Chassis chassis, const WheelFaults& faults, const LinkFault
                      const Rng& rng)
     : chassis_(std::move(chassis)),
       faults_(faults),
-      link_(link),
+      link_(link, rng.child("link")),
       wheel_rng_(rng.child("wheels")),
-      link_rng_(rng.child("link")),
       pose_(start) {}
 
-void WheelBody::send(const WheelSpeeds4& wheels) {
-  const double delay_s = link_.delay_s + link_.jitter_s * link_rng_.uniform();
-  if (sent_++ < link_.lost) return;
-  const double before_s = messages_.empty() ? 0.0 : messages_.back().arrives_s;
-  messages_.push_back({std::max(before_s, time_s_ + delay_s), wheels});
-}
+void WheelBody::send(const WheelSpeeds4& wheels) { link_.send(time_s_, wheels); }
 
 double WheelBody::begin(const Command& command) {
   const auto* drive = std::get_if<DriveWheels>(&command);
@@ -50,6 +44,10 @@ double WheelBody::turn_wheel(std::size_t wheel, double duration_s) {
   double target = commanded_[wheel];
   if (std::abs(target) < faults_.deadband_radps) target = 0.0;
   double& speed = followed_[wheel];
+  if (faults_.stuck(wheel, time_s_)) {
+    speed = 0.0;
+    return 0.0;
+  }
   const bool starts = std::abs(speed) < at_rest_radps && target != 0.0;
   waited_s_[wheel] = starts ? waited_s_[wheel] + duration_s : 0.0;
   if (starts && waited_s_[wheel] <= faults_.dead_time_s) {
@@ -67,10 +65,7 @@ double WheelBody::turn_wheel(std::size_t wheel, double duration_s) {
 }
 
 void WheelBody::pass(double duration_s) {
-  while (!messages_.empty() && messages_.front().arrives_s <= time_s_ + 1e-9) {
-    commanded_ = messages_.front().wheels;
-    messages_.pop_front();
-  }
+  while (const auto wheels = link_.take(time_s_)) commanded_ = *wheels;
   WheelSpeeds4 speeds{};
   for (std::size_t i = 0; i < chassis_.wheels.size(); ++i) speeds[i] = turn_wheel(i, duration_s);
   twist_ = twist_of(chassis_, speeds);

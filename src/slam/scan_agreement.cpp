@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "outrider/core/units.hpp"
+#include "outrider/slam/scan_contradiction.hpp"
 
 namespace outrider {
 namespace {
@@ -88,6 +89,12 @@ Agreement agreement(const LaserScan& of, const Pose2& world_T_of, const LaserSca
     }
   }
   return result;
+}
+
+double contradiction(const LaserScan& a, const Pose2& world_T_a, const LaserScan& b, const Pose2& world_T_b) {
+  constexpr std::size_t least_points = 40;
+  const Agreement both = mutual_agreement(a, world_T_a, b, world_T_b);
+  return both.seen() < least_points ? 0.0 : both.contradiction();
 }
 
 }  // namespace outrider

@@ -9,6 +9,7 @@
 #include "outrider/core/options.hpp"
 #include "outrider/estimate/tag.hpp"
 #include "outrider/motion/wheel_faults.hpp"
+#include "outrider/sim/clock_faults.hpp"
 #include "outrider/sim/kidnapping.hpp"
 
 namespace outrider {
@@ -33,6 +34,7 @@ struct DriveSimParams {
   LinkFaults link;             ///< faults of the link that carries the commands
   TagSightFaults sight;        ///< faults of the camera
   Kidnapping kidnapping;       ///< none by default
+  ClockFaults clock;           ///< none by default
   MovedTag moved_tag;          ///< none by default
   double tag_scale = 1.0;      ///< true size of every tag, relative to what the robot is told
   std::optional<TagMap> tags;  ///< where the tags truly hang; none: where the map of the robot says

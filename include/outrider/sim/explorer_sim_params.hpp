@@ -8,7 +8,10 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/geometry/pose.hpp"
+#include "outrider/motion/wheel_faults.hpp"
+#include "outrider/sim/clock_faults.hpp"
 #include "outrider/sim/kidnapping.hpp"
+#include "outrider/sim/walk_ins.hpp"
 
 namespace outrider {
 
@@ -47,6 +50,8 @@ struct ExplorerFaults {
   double slip = 0.0;           ///< fraction of the rolling of both wheels that does not move the robot
   double stuck_from_s = 1e9;   ///< from then on the left wheel does not turn
   double stuck_for_s = 1e9;    ///< for how long
+  ClockFaults clock;           ///< none by default
+  WalkInOptions walk_ins;      ///< nobody by default
   Kidnapping kidnapping;       ///< shorter than asked for if the robot would stand in something
 
   [[nodiscard]] bool blind(double time_s) const {
@@ -63,6 +68,7 @@ struct ExplorerSimParams {
   RangeFinderModel laser;
   ExplorerWheels wheels;
   ExplorerFaults faults = {};
+  LinkFaults link = {};  ///< of the link on which scans travel to the robot's computer
 };
 
 }  // namespace outrider

@@ -6,6 +6,7 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/sim/execution_errors.hpp"
+#include "outrider/sim/way_faults.hpp"
 
 namespace outrider {
 
@@ -24,6 +25,7 @@ struct GunFaults {
 /// The faults of the whole robot.
 struct GuardSimParams {
   GunFaults gun;
+  WayFaults way;
   double position_ratio = 1.0;  ///< true largest error of the end of a drive, relative to the one told
   double aim_ratio = 1.0;       ///< true largest errors of joints and muzzle speed, relative to those told
 

@@ -34,7 +34,11 @@ class RangeFinder {
   [[nodiscard]] std::vector<double> ranges(const Pose2& world_T_laser, std::int64_t beams) const;
   /// Returns a scan as measured by the laser: with noise, minimum and maximum range, and missed readings. Its
   /// numbers are single precision, as sensor_msgs/LaserScan has them; infinite where there is no return.
-  LaserScan look(const Pose2& world_T_laser, double time_s, Rng& rng) const;
+  LaserScan look(const Pose2& world_T_laser, double time_s, Rng& rng) const {
+    return measured(ranges(world_T_laser, model_.beams), time_s, rng);
+  }
+  /// Returns a scan that sees also what the other range finder sees, which has the same model.
+  LaserScan look(const Pose2& world_T_laser, double time_s, Rng& rng, const RangeFinder& other) const;
 
   /// Returns true if there is a line of sight: the segment stays more than 1e-9 m away from every outline.
   [[nodiscard]] bool sees(Vec2 from, Vec2 to) const;
@@ -55,6 +59,7 @@ class RangeFinder {
     int x0, x1, y0, y1;
   };
 
+  LaserScan measured(const std::vector<double>& ranges_m, double time_s, Rng& rng) const;
   void add(const RoundedPolygon& piece);
   void sort_into_tiles();
   [[nodiscard]] Tiles tiles_of(const Box2& box) const;

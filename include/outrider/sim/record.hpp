@@ -23,6 +23,8 @@ struct SimRecord {
   double driven_m = 0.0;
   double turned_rad = 0.0;
   std::size_t shots = 0;
+  std::size_t contacts = 0;       ///< with what the map has; only a robot that was put elsewhere has any
+  std::size_t post_contacts = 0;  ///< with what was put in its way (way_faults.hpp)
 };
 
 }  // namespace outrider

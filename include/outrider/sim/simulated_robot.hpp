@@ -2,7 +2,8 @@
 //
 // A body is a class with begin(command), which returns the end time of the command, run_until(time), and the
 // true motion. A device measures from the true pose of the body, either when the robot senses or at its own
-// rate. A kidnapping can move the robot to another place (WheelBody and TwistBody only). To add a body, write
+// rate. A kidnapping can move the robot to another place, and its clock can jump
+// (WheelBody and TwistBody only). To add a body, write
 // a class and add it to the variant; to add a device, write a class and add a member to SimulatedDevices.
 //
 // The same bodies, devices and commands give the same observations.
@@ -13,6 +14,7 @@
 #include <variant>
 
 #include "outrider/robot/robot.hpp"
+#include "outrider/sim/clock_faults.hpp"
 #include "outrider/sim/piece_body.hpp"
 #include "outrider/sim/record.hpp"
 #include "outrider/sim/simulated_gun.hpp"
@@ -40,7 +42,7 @@ struct SimulatedDevices {
 class SimulatedRobot final : public Robot {
  public:
   explicit SimulatedRobot(SimulatedBody body, SimulatedDevices devices = {},
-                          const Kidnapping& kidnapping = {});
+                          const Kidnapping& kidnapping = {}, const ClockFaults& clock = {});
   /// Makes a robot that logs its motion, its shots, its stores and what happens. The log must outlive it.
   SimulatedRobot(Log& log, WaypointBody body, SimulatedDevices devices = {});
 
@@ -66,6 +68,7 @@ class SimulatedRobot final : public Robot {
 
  private:
   void run_until(double time_s);
+  [[nodiscard]] Command in_true_time(Command command) const;
   // gun_commands.cpp
   void act_on(WaypointBody& body, const Command& command);
   void follow(WaypointBody& body, const FollowWaypoints& command);
@@ -85,6 +88,7 @@ class SimulatedRobot final : public Robot {
   SimulatedBody body_;
   SimulatedDevices devices_;
   Kidnapping kidnapping_;
+  ClockFaults clock_;
   bool kidnapped_ = false;
   /// A motion of the gun during a drive.
   struct GunMotion {

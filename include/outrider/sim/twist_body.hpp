@@ -24,7 +24,7 @@ namespace outrider {
 class TwistBody {
  public:
   TwistBody(const World& world, const Pose2& start, const RobotModel& robot, const ExplorerWheels& wheels,
-            const Rng& wheel_rng, const ExplorerFaults& faults = {});
+            const Rng& wheel_rng, const ExplorerFaults& faults = {}, const Rng& walk_in_rng = Rng(0));
 
   /// Begins a DriveTwist and returns its end time; other commands end at once.
   double begin(const Command& command);
@@ -45,9 +45,13 @@ class TwistBody {
   [[nodiscard]] double driven_m() const { return driven_m_; }
   [[nodiscard]] double turned_rad() const { return turned_rad_; }
   [[nodiscard]] const OpenGround& ground() const { return ground_; }
+  [[nodiscard]] const WalkIns& walk_ins() const { return walk_ins_; }
 
  private:
   void pass(double duration_s);
+  [[nodiscard]] bool free(Segment way) const;
+  [[nodiscard]] double gap_m(Vec2 centre) const;
+  [[nodiscard]] double towards_nearest(Vec2 centre) const;
   void speed_up(double duration_s);
   [[nodiscard]] Twist2 rolled() const;
   void count_wheels(const Twist2& rolled, double duration_s);
@@ -57,6 +61,7 @@ class TwistBody {
   ExplorerWheels wheels_;
   ExplorerFaults faults_;
   OpenGround ground_;
+  WalkIns walk_ins_;
   Rng wheel_rng_;
   double left_scale_ = 1.0;  // scale of the distance counted by each wheel
   double right_scale_ = 1.0;

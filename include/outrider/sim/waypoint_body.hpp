@@ -2,7 +2,7 @@
 //
 // It follows the profiles exactly, but ends with an error of position and heading, drawn from its own random
 // stream. On terrain it drives along the surface. There is no collision check: commanded paths must be free
-// of obstacles.
+// of obstacles. Only what holds it up (way_faults.hpp) ends a drive before its goal.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "outrider/motion/robot_model.hpp"
 #include "outrider/robot/command.hpp"
 #include "outrider/sim/execution_errors.hpp"
+#include "outrider/sim/way_faults.hpp"
 
 namespace outrider {
 
@@ -34,7 +35,7 @@ class WaypointBody {
  public:
   /// Ground and rules must outlive the body.
   WaypointBody(const RobotModel& robot, const BodyGround& on, const Pose2& start,
-               const ExecutionErrors& errors, const Rng& rng);
+               const ExecutionErrors& errors, const Rng& rng, const WayFaults& faults = {});
 
   /// Returns the waypoints that the robot really drives: the last one has a random error. Draws the errors of
   /// position and heading.
@@ -48,11 +49,21 @@ class WaypointBody {
   void be_on(const StraightDrive& drive, double after_s);
   /// Returns the position and the velocity `after_s` after the beginning of the leg.
   [[nodiscard]] Platform platform_on(const StraightDrive& drive, double after_s) const;
+  /// Returns how long after the beginning of the leg the robot is stopped; nothing if it gets to its goal.
+  std::optional<double> stopped_after_s(const StraightDrive& drive);
   /// Completes the leg: the robot is at its goal.
   void end_straight(const StraightDrive& drive);
+  /// Ends the leg and the drive after that time. The robot gives the rest of the drive up.
+  void cut_short(const StraightDrive& drive, double after_s);
+  /// Begins a drive along waypoints. `stopped` says whether it has ended before its last waypoint.
+  void begin_way() { stopped_ = false; }
+  [[nodiscard]] bool stopped() const { return stopped_; }
   /// Ends the drive along all waypoints: applies the error of the heading.
   void end_way();
   void wait_until(double time_s) { time_s_ = time_s; }
+  /// Lets what is due befall the robot: it may be put elsewhere. Returns true if it was.
+  bool suffer();
+  [[nodiscard]] const Hindrance& hindrance() const { return hindrance_; }
 
   /// Returns the present time: SimulatedRobot carries out FollowWaypoints itself, and other commands take no
   /// time of the body.
@@ -79,7 +90,10 @@ class WaypointBody {
   double heading_error_rad_ = 0.0;  // error at the end of the present drive
   double driven_m_ = 0.0;
   double turned_rad_ = 0.0;
+  Hindrance hindrance_;
+  bool stopped_ = false;
 
+  void give_up_way();
   /// Returns the point that distance along the leg, on the ground.
   [[nodiscard]] Vec2 point_on(const StraightDrive& drive, double way_m) const;
 };

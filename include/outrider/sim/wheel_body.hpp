@@ -7,11 +7,10 @@
 // step.
 #pragma once
 
-#include <deque>
-
 #include "outrider/core/rng.hpp"
 #include "outrider/motion/wheel_faults.hpp"
 #include "outrider/robot/command.hpp"
+#include "outrider/sim/simulated_link.hpp"
 
 namespace outrider {
 
@@ -36,31 +35,23 @@ class WheelBody {
   [[nodiscard]] double turned_rad() const { return turned_rad_; }
 
  private:
-  struct Message {
-    double arrives_s = 0.0;
-    WheelSpeeds4 wheels{};
-  };
-
   void pass(double duration_s);
   double turn_wheel(std::size_t wheel, double duration_s);
 
   Chassis chassis_;
   WheelFaults faults_;
-  LinkFaults link_;
+  SimulatedLink<WheelSpeeds4> link_;
   Rng wheel_rng_;
-  Rng link_rng_;
   double time_s_ = 0.0;
   Pose2 pose_;
   Twist2 twist_;
   double driven_m_ = 0.0;
   double turned_rad_ = 0.0;
-  double moving_s_ = 0.0;         // time driven so far; the battery sags with it
-  std::int64_t sent_ = 0;         // number of messages
-  std::deque<Message> messages_;  // sent but not arrived
-  WheelSpeeds4 commanded_{};      // speeds of the newest message that has arrived
-  WheelSpeeds4 followed_{};       // speeds after the lag
-  WheelSpeeds4 noise_{};          // relative noise of each wheel
-  WheelSpeeds4 waited_s_{};       // elapsed part of the dead time of each wheel at rest
+  double moving_s_ = 0.0;     // time driven so far; the battery sags with it
+  WheelSpeeds4 commanded_{};  // speeds of the newest message that has arrived
+  WheelSpeeds4 followed_{};   // speeds after the lag
+  WheelSpeeds4 noise_{};      // relative noise of each wheel
+  WheelSpeeds4 waited_s_{};   // elapsed part of the dead time of each wheel at rest
 };
 
 }  // namespace outrider

@@ -16,6 +16,7 @@
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
+#include "outrider/robot/steady_time.hpp"
 #include "outrider/sim/simulated_robot.hpp"
 
 namespace outrider {
@@ -274,7 +275,7 @@ SimulatedRobot simulated_driver(const DriveTask& task, const DriveSimParams& par
   if (params.moved_tag.at_s > 0.0)
     camera.change_tags(params.moved_tag.at_s, true_tags_later(task.tags, params));
   return SimulatedRobot(WheelBody(task.chassis, params.wheels, params.link, task.start, rng),
-                        {.camera = std::move(camera)}, params.kidnapping);
+                        {.camera = std::move(camera)}, params.kidnapping, params.clock);
 }
 
 Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,
@@ -284,7 +285,8 @@ Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rende
   SimulatedRobot robot = simulated_driver(task, params, rendered, seed);
   DriveMission mission = begin(task);
   Recorder recorder(task, ground, log);
-  const bool finished = run_mission(mission, robot, watch.stop, [&](const Observation&, const Command*) {
+  SteadyMission steady{mission, {}};
+  const bool finished = run_mission(steady, robot, watch.stop, [&](const Observation&, const Command*) {
     recorder.note(mission, robot);
     watch.part(static_cast<double>(mission.arrivals.size()) / static_cast<double>(task.waypoints.size()));
   });

@@ -10,6 +10,7 @@
 #include "outrider/jobs/explore/catalog.hpp"
 #include "outrider/jobs/explore/view.hpp"
 #include "outrider/path/catalog.hpp"
+#include "outrider/slam/scan_contradiction.hpp"
 
 namespace outrider {
 namespace {
@@ -117,6 +118,12 @@ void take_scan(ExploreMission& mission, const LaserScan& scan) {
   } else {
     mission.scan_s = std::min(scan.time_s, mission.time_s);
     mission.range_m = scan.most_m;
+    mission.last_scan = scan;
+    mission.last_step = static_cast<std::size_t>(mission.scans);
+    if (!mission.first_scan) {
+      mission.first_scan = scan;
+      mission.first_step = mission.last_step;
+    }
     const std::vector<Vec2> ends = ends_of(scan, mission.task.slam.robot_T_laser);
     mission.beam_ends.clear();
     for (const Vec2 point : ends) mission.beam_ends.push_back(step->pose * point);
@@ -158,6 +165,25 @@ ExploreState state_of(ExploreMission& mission) {
           mission.pose,      mission.task.start, mission.time_s,     mission.decision.choice};
 }
 
+/// Returns the reason not to believe that the robot is home; empty if it is not there, or sees there what it
+/// saw first.
+std::string home_doubt(ExploreMission& mission) {
+  constexpr double most_contradicted = 0.15;  // people who stand there make some
+  if (!mission.home || !mission.first_scan) return {};
+  const std::vector<Pose2> came = mission.slam.trajectory();
+  const auto laser_at = [&](std::size_t step) {
+    return compose(came[std::min(step, came.size() - 1)], mission.task.slam.robot_T_laser);
+  };
+  mission.home_contradiction = contradiction(*mission.first_scan, laser_at(mission.first_step),
+                                             *mission.last_scan, laser_at(mission.last_step));
+  if (mission.home_contradiction <= most_contradicted) return {};
+  return fmt::format(
+      "lost: it should be home, but {:.0f} % of what it sees there contradicts what it saw there first; was "
+      "it "
+      "moved?",
+      100.0 * mission.home_contradiction);
+}
+
 /// Judges what is left over on the map as it is in the end.
 void judge_what_is_left(ExploreMission& mission) {
   if (mission.frontiers.frame().size() == 0) return;
@@ -169,6 +195,11 @@ void judge_what_is_left(ExploreMission& mission) {
   const bool explored = mission.stop_reason == "complete" || mission.stop_reason == "left_over";
   if (!explored) return;
   if (std::string doubt = map_doubt(mission.slam); !doubt.empty()) {
+    mission.stop_reason = "lost";
+    mission.reason = std::move(doubt);
+    return;
+  }
+  if (std::string doubt = home_doubt(mission); !doubt.empty()) {
     mission.stop_reason = "lost";
     mission.reason = std::move(doubt);
     return;

@@ -13,6 +13,7 @@
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
+#include "outrider/robot/steady_time.hpp"
 
 namespace outrider {
 namespace {
@@ -58,7 +59,8 @@ ExploreTask bounded(ExploreTask task, const ExplorationReference& truth, const R
 
 /// The mission, with the longest processor times of its steps.
 struct TimedMission {
-  std::optional<Command> step(const Observation& seen) {
+  std::optional<Command> step(const Observation& shown) {
+    const Observation seen = time.steady(shown);
     const std::int64_t decisions = mission.decisions;
     const double began_s = processor_s();
     perceive(mission, seen);
@@ -68,10 +70,11 @@ struct TimedMission {
     if (command && mission.decisions > decisions)
       max_decision_s = std::max(max_decision_s, responded_s - perceived_s);
     max_step_s = std::max(max_step_s, responded_s - began_s);
-    return command;
+    return command ? std::optional(time.on_clock(std::move(*command))) : std::nullopt;
   }
 
   ExploreMission mission;
+  SteadyTime time = {};
   double max_decision_s = 0.0;
   double max_step_s = 0.0;
 };
@@ -85,7 +88,8 @@ class ContactJudge {
     if (std::exchange(contacts_, body.contacts()) == body.contacts()) return;
     const double radius_m = body.ground().radius_m();
     const Vec2 rim = body.pose() * (radius_m * direction(body.touch_rad().value_or(0.0)));
-    if (robot.devices().laser->finder().surface_distance(rim, 2.0 * near_m) < near_m) ++visible_;
+    const bool seen = robot.devices().laser->finder().surface_distance(rim, 2.0 * near_m) < near_m;
+    if (seen || body.walk_ins().gap_m({rim, rim}, 0.0) < near_m) ++visible_;
   }
   [[nodiscard]] std::int64_t visible() const { return visible_; }
 
@@ -171,7 +175,9 @@ void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& rob
       {"pose_error_m", distance(robot.pose().position, mission.pose.position)},
       {"stuck", number(mission.stuck)},
       {"bad_scans", number(mission.bad_scans)},
-      {"loops", number(mission.loops)}};
+      {"loops", number(mission.loops)},
+      {"home_contradiction", mission.home_contradiction},
+      {"blocked_s", body.walk_ins().blocked_s().value_or(-1.0)}};
   report.machine_times = {{"max_decision_s", timed.max_decision_s}, {"max_step_s", timed.max_step_s}};
 }
 

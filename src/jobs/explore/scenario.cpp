@@ -53,6 +53,7 @@ std::vector<OptionGroup> describe(ExploreScenario& scenario) {
       {"laser", "its range finder", describe(scenario.sim.laser)},
       {"wheels", "its wheels and how they count wrong", describe(scenario.sim.wheels)},
       {"faults", "what goes wrong without the robot being told", describe(scenario.sim.faults)},
+      {"link", "how scans travel to the robot's computer", describe(scenario.sim.link)},
       {"explore", "where it goes next", describe(task.explore)},
       {"steer", "how it drives there", describe(task.steer)},
       {"rules", "when it thinks, waits and gives up", describe(task.rules)},

@@ -13,6 +13,8 @@ constexpr std::string_view still_bodies =
     "the physics engine holds targets that stand still and leave when hit";
 constexpr std::string_view who_is_inside = "what stands in the way would change with who is inside";
 constexpr std::string_view shared_once = "the targets are shared out once, before anybody drives";
+constexpr std::string_view drives_arrive =
+    "who comes, survives or moves is waited for where a drive ends as planned";
 constexpr std::string_view unseen = "while the yard is explored nobody may come, move or be missed";
 
 const CapabilityRow& row_of(Capability capability) {
@@ -34,6 +36,7 @@ const std::vector<CapabilityRow>& capabilities() {
       {rigid, "rigid bodies", "sim"},
       {blocking, "targets that block", "targets_block"},
       {faults, "faults of the robot", "faults"},
+      {held_up, "a robot that is held up (kidnapped_at, stuck_from, blocked_at)", "faults.kidnapped_at"},
       {team, "several robots", "robots"},
   };
   return rows;
@@ -66,6 +69,13 @@ const std::vector<Clash>& clashes() {
       {terrain, team, "the times at which robots keep apart are for level ground"},
       {air, rigid, "the physics engine knows no drag"},
       {rigid, faults, "faults are simulated in the kinematic robot only"},
+      {arrivals, held_up, drives_arrive},
+      {survivors, held_up, drives_arrive},
+      {walkers, held_up, drives_arrive},
+      {terrain, held_up, "the places where it is held up are for level ground"},
+      {supplies, held_up, "the way to a station is planned to the last joule"},
+      {rigid, held_up, "faults are simulated in the kinematic robot only"},
+      {held_up, team, "nobody tells the others who is held up"},
       {rigid, team, "the physics engine holds one robot"},
       {unknown, rigid, "the rigid robot has no range finder"},
       {unknown, blocking, "targets that block would be walls on the map"},
@@ -77,6 +87,8 @@ const std::vector<Clash>& clashes() {
 std::vector<Capability> asked_of(const GuardScenario& scenario) {
   using enum Capability;
   const GuardProblem& problem = scenario.problem;
+  GuardSimParams other_faults = scenario.faults;
+  other_faults.way = {};
   const std::pair<Capability, bool> all[] = {
       {arrivals, scenario.arrivals.any()},
       {survivors, scenario.arrivals.leave < 1.0},
@@ -87,7 +99,8 @@ std::vector<Capability> asked_of(const GuardScenario& scenario) {
       {unknown, scenario.scout.unknown},
       {rigid, scenario.sim != "kinematic"},
       {blocking, problem.targets_block},
-      {faults, scenario.faults.any()},
+      {faults, other_faults.any()},
+      {held_up, scenario.faults.way.any()},
       {team, scenario.robots > 1},
   };
   std::vector<Capability> asked;

@@ -148,6 +148,11 @@ void note_flying(StopTasks& tasks, const Observation& seen, const GuardProblem& 
       tasks.flying.push_back(ball);
       continue;
     }
+    if (result == nullptr && ball.unsure) {
+      --record.shots;
+      stop_for(tasks, ball.target, problem, firing_map);
+      continue;
+    }
     if (result == nullptr) ++record.unanswered;
     tasks.silence.note(ball.target, result != nullptr, seen.time_s);
     if (result != nullptr && result->hit) {

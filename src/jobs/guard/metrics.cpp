@@ -287,14 +287,20 @@ Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord&
   if (supplies.any()) add(supply_metrics(log, supplies, mission.stores));
   if (mission.tasks.on_the_move) add(passing_metrics(log));
   if (record.rigid) add(rigid_metrics(*record.rigid));
-  if (run.faults.any()) add({{"false_reached", falsely_reached(records, names, log)}});
+  if (run.faults.any()) {
+    add({{"false_reached", falsely_reached(records, names, log)},
+         {"cut_drives", as_number(events_of(log, "stopped").size())},
+         {"contacts", as_number(record.contacts)},
+         {"post_contacts", as_number(record.post_contacts)}});
+  }
   Table table = target_table();
   for (std::size_t i = 0; i < records.size(); ++i) table.rows.push_back(row_of(names[i], records[i], log));
   report.tables = {std::move(table)};
   const std::string dry = ran_dry(log);
   report.status = tally.reached + tally.unreachable == tally.targets && dry.empty() ? "done" : "not_done";
   report.reason = dry.empty() ? reason_of(run, tally) + why_stranded(log) : dry;
-  if (report.status != "done") report.reason += why_unanswered(mission.tasks);
+  if (report.status != "done")
+    report.reason += why_unanswered(mission.tasks) + why_held_up(mission.tasks.cut);
   return report;
 }
 

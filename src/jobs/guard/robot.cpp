@@ -16,7 +16,7 @@ SimulatedRobot simulated_guard(const GuardProblem& problem, const FiringMap& fir
   devices.targets.emplace(problem.targets, std::move(targets), seed);
   return SimulatedRobot(log,
                         WaypointBody(problem.robot, {firing_map.ground, firing_map.rules}, problem.start,
-                                     errors, rng.child("arrival")),
+                                     errors, rng.child("arrival"), faults.way),
                         std::move(devices));
 }
 

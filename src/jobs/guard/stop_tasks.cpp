@@ -15,6 +15,8 @@
 namespace outrider {
 namespace {
 
+constexpr double held_up_s = 10.0;  ///< for which a robot waits that does not get away
+
 std::optional<Vec2> another_place(const GuardProblem& problem, const FiringMap& firing_map,
                                   std::size_t target, Vec2 here, double apart_m) {
   return nearest_place(firing_map, SureCells(problem, firing_map).of(target), here, apart_m);
@@ -152,6 +154,7 @@ std::optional<FollowWaypoints> set_off(StopTasks& tasks, const Observation& seen
   tasks.arrived = true;
   tasks.last_place = place;
   if (distance(seen.odometry.position, place) <= there_m) return std::nullopt;
+  tasks.cut.driving = true;
   FollowWaypoints drive{std::move(way), false, std::move(*shots)};
   const StopTask& task = tasks.queue.front();
   const auto& along = drive.waypoints;
@@ -182,6 +185,14 @@ std::optional<AimGun> take_aim(StopTasks& tasks, const Observation& seen, const 
   return AimGun{shot->shot.yaw_rad, shot->shot.pitch_rad};
 }
 
+/// Returns true if the robot stands elsewhere than where the gun was aimed.
+bool moved_since(const StopTasks& tasks, const Pose2& pose) {
+  constexpr double moved_m = 0.02, turned_rad = 0.02;
+  const Pose2& aimed = tasks.records[tasks.queue.front().targets.front()].pose;
+  return distance(aimed.position, pose.position) > moved_m ||
+         std::abs(wrap_angle(aimed.heading_rad - pose.heading_rad)) > turned_rad;
+}
+
 /// Shoots at the first target of the present task, at which the gun is aimed.
 Fire fire(StopTasks& tasks, double time_s) {
   const std::size_t target = tasks.queue.front().targets.front();
@@ -202,8 +213,9 @@ Fire fire(StopTasks& tasks, double time_s) {
 
 std::vector<Vec2> way_between(const StopTasks& tasks, const Pose2& from, Vec2 to, const GuardProblem& problem,
                               const FiringMap& firing_map) {
-  if (tasks.keep_away) {
-    const auto& [standing, gap_m] = *tasks.keep_away;
+  if (tasks.keep_away || !tasks.cut.obstacles.empty()) {
+    auto [standing, gap_m] = tasks.keep_away.value_or(KeepAway{{}, obstacle_gap_m(problem)});
+    standing.insert(standing.end(), tasks.cut.obstacles.begin(), tasks.cut.obstacles.end());
     if (auto way = way_around(problem, firing_map, from.position, to, standing, gap_m))
       return std::move(*way);
   }
@@ -288,6 +300,11 @@ std::optional<Command> give_up_silent_gun(StopTasks& tasks, const Observation& s
 
 std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
                                     const FiringMap& firing_map) {
+  if (tasks.cut.driving && !tasks.queue.empty()) {
+    const AfterDrive next = after_drive(tasks, seen, problem);
+    tasks.arrived = next == AfterDrive::go_on;
+    if (next == AfterDrive::wait) return Wait{seen.time_s + held_up_s};
+  }
   for (;;) {
     if (tasks.queue.empty() && !tasks.flying.empty()) {
       if (const auto wait = wait_for_balls(tasks, seen.time_s)) return *wait;
@@ -316,6 +333,10 @@ std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, c
     if (!tasks.aimed) {
       if (const auto aim = take_aim(tasks, seen, problem, firing_map)) return *aim;
       look_elsewhere(tasks, seen, problem, firing_map);
+      continue;
+    }
+    if (moved_since(tasks, seen.odometry)) {
+      tasks.aimed = false;
       continue;
     }
     return fire(tasks, seen.time_s);

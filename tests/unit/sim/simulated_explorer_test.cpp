@@ -185,5 +185,71 @@ TEST(SimulatedExplorer, SameSeedSameObservations) {
   EXPECT_NE(run(5), run(6));
 }
 
+TEST(SimulatedExplorer, APostIsPutBeforeItAndTakenAway) {
+  const RobotModel robot = burger();
+  ExplorerSimParams params = faultless();
+  params.laser.noise_m = 0.0;
+  params.faults.walk_ins.blocked_at_s = 1.0;
+  params.faults.walk_ins.blocked_for_s = 20.0;
+  SimulatedRobot it = simulated_explorer(walls({{{9.0, -2.0}, {9.0, 2.0}}}), {}, robot, params, 1);
+  drive(it, {}, 2.0);
+  EXPECT_FALSE(it.body<TwistBody>().walk_ins().blocked_s()) << "it stands";
+  drive(it, ahead, 0.3);
+  const auto& disks = it.body<TwistBody>().walk_ins().disks();
+  ASSERT_EQ(disks.size(), 1u);
+  const double x = disks.front().core.front().x, radius_m = disks.front().radius_m;
+  EXPECT_GT(x, robot.radius_m + params.faults.walk_ins.blocked_ahead_m + radius_m - 1e-9);
+  const Observation seen = it.sense();
+  ASSERT_TRUE(seen.scan);
+  EXPECT_NEAR(static_cast<double>(seen.scan->ranges_m.front()), x - radius_m - it.pose().position.x, 1e-6);
+  drive(it, ahead, 10.0);
+  EXPECT_NEAR(it.pose().position.x, x - radius_m - robot.radius_m, 1e-6);
+  EXPECT_EQ(it.body<TwistBody>().contacts(), 1);
+  drive(it, ahead, 20.0);
+  EXPECT_GT(it.pose().position.x, x) << "it was taken away";
+}
+
+TEST(SimulatedExplorer, PeopleKeepOffWallsAndTheRobot) {
+  World room = walls({{{-3.0, -3.0}, {3.0, -3.0}},
+                      {{3.0, -3.0}, {3.0, 3.0}},
+                      {{3.0, 3.0}, {-3.0, 3.0}},
+                      {{-3.0, 3.0}, {-3.0, -3.0}}});
+  room.bounds = {{-3.0, -3.0}, {3.0, 3.0}};
+  ExplorerSimParams params = faultless();
+  params.faults.walk_ins.people = 4;
+  SimulatedRobot it = simulated_explorer(room, {}, burger(), params, 1);
+  const auto& walk_ins = it.body<TwistBody>().walk_ins();
+  drive(it, {}, 0.1);
+  ASSERT_EQ(walk_ins.disks().size(), 4u);
+  double way_m = 0.0;
+  for (int i = 0; i < 600; ++i) {
+    const Vec2 before = walk_ins.disks().front().core.front();
+    drive(it, {}, 0.1);
+    way_m += distance(before, walk_ins.disks().front().core.front());
+    for (const RoundedPolygon& disk : walk_ins.disks()) {
+      const Vec2 at = disk.core.front();
+      EXPECT_LE(std::max(std::abs(at.x), std::abs(at.y)), 3.0 - disk.radius_m + 1e-9);
+      EXPECT_GE(distance(at, it.pose().position), burger().radius_m + disk.radius_m + 0.3 - 1e-9);
+    }
+  }
+  EXPECT_GT(way_m, 20.0);
+  EXPECT_EQ(it.body<TwistBody>().contacts(), 0);
+}
+
+TEST(SimulatedExplorer, ItsClockJumps) {
+  ExplorerSimParams params = faultless();
+  params.faults.clock = {2.0, 30.0};
+  SimulatedRobot it = simulated_explorer(walls({{{9.0, -2.0}, {9.0, 2.0}}}), {}, burger(), params, 1);
+  it.act(DriveTwist{ahead, 1.9});
+  EXPECT_NEAR(it.sense().time_s, 1.9, 1e-9);
+  it.act(DriveTwist{ahead, 2.1});
+  const Observation seen = it.sense();
+  EXPECT_NEAR(seen.time_s, 32.1, 1e-9);
+  ASSERT_TRUE(seen.scan);
+  EXPECT_NEAR(seen.scan->time_s, 32.1, 1e-9);
+  it.act(DriveTwist{ahead, 32.2});
+  EXPECT_NEAR(it.time_s(), 2.2, 1e-9);
+}
+
 }  // namespace
 }  // namespace outrider

@@ -104,5 +104,17 @@ TEST(WheelBody, NoiseHasItsDeviation) {
   EXPECT_NEAR(std::sqrt(square), 0.05 / 2.0, 0.004);  // the mean of four wheels
 }
 
+TEST(WheelBody, AWheelSticksForAWhile) {
+  WheelFaults faults;
+  faults.stuck_wheel = 2;
+  faults.stuck_from_s = 1.5;
+  faults.stuck_for_s = 0.5;
+  const Pose2 end = after({0.2, 0.0, 0.0}, 2.0, faults);
+  const Pose2 free = after({0.2, 0.0, 0.0}, 2.0, {});
+  EXPECT_GT(std::abs(end.heading_rad), 0.05);
+  faults.stuck_from_s = 20.0;
+  EXPECT_EQ(after({0.2, 0.0, 0.0}, 2.0, faults).position.x, free.position.x);
+}
+
 }  // namespace
 }  // namespace outrider

@@ -23,8 +23,9 @@
 //   budget    the limit of time or distance is reached
 //   leak      the map exceeds its largest extent: the world is open
 //   stuck     the robot got stuck too often, or there is no path home
-//   lost      the robot no longer knows its pose, or its map cannot be believed (map_doubt.hpp): it may have
-//             been carried away
+//   lost      the robot no longer knows its pose, or its map cannot be believed (map_doubt.hpp), or what it
+//   sees
+//             at home is not what it saw there first: it may have been carried away
 //   blind     no usable scan came
 // Thread rule: one at a time. Sources: as in the headers named.
 #pragma once
@@ -83,13 +84,18 @@ struct ExploreMission {
   Pose2 odometry_of_slam;                ///< odometry when the previous scan was measured
   std::deque<TimedOdometry> odometries;  ///< of the last seconds, for scans that come late
   std::optional<double> started_s;
-  double scan_s = 0.0;          ///< time at which the newest usable scan was measured
-  double sighted_s = 0.0;       ///< last time at which that was lately enough to drive
-  double range_m = 3.5;         ///< of the range finder
-  double driven_m = 0.0;        ///< distance by odometry
-  std::vector<float> ranges_m;  ///< of the newest scan
-  Pose2 odometry_of_ranges;     ///< odometry of the first scan with these ranges
-  std::vector<Vec2> beam_ends;  ///< beam ends of the newest usable scan, in the world frame of that time
+  double scan_s = 0.0;                  ///< time at which the newest usable scan was measured
+  double sighted_s = 0.0;               ///< last time at which that was lately enough to drive
+  double range_m = 3.5;                 ///< of the range finder
+  double driven_m = 0.0;                ///< distance by odometry
+  std::vector<float> ranges_m;          ///< of the newest scan
+  std::optional<LaserScan> first_scan;  ///< first usable scan
+  std::optional<LaserScan> last_scan;   ///< newest usable scan
+  std::size_t first_step = 0;           ///< their numbers in the trajectory
+  std::size_t last_step = 0;
+  double home_contradiction = 0.0;  ///< share of the points at home in which these two contradict each other
+  Pose2 odometry_of_ranges;         ///< odometry of the first scan with these ranges
+  std::vector<Vec2> beam_ends;      ///< beam ends of the newest usable scan, in the world frame of that time
   CloseRange close_range;
   bool touching = false;
   bool new_touch = false;             ///< it has just touched something that was not touched before

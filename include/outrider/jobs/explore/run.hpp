@@ -45,9 +45,11 @@ struct ExploreRun {
 ///   contacts, visible_contacts       touches of anything, and of what the laser sees
 ///   returned_home                    1 when the true robot ended within 0.3 m of its start
 ///   home_error_m                     distance of the true robot from its start in the end
-///   false_complete                   1 when the robot believes to be done, and is elsewhere or its map is
-///   wrong pose_error_m                     distance of its true from its believed position in the end stuck,
-///   bad_scans, loops          how often it got stuck; unusable scans; closed loops
+///   false_complete                   1 if it believes to be done, and is elsewhere or its map wrong
+///   pose_error_m                     distance of its true from its believed position in the end
+///   stuck, bad_scans, loops          how often it got stuck; unusable scans; closed loops
+///   home_contradiction               share of what it sees at home that contradicts its first scan
+///   blocked_s                        when a post was put in its way (walk_ins.hpp); -1 if none was
 /// and the table "left_over" has the places that are left over, with the reasons.
 Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& task, const ExplorerSimParams& params,
                                 std::uint64_t seed, Log& log, const RunWatch& watch = {},

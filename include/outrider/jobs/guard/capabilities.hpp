@@ -24,6 +24,7 @@ enum class Capability : std::uint8_t {
   rigid,      ///< rigid-body simulation of robot and balls
   blocking,   ///< targets that block robot and shots
   faults,     ///< faults of the robot that the mission is not told
+  held_up,    ///< drives that end before their goal, because the robot is moved, blocked or stuck
   team,       ///< several robots that share the targets
 };
 

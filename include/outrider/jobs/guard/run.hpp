@@ -54,13 +54,15 @@ struct GuardRun {
 ///   shots_in_passing, hits_in_passing                                               shots on the move
 ///   arrival_error_mean_m, arrival_error_max_m, flight_error_max_m,
 ///   shots_as_foreseen, bumps                                                        rigid bodies
-///   false_reached                                                                   faults
+///   false_reached, cut_drives, contacts, post_contacts                              faults
 /// intruder_seconds is the sum of the times inside of all intruders that can be hit; an intruder that is not
 /// hit counts until the end. makespan_s is the time of the last hit, or the end if one of them was not hit.
 /// The bounds are those of arrival_bound.hpp. false_reached counts the
-/// targets that the mission calls reached and that no ball of the log hit. survived counts the hits that the
-/// intruder survived. chance is the mean of the predicted chances of the shots, expected_hits their sum.
-/// Faults: those of make_rigid_world(), if rigid bodies are simulated.
+/// targets that the mission calls reached and that no ball of the log hit. cut_drives counts the drives that
+/// ended before their goal, contacts those with what stands in the yard, post_contacts those with what was
+/// put in the way. survived counts the hits that the intruder survived. chance is the mean of the predicted
+/// chances of the shots, expected_hits their sum. Faults: those of make_rigid_world(), if rigid bodies are
+/// simulated.
 Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch = {});
 
 }  // namespace outrider

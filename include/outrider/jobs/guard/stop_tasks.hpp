@@ -24,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include "outrider/jobs/guard/cut_drives.hpp"
 #include "outrider/jobs/guard/gun_silence.hpp"
 #include "outrider/jobs/guard/plan.hpp"
 #include "outrider/robot/mission.hpp"
@@ -63,6 +64,7 @@ struct FlyingBall {
   double lands_s = 0.0;     ///< as planned
   bool in_passing = false;  ///< fired during a drive
   double leaves_s = 0.0;    ///< when it is fired, as planned
+  bool unsure = false;      ///< the drive was cut about then: it may not have been fired
 };
 
 /// Other robots that stand somewhere, and how far the robot keeps from them.
@@ -94,6 +96,7 @@ struct StopTasks {
   /// By record: the target of the problem at whose place it is now. Empty: each record is at its own target.
   std::vector<std::size_t> stands_at;
   std::optional<Routes> routes;            ///< routes of the plan
+  CutDrives cut = {};                      ///< drives that ended before their goal
   std::optional<KeepAway> keep_away = {};  ///< set: the next drive leads around other robots, if it can
   std::stop_token stop = {};  ///< after a stop request, the next command is returned soon and is meaningless
 };

@@ -18,12 +18,13 @@ World room() {
   return world;
 }
 
-ExploreRun explored(const ExplorerFaults& faults) {
+ExploreRun explored(const ExplorerFaults& faults, const LinkFaults& link = {}) {
   ExploreTask task;
   task.start = {{1.0, 1.0}, 0.0};
   task.rules.most_time_s = 200.0;
   ExplorerSimParams params;
   params.faults = faults;
+  params.link = link;
   Log log;
   auto run = run_explore(room(), task, params, 1, log);
   EXPECT_TRUE(run) << run.error().sentence;
@@ -65,6 +66,43 @@ TEST(ExploreFaults, OthersEndHonestly) {
   stuck.stuck_from_s = 5.0;
   kidnapped.kidnapping.at_s = 5.0;
   for (const ExplorerFaults& faults : {outliers, late, slips, stuck, kidnapped}) explored(faults);
+}
+
+TEST(ExploreFaults, AClockThatJumpsChangesNothing) {
+  const double undisturbed_s = metric(explored({}).report, "time_s");
+  for (const double jump_s : {-1000.0, -3.0, 3.0, 1000.0}) {
+    ExplorerFaults faults;
+    faults.clock = {5.0, jump_s};
+    const ExploreRun run = explored(faults);
+    EXPECT_EQ(run.report.status, "done") << run.report.reason;
+    EXPECT_NEAR(metric(run.report, "time_s"), undisturbed_s, 1e-6);
+  }
+}
+
+TEST(ExploreFaults, APostThatIsPutInItsWayIsNotTouched) {
+  for (const double for_s : {5.0, 1e9}) {
+    ExplorerFaults faults;
+    faults.walk_ins.blocked_at_s = 4.0;
+    faults.walk_ins.blocked_for_s = for_s;
+    const ExploreRun run = explored(faults);
+    EXPECT_GE(metric(run.report, "blocked_s"), 4.0);
+    EXPECT_EQ(metric(run.report, "visible_contacts"), 0.0);
+  }
+}
+
+TEST(ExploreFaults, PeopleWhoWalkThroughAreNotTouched) {
+  ExplorerFaults faults;
+  faults.walk_ins.people = 2;
+  EXPECT_EQ(metric(explored(faults).report, "visible_contacts"), 0.0);
+}
+
+TEST(ExploreFaults, ALinkThatLosesRepeatsOrReordersScansEndsHonestly) {
+  LinkFaults down, repeats, reorders;
+  down.down_from_s = 4.0;
+  repeats.repeated = 0.3;
+  reorders.reordered = 0.3;
+  EXPECT_EQ(explored({}, down).stop_reason, "blind");
+  for (const LinkFaults& link : {repeats, reorders}) EXPECT_EQ(explored({}, link).report.status, "done");
 }
 
 }  // namespace

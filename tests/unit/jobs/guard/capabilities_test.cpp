@@ -135,6 +135,7 @@ void ask_for(GuardScenario& scenario, Capability capability) {
     case Capability::rigid: scenario.sim = "physics"; break;
     case Capability::blocking: problem.targets_block = true; break;
     case Capability::faults: scenario.faults.position_ratio = 1.5; break;
+    case Capability::held_up: scenario.faults.way.kidnapping = {1.0, 0.3, 0.5}; break;
     case Capability::team: scenario.robots = 2; break;
   }
 }

@@ -32,13 +32,22 @@ GuardProblem short_street() {
   return problem;
 }
 
+/// Three targets so far apart that the robot has to drive to two of them.
+GuardProblem long_street() {
+  GuardProblem problem = short_street();
+  problem.world.bounds.high.x = 41;
+  problem.targets[1].base = {20.0, -2.4, 0};
+  problem.targets[2].base = {38.0, 2, 0};
+  return problem;
+}
+
 struct FaultyRun {
   Run run;
   int hit = 0;  ///< targets that a ball of the log has hit
 };
 
-FaultyRun guarded(const GuardSimParams& faults, bool on_the_move) {
-  const GuardProblem problem = short_street();
+FaultyRun guarded(const GuardSimParams& faults, bool on_the_move,
+                  const GuardProblem& problem = short_street()) {
   const GuardOptions options = fault_options(on_the_move);
   const auto firing_map = build_firing_map(problem, options);
   auto plan = plan_guard(problem, *firing_map, fault_options(false), {});
@@ -116,6 +125,51 @@ TEST(GuardFaults, LargerErrorsThanToldAreSeen) {
     faults.position_ratio = 5.0;
     faults.aim_ratio = 1.9;
     guarded(faults, on_the_move);
+  }
+}
+
+/// The street is free, so a robot that is held up for a while gets to all its stops.
+TEST(GuardFaults, ARobotThatIsPutElsewhereDrivesOnFromThere) {
+  for (const bool on_the_move : {false, true}) {
+    for (const double at_s : {0.0, 1.0, 2.5, 4.0, 6.0}) {
+      GuardSimParams faults;
+      faults.way.kidnapping = {at_s, 1.5, 2.0};
+      const FaultyRun done = guarded(faults, on_the_move, long_street());
+      EXPECT_EQ(done.hit, 3) << at_s;
+      EXPECT_EQ(metric(done.run.report, "contacts"), 0.0);
+    }
+  }
+}
+
+TEST(GuardFaults, APostInTheWayIsDrivenAround) {
+  for (const bool on_the_move : {false, true}) {
+    GuardSimParams faults;
+    faults.way.blocked_at_s = 0.0;
+    const FaultyRun done = guarded(faults, on_the_move, long_street());
+    EXPECT_EQ(done.hit, 3);
+    EXPECT_GE(metric(done.run.report, "post_contacts"), 1.0);
+    EXPECT_EQ(metric(done.run.report, "contacts"), 0.0);
+  }
+}
+
+TEST(GuardFaults, WheelsThatStickForAWhileDelayTheMission) {
+  for (const bool on_the_move : {false, true}) {
+    GuardSimParams faults;
+    faults.way.stuck_from_s = 1.0;
+    faults.way.stuck_for_s = 8.0;
+    EXPECT_EQ(guarded(faults, on_the_move, long_street()).hit, 3);
+  }
+}
+
+TEST(GuardFaults, WheelsThatStickForGoodAreTold) {
+  for (const bool on_the_move : {false, true}) {
+    GuardSimParams faults;
+    faults.way.stuck_from_s = 1.0;
+    const FaultyRun done = guarded(faults, on_the_move, long_street());
+    EXPECT_LT(done.hit, 3);
+    EXPECT_NE(done.run.report.reason.find("do its wheels stick"), std::string::npos)
+        << done.run.report.reason;
+    EXPECT_LT(metric(done.run.report, "mission_s"), 300.0);
   }
 }
 

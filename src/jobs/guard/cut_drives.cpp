@@ -1,0 +1,75 @@
+#include "outrider/jobs/guard/cut_drives.hpp"
+
+#include <fmt/format.h>
+
+#include "outrider/jobs/guard/stop_tasks.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double same_place_m = 0.1;
+constexpr double off_m = 0.1;        ///< beyond twice the largest error of a drive
+constexpr double obstacle_m = 0.25;  ///< radius of what is taken to stand in the way
+constexpr double beyond_m = 0.01;
+constexpr std::int64_t drives_around = 2;  ///< from that many drives that ended at one place on
+constexpr std::int64_t waits = 3;
+constexpr std::int64_t most_here = 4;
+constexpr std::int64_t most_in_place = 12;
+constexpr std::int64_t most_of_all = 200;
+
+/// The shots that the drive did not come to are not fired. They are planned again for the next drive. Whether
+/// those of the last moments were fired is not known.
+void take_back_unfired(StopTasks& tasks, double time_s) {
+  constexpr double unsure_s = 1.5;
+  std::erase_if(tasks.flying, [&](FlyingBall& ball) {
+    if (!ball.in_passing) return false;
+    const bool unfired = ball.leaves_s > time_s;
+    ball.unsure = ball.leaves_s > time_s - unsure_s;
+    if (unfired) {
+      --tasks.records[ball.target].shots;
+      tasks.queue.front().passing.push_back(ball.target);
+    }
+    return unfired;
+  });
+}
+
+}  // namespace
+
+AfterDrive after_drive(StopTasks& tasks, const Observation& seen, const GuardProblem& problem) {
+  CutDrives& cut = tasks.cut;
+  cut.driving = false;
+  const Vec2 here = seen.odometry.position;
+  if (distance(here, tasks.last_place) <= 2.0 * problem.errors.position_m + off_m) {
+    cut.here = cut.in_place = 0;
+    return AfterDrive::go_on;
+  }
+  const bool same_place = cut.in_place > 0 && distance(here, cut.place) <= same_place_m;
+  cut.here = same_place ? cut.here + 1 : 1;
+  cut.in_place = same_place ? cut.in_place + 1 : 1;
+  cut.place = here;
+  take_back_unfired(tasks, seen.time_s);
+  if (++cut.all > most_of_all || cut.here == most_here || cut.in_place > most_in_place) {
+    cut.here = 0;
+    StopTask& task = tasks.queue.front();  // whom no drive has hit is shot at from here
+    task.targets.insert(task.targets.end(), task.passing.begin(), task.passing.end());
+    task.passing.clear();
+    return AfterDrive::go_on;
+  }
+  if (cut.here == drives_around) {
+    const double ahead_m = obstacle_gap_m(problem) + beyond_m;
+    cut.obstacles.push_back(here + ahead_m * direction(seen.odometry.heading_rad));
+  }
+  return cut.here == waits ? AfterDrive::wait : AfterDrive::drive_again;
+}
+
+double obstacle_gap_m(const GuardProblem& problem) { return problem.robot.radius_m + obstacle_m; }
+
+std::string why_held_up(const CutDrives& cut) {
+  if (cut.all == 0) return {};
+  return fmt::format(
+      "; {} drive{} ended elsewhere than planned: was the robot moved, is something in its way, or do its "
+      "wheels stick?",
+      cut.all, cut.all == 1 ? "" : "s");
+}
+
+}  // namespace outrider
