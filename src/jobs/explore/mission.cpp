@@ -168,7 +168,7 @@ ExploreState state_of(ExploreMission& mission) {
 /// Returns the reason not to believe that the robot is home; empty if it is not there, or sees there what it
 /// saw first.
 std::string home_doubt(ExploreMission& mission) {
-  constexpr double most_contradicted = 0.15;  // people who stand there make some
+  constexpr double most_contradicted = 0.1;  // people who stand there make some
   if (!mission.home || !mission.first_scan) return {};
   const std::vector<Pose2> came = mission.slam.trajectory();
   const auto laser_at = [&](std::size_t step) {

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "box_solid.hpp"
+#include "outrider/core/units.hpp"
 #include "outrider/jobs/explore/run.hpp"
+#include "outrider/slam/scan_contradiction.hpp"
 
 namespace outrider {
 namespace {
@@ -103,6 +105,22 @@ TEST(ExploreFaults, ALinkThatLosesRepeatsOrReordersScansEndsHonestly) {
   reorders.reordered = 0.3;
   EXPECT_EQ(explored({}, down).stop_reason, "blind");
   for (const LinkFaults& link : {repeats, reorders}) EXPECT_EQ(explored({}, link).report.status, "done");
+}
+
+/// What the robot asks at home: a scan taken 0.7 m away contradicts the first one, one taken 0.1 m away does
+/// not.
+TEST(ExploreFaults, AScanFromElsewhereContradictsTheFirstOne) {
+  const RangeFinder laser(room(), {});
+  Rng rng(1);
+  const Pose2 home{{1.0, 1.0}, 0.0};
+  const LaserScan first = laser.look(home, 0.0, rng);
+  for (int turn = 0; turn < 8; ++turn) {
+    const Vec2 towards = direction(0.25 * pi * turn);
+    const LaserScan near = laser.look({home.position + 0.1 * towards, 0.02}, 1.0, rng);
+    EXPECT_LT(contradiction(first, home, near, home), 0.05) << turn;
+    const LaserScan far = laser.look({home.position + 0.7 * towards, 0.0}, 1.0, rng);
+    EXPECT_GT(contradiction(first, home, far, home), 0.1) << turn;
+  }
 }
 
 }  // namespace
