@@ -307,7 +307,7 @@ TEST_F(FastDdsOnThisMachine, IsFoundAlsoIfItStartsLater) {
   open_node(true);
   auto other = RosNode::open({domain_, true});
   ASSERT_TRUE(other) << to_string(other.error());
-  auto heard = (*other)->reader("/early", message_type<Twist>(), Delivery::reliable);
+  auto heard = other->reader("/early", message_type<Twist>(), Delivery::reliable);
   ASSERT_TRUE(heard) << to_string(heard.error());
   RosWriter early = writer("/early", message_type<Twist>(), Delivery::reliable);
   ASSERT_TRUE(eventually([&] { return early.readers() == 1 && heard->writers() == 1; }));

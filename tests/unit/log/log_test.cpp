@@ -144,13 +144,14 @@ TEST(Log, KeepsOnlyTheNewestIfItIsToldTo) {
   for (int i = 1; i < 1000; ++i) {
     log.append("/a", i, at(i));
     if (i % 100 == 0) log.append("/b", i, at(i));
-    const auto& kept = log.messages<geometry_msgs::Point>("/a");
+    const auto& kept = log.messages<outrider_msgs::Point2>("/a");
+    ASSERT_FALSE(kept.empty());
     ASSERT_LT(kept.size(), 20U);
     ASSERT_EQ(kept.back().message.x, i);
     ASSERT_EQ(kept[kept.size() - std::min<std::size_t>(kept.size(), 10)].message.x, std::max(i - 9, 0));
   }
   EXPECT_EQ(all.received.size(), 1009U);
-  EXPECT_EQ(log.messages<geometry_msgs::Point>("/b").size(), 9U);
+  EXPECT_EQ(log.messages<outrider_msgs::Point2>("/b").size(), 9U);
   log.add_sink(late);
   log.append("/b", 2000.0, at(7));
   EXPECT_EQ(late.channels, log.channels());
