@@ -152,7 +152,10 @@ void ExplorerNode::nothing_to_reach(const Decision& decision) {
     tell(NodeLevel::info, fmt::format("left over at {:.2f}, {:.2f}: up to {:.1f} m2: {}", one.place.x,
                                       one.place.y, one.area_m2, one.sentence));
   }
-  if (!left.places.empty()) return go_home("left_over", left.sentence(options_.robot.radius_m));
+  if (!left.places.empty()) {
+    go_home("left_over", left.sentence(options_.robot.radius_m));
+    return;
+  }
   go_home("complete",
           hidden.places.empty()
               ? decision.sentence

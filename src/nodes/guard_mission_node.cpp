@@ -94,10 +94,11 @@ std::string GuardMissionNode::why_to_stop() const {
 void GuardMissionNode::start(const Pose2& pose) {
   const double away_m = distance(guard_->scenario.problem.start.position, pose.position);
   if (away_m > at_start_m) {
-    return end(NodeLevel::error, "bad_input",
-               fmt::format("start: the robot stands {:.2f} m from the start of the scenario; drive it there, "
-                           "or change the start",
-                           away_m));
+    end(NodeLevel::error, "bad_input",
+        fmt::format("start: the robot stands {:.2f} m from the start of the scenario; drive it there, or "
+                    "change the start",
+                    away_m));
+    return;
   }
   begin_log();
   run_log_ = std::make_unique<GuardMissionLog>(log(), *guard_);
@@ -110,23 +111,27 @@ void GuardMissionNode::step(const Pose2& pose) {
   seen.odometry = pose;
   seen.gun = gun_.joints();
   seen.shots = std::exchange(results_, {});
-  present_ = guard_->mission->step(seen);
+  auto command = guard_->mission->step(seen);
   run_log_->note(*guard_->mission, mission_s());
-  if (!present_) return finish();
+  if (!command) {
+    finish();
+    return;
+  }
   began_command_s_ = moved_on_s_ = now_s();
-  begin_command(pose);
+  begin_command(*command, pose);
+  present_ = std::move(command);
 }
 
-void GuardMissionNode::begin_command(const Pose2& pose) {
+void GuardMissionNode::begin_command(const Command& command, const Pose2& pose) {
   const double time_s = mission_s();
   const auto& targets = guard_->scenario.problem.targets;
-  if (const auto* drive = std::get_if<FollowWaypoints>(&*present_)) {
+  if (const auto* drive = std::get_if<FollowWaypoints>(&command)) {
     leg_ = 0;
     rest_s_.reset();
     log_plan(log(), time_s, drive->waypoints);
     if (drive->waypoints.size() > 1) begin_leg(*drive);
   }
-  const auto* fire = std::get_if<Fire>(&*present_);
+  const auto* fire = std::get_if<Fire>(&command);
   if (fire == nullptr || gun_.was_hit(fire->target)) return;
   gun_.fire_at(fire->target);
   ++shots_;
@@ -155,8 +160,9 @@ bool GuardMissionNode::follow(const FollowWaypoints& drive, const Pose2& pose) {
     return false;
   }
   command({});
-  if (!rest_s_) rest_s_ = now_s();
-  return now_s() - *rest_s_ >= settles_s;
+  const double since_s = rest_s_.value_or(now_s());
+  rest_s_ = since_s;
+  return now_s() - since_s >= settles_s;
 }
 
 /// Returns true if nothing is in the way; else the robot stands. Ends the mission of a robot that is stuck.
@@ -196,8 +202,8 @@ bool GuardMissionNode::aim(const AimGun& aim, const Pose2& pose) {
   const GunState goal =
       SimulatedGun::joints_towards({aim.yaw_rad, aim.pitch_rad, 0.0}, stance, pose.heading_rad);
   send(aim_output_, joints_message(goal, now_s()));
-  const double yaw_off_rad = std::abs(wrap_angle(gun_.joints()->yaw_rad - goal.yaw_rad));
-  const double pitch_off_rad = std::abs(gun_.joints()->pitch_rad - goal.pitch_rad);
+  const double yaw_off_rad = std::abs(wrap_angle(joints().yaw_rad - goal.yaw_rad));
+  const double pitch_off_rad = std::abs(joints().pitch_rad - goal.pitch_rad);
   if (std::max(yaw_off_rad, pitch_off_rad) <= options_.aimed_rad) return true;
   if (now_s() - moved_on_s_ > longest_aim_s) {
     end(NodeLevel::error, "gun_stuck",
@@ -218,21 +224,22 @@ bool GuardMissionNode::await(const Fire& fire) {
               fmt::format("{} is told to be hit", guard_->scenario.problem.targets[fire.target].name));
     return true;
   }
-  const double flight_s = guard_->mission->tasks.records[fire.target].shot->flight_s;
+  const auto& shot = guard_->mission->tasks.records[fire.target].shot;
+  const double flight_s = shot ? shot->flight_s : 0.0;
   return now_s() - began_command_s_ > flight_s + options_.result_s;
 }
 
 /// Returns true once the present command is done.
-bool GuardMissionNode::carry_out(const Pose2& pose) {
+bool GuardMissionNode::carry_out(const Command& command, const Pose2& pose) {
   return std::visit(Overload{[&](const FollowWaypoints& drive) { return follow(drive, pose); },
                              [&](const AimGun& gun) { return aim(gun, pose); },
                              [&](const Fire& fire) { return await(fire); },
                              [&](const Wait& wait) {
-                               command({});
+                               this->command({});
                                return mission_s() + soon_s >= wait.until_s;
                              },
                              [&](const auto&) { return true; }},
-                    *present_);
+                    command);
 }
 
 /// Logs where the robot and its gun are.
@@ -240,7 +247,7 @@ void GuardMissionNode::note(const Pose2& pose) {
   if (mission_s() < noted_s_ + noted_every_s - soon_s) return;
   noted_s_ = mission_s();
   log_pose(log(), noted_s_, pose);
-  log_gun(log(), noted_s_, gun_.joints()->yaw_rad, gun_.joints()->pitch_rad);
+  log_gun(log(), noted_s_, joints().yaw_rad, joints().pitch_rad);
 }
 
 void GuardMissionNode::finish() {
@@ -258,9 +265,9 @@ void GuardMissionNode::finish() {
 void GuardMissionNode::go_on(const Pose2& pose) {
   note(pose);
   if (!present_) step(pose);
-  if (is_over()) return;
+  if (is_over() || !present_) return;
   stands_ = false;
-  const bool done = carry_out(pose);
+  const bool done = carry_out(*present_, pose);
   if (is_over()) return;
   if (done) present_.reset();
   const auto& records = guard_->mission->tasks.records;
@@ -270,17 +277,21 @@ void GuardMissionNode::go_on(const Pose2& pose) {
 }
 
 void GuardMissionNode::act() {
-  if (is_over()) return command({});
+  if (is_over()) {
+    command({});
+    return;
+  }
   const std::string why = why_to_stop();
-  if (!why.empty()) {
+  const auto pose = frames().map_T_robot();
+  if (!why.empty() || !pose) {
     driver_.stopped();
     moved_on_s_ = now_s();
     set_status(run_log_ ? NodeLevel::error : NodeLevel::info, run_log_ ? "stopped" : "waiting", why);
-    return command({});
+    command({});
+    return;
   }
-  const Pose2 pose = *frames().map_T_robot();
-  if (!run_log_) start(pose);
-  if (!is_over()) go_on(pose);
+  if (!run_log_) start(*pose);
+  if (!is_over()) go_on(*pose);
 }
 
 }  // namespace outrider

@@ -56,16 +56,18 @@ std::size_t GuardSimNode::hits() const { return static_cast<std::size_t>(std::ra
 Status GuardSimNode::take_aim(const sensor_msgs::JointState& message) {
   const auto joints = joints_of(message);
   if (!joints) return tl::unexpected<Fault>(joints.error());
-  if (!*joints) return bad_input("it does not name the joints 'yaw' and 'pitch'");
+  const auto& to = *joints;
+  if (!to) return bad_input("it does not name the joints 'yaw' and 'pitch'");
   const GunModel& gun = yard_->problem.gun;
-  aims_.push(now_s(), {wrap_angle((*joints)->yaw_rad),
-                       std::clamp((*joints)->pitch_rad, gun.pitch_low_rad, gun.pitch_high_rad)});
+  aims_.push(now_s(),
+             {wrap_angle(to->yaw_rad), std::clamp(to->pitch_rad, gun.pitch_low_rad, gun.pitch_high_rad)});
   return {};
 }
 
 Status GuardSimNode::take_fire(const std_msgs::Float64& speed) {
   const double most_mps = yard_->problem.gun.muzzle_speed_mps;
-  if (!(speed.data > 0.0 && speed.data <= most_mps + 1e-9)) {
+  const bool can = speed.data > 0.0 && speed.data <= most_mps + 1e-9;
+  if (!can) {
     return bad_input(fmt::format("the speed of the ball is {:g} m/s; the gun can shoot at up to {:g} m/s",
                                  speed.data, most_mps));
   }
@@ -75,7 +77,10 @@ Status GuardSimNode::take_fire(const std_msgs::Float64& speed) {
 
 /// Throws a ball from where the robot is. Whom it touches first leaves.
 void GuardSimNode::fire(double speed_mps) {
-  if (!gun_.pull_trigger(robot().time_s())) return tell(NodeLevel::warning, "nothing leaves the barrel");
+  if (!gun_.pull_trigger(robot().time_s())) {
+    tell(NodeLevel::warning, "nothing leaves the barrel");
+    return;
+  }
   ++shots_;
   const GunScene& scene = gun_.scene();
   const Pose2& pose = robot().pose();

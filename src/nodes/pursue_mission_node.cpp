@@ -134,7 +134,7 @@ void PursueMissionNode::step(const Pose2& pose) {
 
 /// Returns true if something at that point is not on the map, and not the target.
 bool PursueMissionNode::is_strange(Vec2 point) const {
-  if (distance(point, *target_) <= options_.cell_m) return false;
+  if (target_ && distance(point, *target_) <= options_.cell_m) return false;
   const auto can_enter = [&](Vec2 at) {
     const Cell cell = cell_of(at);
     return task_.problem.costs->contains(cell) && (*task_.problem.costs)[cell] < task_.problem.threshold;
@@ -161,7 +161,8 @@ void PursueMissionNode::drive(const Pose2& pose) {
   if (const auto thing = in_the_way(strange_, pose, twist, rule)) {
     driver_.stopped();
     command({});
-    return stand_before(*thing, pose.position);
+    stand_before(*thing, pose.position);
+    return;
   }
   way_is_free(pose.position);
   command(twist);

@@ -55,11 +55,12 @@ class GuardMissionNode final : public MissionNode {
  private:
   void act() override;
   [[nodiscard]] std::string why_to_stop() const;
+  [[nodiscard]] GunState joints() const { return gun_.joints().value_or(GunState{}); }
   void start(const Pose2& pose);
   void go_on(const Pose2& pose);
   void step(const Pose2& pose);
-  void begin_command(const Pose2& pose);
-  [[nodiscard]] bool carry_out(const Pose2& pose);
+  void begin_command(const Command& command, const Pose2& pose);
+  [[nodiscard]] bool carry_out(const Command& command, const Pose2& pose);
   [[nodiscard]] bool follow(const FollowWaypoints& drive, const Pose2& pose);
   void begin_leg(const FollowWaypoints& drive);
   [[nodiscard]] bool may_drive(const Twist2& twist, const Pose2& pose);

@@ -60,7 +60,7 @@ class GuardSimNode final : public RobotSimNode {
   [[nodiscard]] geometry_msgs::TransformStamped mount(double time_s) const override;
   void send_measured(const Observation& seen, double time_s) override;
   void report() override;
-  Status take_aim(const sensor_msgs::JointState& joints);
+  Status take_aim(const sensor_msgs::JointState& message);
   Status take_fire(const std_msgs::Float64& speed);
   void fire(double speed_mps);
 

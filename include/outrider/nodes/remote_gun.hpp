@@ -26,7 +26,7 @@ class RemoteGun {
 
   /// Takes joints that came at that time of the node; a message without both has no effect. Faults: bad_input
   /// for a stamp that goes back, for lists of different lengths and numbers that are not finite.
-  Status take(const sensor_msgs::JointState& joints, double now_s);
+  Status take(const sensor_msgs::JointState& message, double now_s);
   /// Faults: bad_input for a name that no target has, and for a target at which it was not fired.
   Status take(const std_msgs::String& hit);
   /// Notes that the gun is fired at a target.

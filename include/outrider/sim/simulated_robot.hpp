@@ -47,7 +47,7 @@ class SimulatedRobot final : public Robot {
   SimulatedRobot(Log& log, WaypointBody body, SimulatedDevices devices = {});
 
   Observation sense() override;
-  void act(const Command& command) override;
+  void act(const Command& given) override;
 
   [[nodiscard]] double time_s() const;
   [[nodiscard]] const Pose2& pose() const;  ///< true world_T_robot; heading not wrapped

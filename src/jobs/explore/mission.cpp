@@ -169,7 +169,7 @@ ExploreState state_of(ExploreMission& mission) {
 /// saw first.
 std::string home_doubt(ExploreMission& mission) {
   constexpr double most_contradicted = 0.1;  // people who stand there make some
-  if (!mission.home || !mission.first_scan) return {};
+  if (!mission.home || !mission.first_scan || !mission.last_scan) return {};
   const std::vector<Pose2> came = mission.slam.trajectory();
   const auto laser_at = [&](std::size_t step) {
     return compose(came[std::min(step, came.size() - 1)], mission.task.slam.robot_T_laser);
@@ -179,8 +179,7 @@ std::string home_doubt(ExploreMission& mission) {
   if (mission.home_contradiction <= most_contradicted) return {};
   return fmt::format(
       "lost: it should be home, but {:.0f} % of what it sees there contradicts what it saw there first; was "
-      "it "
-      "moved?",
+      "it moved?",
       100.0 * mission.home_contradiction);
 }
 

@@ -88,7 +88,8 @@ class ContactJudge {
     if (std::exchange(contacts_, body.contacts()) == body.contacts()) return;
     const double radius_m = body.ground().radius_m();
     const Vec2 rim = body.pose() * (radius_m * direction(body.touch_rad().value_or(0.0)));
-    const bool seen = robot.devices().laser->finder().surface_distance(rim, 2.0 * near_m) < near_m;
+    const auto& laser = robot.devices().laser;
+    const bool seen = laser && laser->finder().surface_distance(rim, 2.0 * near_m) < near_m;
     if (seen || body.walk_ins().gap_m({rim, rim}, 0.0) < near_m) ++visible_;
   }
   [[nodiscard]] std::int64_t visible() const { return visible_; }

@@ -224,6 +224,7 @@ std::optional<Command> next_command(ArrivingTargets& targets, StopTasks& tasks, 
     if (auto command = next_command(tasks, seen, problem, firing_map)) {
       if (auto* follow = std::get_if<FollowWaypoints>(&*command)) {
         follow->until_arrival = plan.policy.interrupts;
+        if (plan.policy.interrupts) tasks.cut.driving = false;  // it may end anywhere without a fault
       }
       return command;
     }

@@ -298,22 +298,57 @@ std::optional<Command> give_up_silent_gun(StopTasks& tasks, const Observation& s
   return std::nullopt;
 }
 
+namespace {
+
+/// Looks where the drive to the present task has ended. Returns a command if the robot is held up.
+std::optional<Command> wait_if_held_up(StopTasks& tasks, const Observation& seen,
+                                       const GuardProblem& problem) {
+  if (!tasks.cut.driving || tasks.queue.empty()) return std::nullopt;
+  const AfterDrive next = after_drive(tasks, seen, problem);
+  tasks.arrived = next == AfterDrive::go_on;
+  if (next == AfterDrive::wait) return Wait{seen.time_s + held_up_s};
+  return std::nullopt;
+}
+
+/// Waits for the balls in the air, then plans the second pass. Nothing: there may be tasks again.
+std::optional<Command> go_on_without_tasks(StopTasks& tasks, const Observation& seen,
+                                           const GuardProblem& problem, const FiringMap& firing_map) {
+  if (tasks.flying.empty()) {
+    plan_second_pass(tasks, problem, firing_map);
+    return std::nullopt;
+  }
+  if (const auto wait = wait_for_balls(tasks, seen.time_s)) return *wait;
+  note_flying(tasks, seen, problem, firing_map);
+  return std::nullopt;
+}
+
+/// Returns the next command of the first task; nothing: look at the tasks again.
+std::optional<Command> go_on_with_task(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
+                                       const FiringMap& firing_map) {
+  if (!tasks.arrived) {
+    if (auto drive = set_off(tasks, seen, problem, firing_map)) return std::move(*drive);
+    return std::nullopt;
+  }
+  if (tasks.queue.front().call) {
+    if (!std::exchange(tasks.aimed, true)) return gun_at_rest(firing_map, seen.odometry);
+    return fill(tasks);
+  }
+  if (tasks.aimed && !moved_since(tasks, seen.odometry)) return fire(tasks, seen.time_s);
+  tasks.aimed = false;
+  if (const auto aim = take_aim(tasks, seen, problem, firing_map)) return *aim;
+  look_elsewhere(tasks, seen, problem, firing_map);
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
                                     const FiringMap& firing_map) {
-  if (tasks.cut.driving && !tasks.queue.empty()) {
-    const AfterDrive next = after_drive(tasks, seen, problem);
-    tasks.arrived = next == AfterDrive::go_on;
-    if (next == AfterDrive::wait) return Wait{seen.time_s + held_up_s};
-  }
+  if (auto wait = wait_if_held_up(tasks, seen, problem)) return wait;
   for (;;) {
-    if (tasks.queue.empty() && !tasks.flying.empty()) {
-      if (const auto wait = wait_for_balls(tasks, seen.time_s)) return *wait;
-      note_flying(tasks, seen, problem, firing_map);
-      continue;
-    }
     if (tasks.queue.empty()) {
-      if (tasks.second_pass || tasks.more_to_come) return std::nullopt;
-      plan_second_pass(tasks, problem, firing_map);
+      if (tasks.flying.empty() && (tasks.second_pass || tasks.more_to_come)) return std::nullopt;
+      if (auto wait = go_on_without_tasks(tasks, seen, problem, firing_map)) return wait;
       continue;
     }
     const StopTask& task = tasks.queue.front();
@@ -322,24 +357,7 @@ std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, c
       tasks.arrived = false;
       continue;
     }
-    if (!tasks.arrived) {
-      if (auto drive = set_off(tasks, seen, problem, firing_map)) return std::move(*drive);
-      continue;
-    }
-    if (task.call) {
-      if (!std::exchange(tasks.aimed, true)) return gun_at_rest(firing_map, seen.odometry);
-      return fill(tasks);
-    }
-    if (!tasks.aimed) {
-      if (const auto aim = take_aim(tasks, seen, problem, firing_map)) return *aim;
-      look_elsewhere(tasks, seen, problem, firing_map);
-      continue;
-    }
-    if (moved_since(tasks, seen.odometry)) {
-      tasks.aimed = false;
-      continue;
-    }
-    return fire(tasks, seen.time_s);
+    if (auto command = go_on_with_task(tasks, seen, problem, firing_map)) return command;
   }
 }
 

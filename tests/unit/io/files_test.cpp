@@ -244,7 +244,8 @@ TEST(WriteFiles, AreAllOldOrAllNewWheneverTheWriterIsKilled) {
     ASSERT_EQ(texts.size(), 1U) << "a mixture after kill " << kill;
     seen.insert(*texts.begin());
   }
-  EXPECT_GT(seen.size(), static_cast<std::size_t>(kills) / 10) << "many of the writers came as far as a new version";
+  EXPECT_GT(seen.size(), static_cast<std::size_t>(kills) / 10)
+      << "many of the writers came as far as a new version";
   ASSERT_TRUE(write_files(version(1)));
   EXPECT_EQ(entries(folder.path), names.size());
 }
