@@ -35,6 +35,12 @@ Pace pace_of(const RobotModel& robot) {
   return pace;
 }
 
+/// Returns the mission of what was prepared for one that is simulated.
+GuardMission* mission_of(PreparedGuard& guard) {
+  auto& mission = guard.mission;
+  return mission ? &*mission : nullptr;
+}
+
 }  // namespace
 
 std::vector<OptionGroup> describe(GuardMissionNodeOptions& options) {
@@ -69,6 +75,7 @@ GuardMissionNode::GuardMissionNode(GuardMissionNodeOptions options, std::unique_
     : MissionNode("guard", options.node),
       options_(std::move(options)),
       guard_(std::move(guard)),
+      mission_(mission_of(*guard_)),
       gun_(guard_->scenario.problem.targets),
       solids_(footprints_above_floor(guard_->scenario.problem.world), RangeFinderModel()),
       driver_(pace_of(guard_->scenario.problem.robot), true) {
@@ -111,8 +118,8 @@ void GuardMissionNode::step(const Pose2& pose) {
   seen.odometry = pose;
   seen.gun = gun_.joints();
   seen.shots = std::exchange(results_, {});
-  auto command = guard_->mission->step(seen);
-  run_log_->note(*guard_->mission, mission_s());
+  auto command = mission_->step(seen);
+  run_log_->note(*mission_, mission_s());
   if (!command) {
     finish();
     return;
@@ -224,7 +231,7 @@ bool GuardMissionNode::await(const Fire& fire) {
               fmt::format("{} is told to be hit", guard_->scenario.problem.targets[fire.target].name));
     return true;
   }
-  const auto& shot = guard_->mission->tasks.records[fire.target].shot;
+  const auto& shot = mission_->tasks.records[fire.target].shot;
   const double flight_s = shot ? shot->flight_s : 0.0;
   return now_s() - began_command_s_ > flight_s + options_.result_s;
 }
@@ -251,8 +258,8 @@ void GuardMissionNode::note(const Pose2& pose) {
 }
 
 void GuardMissionNode::finish() {
-  const StopTasks& tasks = guard_->mission->tasks;
-  const GuardVerdict verdict = verdict_of(*guard_->mission);
+  const StopTasks& tasks = mission_->tasks;
+  const GuardVerdict verdict = verdict_of(*mission_);
   const auto hit = std::ranges::count(tasks.records, TargetStatus::reached, &TargetRecord::status);
   std::string sentence =
       fmt::format("{} of {} targets are told to be hit, by {} shots", hit, tasks.records.size(), shots_);
@@ -270,7 +277,7 @@ void GuardMissionNode::go_on(const Pose2& pose) {
   const bool done = carry_out(*present_, pose);
   if (is_over()) return;
   if (done) present_.reset();
-  const auto& records = guard_->mission->tasks.records;
+  const auto& records = mission_->tasks.records;
   const auto left = std::ranges::count(records, TargetStatus::waiting, &TargetRecord::status);
   if (!stands_)
     set_status(NodeLevel::info, "guarding", fmt::format("{} of {} targets wait", left, records.size()));

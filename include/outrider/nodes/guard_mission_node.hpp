@@ -50,7 +50,7 @@ class GuardMissionNode final : public MissionNode {
                                                          const GuardMissionNodeOptions& options,
                                                          const Budget& budget = {});
   GuardMissionNode(GuardMissionNodeOptions options, std::unique_ptr<PreparedGuard> guard);
-  [[nodiscard]] const GuardMission& mission() const { return *guard_->mission; }
+  [[nodiscard]] const GuardMission& mission() const { return *mission_; }
 
  private:
   void act() override;
@@ -71,6 +71,7 @@ class GuardMissionNode final : public MissionNode {
 
   GuardMissionNodeOptions options_;
   std::unique_ptr<PreparedGuard> guard_;
+  GuardMission* mission_;  ///< that of guard_, which has one
   RemoteGun gun_;
   RangeFinder solids_;  ///< what is on the map
   std::unique_ptr<GuardMissionLog> run_log_;
