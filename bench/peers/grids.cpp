@@ -84,7 +84,7 @@ std::vector<PeerRow> rows_on(const std::string& task, const Grid<std::uint8_t>& 
     Workspace workspace;
     (void)planner.plan(queries.front(), {}, workspace);  // prepares the map, as the graphs below are prepared
     std::vector<Outcome<Plan>> plans(queries.size(), Plan{});
-    rows.push_back(measure(task, name, queries.size(), rounds, [&](std::size_t i) {
+    rows.push_back(measure(task, name, Whose::ours, queries.size(), rounds, [&](std::size_t i) {
       plans[i] = planner.plan(queries[i], {}, workspace);
       return plans[i] ? plans[i]->cost : std::numeric_limits<double>::infinity();
     }));
@@ -98,7 +98,7 @@ std::vector<PeerRow> rows_on(const std::string& task, const Grid<std::uint8_t>& 
     return c.y * side + c.x;
   };
   const auto add = [&](const std::string& solver, const std::function<double(int, int)>& search) {
-    rows.push_back(measure(task, solver, queries.size(), rounds, [&](std::size_t i) {
+    rows.push_back(measure(task, solver, Whose::exact_peer, queries.size(), rounds, [&](std::size_t i) {
       return search(vertex(queries[i].start), vertex(queries[i].goal));
     }));
   };

@@ -10,19 +10,23 @@
 
 namespace outrider::bench {
 
+enum class Whose { ours, exact_peer, sampling_peer };
+
 /// What a solver said of each problem of a task.
 struct PeerRow {
   std::string task;
   std::string solver;
+  Whose whose = Whose::ours;
   std::vector<double> times_us = {};  ///< the shortest of the rounds, by problem
   std::vector<double> costs = {};     ///< infinite without an answer
 };
 
 /// Calls solve(i), which returns the cost of its answer, for all problems in turn, several rounds.
-inline PeerRow measure(const std::string& task, const std::string& solver, std::size_t problems, int rounds,
-                       const std::function<double(std::size_t)>& solve) {
+inline PeerRow measure(const std::string& task, const std::string& solver, Whose whose, std::size_t problems,
+                       int rounds, const std::function<double(std::size_t)>& solve) {
   constexpr double never = std::numeric_limits<double>::infinity();
-  PeerRow row{task, solver, std::vector<double>(problems, never), std::vector<double>(problems, never)};
+  PeerRow row{task, solver, whose, std::vector<double>(problems, never),
+              std::vector<double>(problems, never)};
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < problems; ++i) {
       const auto begin = std::chrono::steady_clock::now();

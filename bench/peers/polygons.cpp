@@ -62,12 +62,15 @@ std::vector<PeerRow> polygon_rows() {
     const ConfiguredPlanner planner = find_path_planner(name)->configure();
     Workspace workspace;
     (void)planner.plan(queries.front(), {}, workspace);
-    const std::string solver = name == std::string("visibility_graph") ? name : std::string("OMPL, ") + name;
-    rows.push_back(
-        measure("a disk of 0.2 m among 60 boxes, 20 x 20 m", solver, queries.size(), 1, [&](std::size_t i) {
-          const auto plan = planner.plan(queries[i], {}, workspace);
-          return plan && check(*plan, queries[i]) ? plan->cost : std::numeric_limits<double>::infinity();
-        }));
+    const bool ours = name == std::string("visibility_graph");
+    const std::string solver = ours ? name : std::string("OMPL, ") + name;
+    rows.push_back(measure("a disk of 0.2 m among 60 boxes, 20 x 20 m", solver,
+                           ours ? Whose::ours : Whose::sampling_peer, queries.size(), 1, [&](std::size_t i) {
+                             const auto plan = planner.plan(queries[i], {}, workspace);
+                             return plan && check(*plan, queries[i])
+                                        ? plan->cost
+                                        : std::numeric_limits<double>::infinity();
+                           }));
   }
   return rows;
 }

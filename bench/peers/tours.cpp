@@ -39,9 +39,9 @@ std::vector<PeerRow> tour_rows() {
       problems.push_back(std::move(problem));
     }
     const std::string task = fmt::format("best tours, proven, {} goals from {} stops", goals, stop_count);
-    rows.push_back(measure(task, "solve()", problems.size(), 1,
+    rows.push_back(measure(task, "solve()", Whose::ours, problems.size(), 1,
                            [&](std::size_t i) { return proven_cost(problems[i].table); }));
-    rows.push_back(measure(task, "CBC", problems.size(), 1,
+    rows.push_back(measure(task, "CBC", Whose::exact_peer, problems.size(), 1,
                            [&](std::size_t i) { return programmed_cost(problems[i]); }));
   }
   return rows;
