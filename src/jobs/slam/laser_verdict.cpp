@@ -99,6 +99,7 @@ void log_doubts(Log& log, const Table& table, double end_s) {
 void judge_mapping(Report& report, Log& log, const LaserRun& run, const std::vector<double>& times_s) {
   if (run.trusts_odometry || run.stopped) return;
   MapCheck check = run.slam.check();
+  const RangeCheck ranges = run.slam.check_range_finder();
   forget_usual_pauses(check.jumps, run);
   const std::vector<std::size_t> gaps = run.slam.gaps();
   const std::vector<Pose2> poses = run.slam.trajectory();
@@ -107,12 +108,15 @@ void judge_mapping(Report& report, Log& log, const LaserRun& run, const std::vec
   doubt_gaps(doubts, gaps);
   doubt_contradictions(doubts, check);
   doubt_jumps(doubts, check.jumps);
+  if (const std::string why = why_not_believed(ranges); !why.empty()) doubts.add_reason(why);
   report.metrics.emplace_back("gaps", static_cast<double>(gaps.size()));
   report.metrics.emplace_back("jumps", static_cast<double>(check.jumps.size()));
   report.metrics.emplace_back("loops_refused", static_cast<double>(run.slam.loops_refused()));
   report.metrics.emplace_back("loops_undone", static_cast<double>(run.slam.loops_undone()));
   report.metrics.emplace_back("scans_checked", static_cast<double>(check.scans));
   report.metrics.emplace_back("scans_contradicted", static_cast<double>(check.contradicted));
+  report.metrics.emplace_back("range_bias_m", ranges.bias_m);
+  report.metrics.emplace_back("stray_share", ranges.stray_share());
   if (doubts.reason().empty()) return;
   report.status = "doubtful";
   report.reason = "the map may be wrong: " + doubts.reason();

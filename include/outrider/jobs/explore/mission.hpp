@@ -130,8 +130,9 @@ struct ExploreMission {
   std::int64_t stuck_here = 0;  ///< how often recently
   double stuck_m = 0.0;         ///< driven_m at the last time
   std::int64_t scans = 0;
-  std::int64_t bad_scans = 0;  ///< unusable scans
-  std::int64_t loops = 0;      ///< closed loops
+  std::int64_t bad_scans = 0;                ///< unusable scans
+  std::int64_t range_finder_asked_at = 250;  ///< value of `scans` at which the range finder is checked
+  std::int64_t loops = 0;                    ///< closed loops
   std::vector<ExploreEvent> events;
   std::string stop_reason;  ///< set once the robot drives home or has ended
   std::string reason;       ///< the stop reason as a sentence
