@@ -81,7 +81,7 @@ std::optional<double> Hindrance::cuts_leg(const HinderedLeg& leg) {
 }
 
 std::optional<double> Hindrance::touches_post(Vec2 position, double time_s) const {
-  if (!post_stands(time_s) || distance(position, *post_) > gap_m() + felt_m) return std::nullopt;
+  if (!post_ || !post_stands(time_s) || distance(position, *post_) > gap_m() + felt_m) return std::nullopt;
   return heading_of(*post_ - position);
 }
 

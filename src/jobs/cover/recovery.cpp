@@ -20,8 +20,10 @@ constexpr double reached =
 constexpr double wait_s = 10.0;
 constexpr int most_stalls = 6;
 constexpr std::size_t most_touches = 100;
-constexpr int lap_arcs = 12;        ///< of a lap around a post
-constexpr int leave_ways = 16;      ///< directions in which it leaves what it touches
+constexpr std::size_t most_hold_ups = 10'000;
+constexpr double aside_rad = radians(5.0);  ///< that a robot with a turning radius may look beside a piece
+constexpr int lap_arcs = 12;                ///< of a lap around a post
+constexpr int leave_ways = 16;              ///< directions in which it leaves what it touches
 constexpr double most_off = 30.0;   ///< times as far as straight away: it does not go farther to leave it
 constexpr double clip_step = 0.02;  ///< of the distance from a post: between points that are looked at
 constexpr double same_place_m = 1e-6;
@@ -74,13 +76,22 @@ double CoverRecovery::left_out_m() const {
 }
 
 std::optional<Command> CoverRecovery::step(const Observation& seen) {
-  if (current_) judge(seen);
-  if (wait_until_s_) return Wait{*std::exchange(wait_until_s_, std::nullopt)};
+  if (current_) {
+    const Task task = *current_;
+    current_.reset();
+    judge(task, seen);
+  }
+  if (wait_until_s_) {
+    const Wait wait{*wait_until_s_};
+    wait_until_s_.reset();
+    return wait;
+  }
   return next(seen.odometry);
 }
 
 void CoverRecovery::hold_up(const Observation& seen, std::string sentence) {
   hold_ups.push_back({seen.time_s, std::move(sentence)});
+  if (hold_ups.size() > most_hold_ups) gave_up = true;
   heading_rad_ = seen.odometry.heading_rad;
   end_.reset();
 }
@@ -97,14 +108,17 @@ void CoverRecovery::drop_way() {
 }
 
 /// Decides what comes of the piece that was just driven.
-void CoverRecovery::judge(const Observation& seen) {
-  const Task task = *std::exchange(current_, std::nullopt);
+void CoverRecovery::judge(const Task& task, const Observation& seen) {
   const Vec2 here = seen.odometry.position;
   // If its wheels stick when it drives off what it touches, it still does: that is no new contact.
   const bool stands = distance(began_, here) <= least_motion * problem_.body_radius_m();
-  const bool touches_anew = seen.touch_rad && !(task.leaves && stands);
-  if (seen.carried_from || touches_anew) {
-    seen.carried_from ? was_carried(task, seen) : touched(task, seen);
+  const bool touches_still = task.leaves && stands;
+  if (seen.carried_from) {
+    was_carried(task, seen.carried_from->position, seen);
+    return;
+  }
+  if (seen.touch_rad && !touches_still) {
+    touched(task, *seen.touch_rad, seen);
     return;
   }
   const double part = nearest_part(task.piece, here);
@@ -124,12 +138,11 @@ void CoverRecovery::fell_short(const Task& task, double part, bool stands, const
                             (1.0 - part) * length_of(task.piece), place_text(here)));
   keep_rest(task, part);
   stalls_ = stands ? stalls_ + 1 : 0;
-  gave_up = stalls_ > most_stalls;
+  if (stalls_ > most_stalls) gave_up = true;
   if (stalls_ > 0 && !gave_up) wait_until_s_ = seen.time_s + wait_s;
 }
 
-void CoverRecovery::was_carried(const Task& task, const Observation& seen) {
-  const Vec2 from = seen.carried_from->position;
+void CoverRecovery::was_carried(const Task& task, Vec2 from, const Observation& seen) {
   hold_up(seen,
           fmt::format("was carried from {} to {}", place_text(from), place_text(seen.odometry.position)));
   stalls_ = 0;
@@ -140,9 +153,9 @@ void CoverRecovery::was_carried(const Task& task, const Observation& seen) {
   }
 }
 
-void CoverRecovery::touched(const Task& task, const Observation& seen) {
+void CoverRecovery::touched(const Task& task, double touch_rad, const Observation& seen) {
   const Pose2& pose = seen.odometry;
-  const Vec2 towards = direction(pose.heading_rad + *seen.touch_rad);
+  const Vec2 towards = direction(pose.heading_rad + touch_rad);
   const Vec2 contact = pose.position + problem_.body_radius_m() * towards;
   hold_up(seen, fmt::format("touched something that is not on the map, at {}", place_text(contact)));
   if (task.way) {
@@ -198,8 +211,8 @@ std::vector<PathPiece> CoverRecovery::ways_off(const Pose2& pose, Vec2 from) con
   }
   const double away_rad = heading_of(pose.position - from);
   for (int k = 0; k < leave_ways; ++k) {
-    const double aside_rad = 2.0 * pi / leave_ways * ((k + 1) / 2);
-    add(k % 2 == 0 ? away_rad + aside_rad : away_rad - aside_rad, false);
+    const double turn_rad = 2.0 * pi / leave_ways * ((k + 1) / 2);
+    add(k % 2 == 0 ? away_rad + turn_rad : away_rad - turn_rad, false);
   }
   return ways;
 }
@@ -266,7 +279,7 @@ void CoverRecovery::clip_front() {
 bool CoverRecovery::is_at(const Pose2& pose, const PathPiece& piece) const {
   const bool follows = end_ && distance(*end_, piece.from) <= same_place_m;
   const double turn_rad = std::abs(wrap_angle(pose.heading_rad - heading_in(piece)));
-  if (!follows && problem_.curves() && turn_rad > no_turn_rad) return false;
+  if (!follows && problem_.curves() && turn_rad > aside_rad) return false;
   return distance(pose.position, piece.from) <= (follows ? problem_.body_radius_m() : tolerance_m_);
 }
 
@@ -318,11 +331,12 @@ std::optional<Command> CoverRecovery::next(const Pose2& pose) {
       continue;
     }
     if (!tasks_.front().way && !find_way(pose)) continue;
-    current_ = tasks_.front();
+    const Task task = tasks_.front();
     tasks_.pop_front();
-    pieces.push_back(current_->index);
+    current_ = task;
+    pieces.push_back(task.index);
     began_ = pose.position;
-    return command_of(*current_);
+    return command_of(task);
   }
   return std::nullopt;
 }

@@ -91,7 +91,7 @@ Coverage coverage_of_drive(const PieceDrive& drive, const CoverProblem& problem,
     from_s = carried.until_s;
   }
   add(ever_s);
-  return std::move(*all);
+  return std::move(all).value_or(Coverage{});
 }
 
 Region outside_of(const std::vector<Pose2>& poses, const Bar& bar, const Region& area) {

@@ -72,8 +72,7 @@ std::string faults_text(const TeamFaultCounts& faults) {
 
 /// What faults add to the metrics.
 void add_metrics(std::vector<std::pair<std::string, double>>& metrics, const PursuitRun& run,
-                 bool false_catch) {
-  const TeamFaultCounts& faults = *run.faults;
+                 const TeamFaultCounts& faults, bool false_catch) {
   const std::vector<std::pair<std::string, double>> more = {
       {"time_s", run.state.time_s},          {"false_catch", false_catch ? 1.0 : 0.0},
       {"missing_sightings", faults.missing}, {"late_sightings", faults.late},
@@ -156,7 +155,7 @@ Report pursuit_report(const PursuitProblem& problem, const PursuitRun& run, cons
       {"planning_calls", static_cast<double>(run.calls)},
       {"expansions", static_cast<double>(run.expansions)},
   };
-  if (run.faults) add_metrics(report.metrics, run, state.caught && !caught);
+  if (run.faults) add_metrics(report.metrics, run, *run.faults, state.caught && !caught);
   return report;
 }
 

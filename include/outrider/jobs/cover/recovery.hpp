@@ -75,10 +75,10 @@ class CoverRecovery {
   };
   struct Parts;
 
-  void judge(const Observation& seen);
+  void judge(const Task& task, const Observation& seen);
   void fell_short(const Task& task, double part, bool stands, const Observation& seen);
-  void was_carried(const Task& task, const Observation& seen);
-  void touched(const Task& task, const Observation& seen);
+  void was_carried(const Task& task, Vec2 from, const Observation& seen);
+  void touched(const Task& task, double touch_rad, const Observation& seen);
   void drive_around(const Pose2& pose);
   void keep_rest(const Task& task, double from_part);
   void drop_way();
