@@ -41,7 +41,7 @@ struct CoverRecovery::Parts {
 };
 
 CoverRecovery::CoverRecovery(const CoverTrack& track, const CoverProblem& problem,
-                             std::shared_ptr<const PolygonGround> ground, const Budget& budget)
+                             const std::shared_ptr<const PolygonGround>& ground, const Budget& budget)
     : problem_(problem),
       tolerance_m_(problem.tracking_error_m + reached * problem.body_radius_m()),
       parts_(new Parts{ground, ground, {problem.radius_m(), tolerance_m_}, {problem, budget}}),

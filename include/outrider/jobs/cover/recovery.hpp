@@ -44,7 +44,7 @@ class CoverRecovery {
  public:
   /// The problem must outlive the mission. The track stays on the ground.
   CoverRecovery(const CoverTrack& track, const CoverProblem& problem,
-                std::shared_ptr<const PolygonGround> ground, const Budget& budget = {});
+                const std::shared_ptr<const PolygonGround>& ground, const Budget& budget = {});
   CoverRecovery(CoverRecovery&&) noexcept;
   ~CoverRecovery();
 
