@@ -194,7 +194,7 @@ PieceBody::PieceBody(const Pose2& start, const Pace& pace, double tracking_error
 
 double PieceBody::begin(const Command& command) {
   if (const auto* follows = std::get_if<FollowPiece>(&command)) follow(*follows);
-  if (const auto* waits = std::get_if<Wait>(&command); waits && waits->until_s > drive_.time_s) {
+  if (const auto* waits = std::get_if<Wait>(&command); waits != nullptr && waits->until_s > drive_.time_s) {
     drive_.time_s = waits->until_s;
     Recorder(drive_).stand_until(drive_.time_s);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include "felt_posts.hpp"
@@ -24,7 +25,7 @@ constexpr std::size_t most_hold_ups = 10'000;
 constexpr double aside_rad = radians(5.0);  ///< that a robot with a turning radius may look beside a piece
 constexpr int lap_arcs = 12;                ///< of a lap around a post
 constexpr int leave_ways = 16;              ///< directions in which it leaves what it touches
-constexpr double most_off = 30.0;   ///< times as far as straight away: it does not go farther to leave it
+constexpr int off_steps = 9;        ///< each half as far again: how far it goes to leave what it touches
 constexpr double clip_step = 0.02;  ///< of the distance from a post: between points that are looked at
 constexpr double same_place_m = 1e-6;
 constexpr double least_motion = 1e-3;  ///< of the robot's radius: less is no motion
@@ -211,13 +212,14 @@ std::vector<PathPiece> CoverRecovery::ways_off(const Pose2& pose, Vec2 from) con
   }
   const double away_rad = heading_of(pose.position - from);
   for (int k = 0; k < leave_ways; ++k) {
-    const double turn_rad = 2.0 * pi / leave_ways * ((k + 1) / 2);
+    const double turn_rad = 2.0 * pi / leave_ways * std::ceil(0.5 * k);
     add(k % 2 == 0 ? away_rad + turn_rad : away_rad - turn_rad, false);
   }
   return ways;
 }
 
-/// Drives away from what it touches, to where it has room to plan. Returns false if there is no such place.
+/// Drives away from what it is too near to, to where it has room to plan. Returns false if there is no such
+/// place.
 bool CoverRecovery::leave(const Pose2& pose) {
   if (parts_->ground->point_free(pose.position)) return true;
   const cover::FeltPost* nearest = nullptr;
@@ -231,8 +233,9 @@ bool CoverRecovery::leave(const Pose2& pose) {
   if (nearest == nullptr) return false;
   for (PathPiece way : ways_off(pose, nearest->centre())) {
     const Vec2 along = way.to - way.from;
-    for (double step_m = inside_m; step_m <= most_off * inside_m; step_m *= 1.5) {
-      way.to = way.from + (step_m + same_place_m) * along;
+    double step_m = inside_m + tolerance_m_;
+    for (int k = 0; k < off_steps; ++k, step_m *= 1.5) {
+      way.to = way.from + step_m * along;
       if (!parts_->map->segment_free({way.from, way.to})) break;
       if (!parts_->ground->point_free(way.to)) continue;
       tasks_.push_front({way, off_track, true, true, true});
@@ -283,11 +286,14 @@ bool CoverRecovery::is_at(const Pose2& pose, const PathPiece& piece) const {
   return distance(pose.position, piece.from) <= (follows ? problem_.body_radius_m() : tolerance_m_);
 }
 
-/// Puts the way to the first task before it. Returns false if there is none; the task is left out then.
+/// Puts the way to the first task before it, or first to where it has room to plan one. Returns false if
+/// there is none; the task is left out then.
 bool CoverRecovery::find_way(const Pose2& pose) {
   const Task task = tasks_.front();
   if (is_at(pose, task.piece)) return true;
+  if (!parts_->ground->point_free(pose.position) && leave(pose)) return true;
   std::vector<PathPiece> track;
+  track.reserve(tasks_.size());
   for (const Task& one : tasks_) track.push_back(one.piece);
   const auto way = parts_->ways.way(pose, task.piece, parts_->ground, track);
   if (!way) {
@@ -295,8 +301,7 @@ bool CoverRecovery::find_way(const Pose2& pose) {
     if (task.index != off_track) left_out_.push_back(task);
     return false;
   }
-  for (auto piece = way->rbegin(); piece != way->rend(); ++piece)
-    tasks_.push_front({*piece, off_track, true, true});
+  for (const PathPiece& piece : std::views::reverse(*way)) tasks_.push_front({piece, off_track, true, true});
   return true;
 }
 

@@ -110,8 +110,10 @@ TEST_F(CoverFaults, BeingCarriedCoversNothing) {
 }
 
 TEST_F(CoverFaults, APostThatStaysIsDrivenAround) {
-  for (const char* at : {"5", "50", "100"}) {
-    const outrider::Run run = covered({{"faults.blocked_at", at}, {"faults.blocked_radius", "0.1"}});
+  for (const char* at : {"5", "50", "57", "64", "71", "100"}) {
+    const outrider::Run run =
+        covered({{"faults.blocked_at", at}, {"faults.blocked_radius", "0.1"}, {"seed", at}});
+    EXPECT_LT(metric(run.report, "left_out_m"), 6.0) << at;
     EXPECT_GE(metric(run.report, "post_contacts"), 2.0) << "it stands there";
     const double post_m2 = pi * 0.1 * 0.1;
     EXPECT_GT(metric(run.report, "promised_missed_m2"), 0.9 * post_m2);
