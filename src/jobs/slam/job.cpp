@@ -4,15 +4,47 @@
 #include "outrider/io/log_file.hpp"
 #include "recordings.hpp"
 #include "slam_log.hpp"
+#include "spoil.hpp"
 #include "summary.hpp"
+#include "truth.hpp"
 
 namespace outrider {
+namespace {
+
+RecordingKind kind_of(const SlamInput& input) {
+  if (std::holds_alternative<LaserLog>(input)) return RecordingKind::laser;
+  return std::holds_alternative<LandmarkLog>(input) ? RecordingKind::landmarks : RecordingKind::graph;
+}
+
+/// Spoils a log, and returns the number of changes.
+template <class Recording>
+Outcome<std::size_t> spoil(Recording& recording, const SlamScenario& scenario) {
+  auto result = spoiled(recording, scenario.faults, Rng(static_cast<std::uint64_t>(scenario.seed)));
+  if (!result) return pass_on(result);
+  recording = std::move(result->recording);
+  return result->changes;
+}
+
+/// Spoils a graph. If nothing is known of its true poses, they are those that it gives without the faults.
+template <class Pose>
+Outcome<std::size_t> spoil(GraphInput<Pose>& input, const SlamScenario& scenario) {
+  if (input.truth.empty()) {
+    auto solution = optimise(input.graph, scenario.graph, {});
+    if (!solution) return pass_on(solution);
+    input.truth = std::move(solution->poses);
+  }
+  return spoil(input.graph, scenario);
+}
+
+}  // namespace
 
 struct SlamJob::Input {
   SlamInput value = {};
   TopicsInput topics = {};  ///< a log of ROS topics instead
   bool has_topics = false;
   std::optional<KnownMap> map = {};
+  LaserLog recorded = {};   ///< a laser log as it was before the faults, if there are some
+  std::size_t changes = 0;  ///< that the faults made
 };
 
 SlamJob::SlamJob() : JobTask("slam") {}
@@ -27,6 +59,10 @@ void SlamJob::take_mount(const std::optional<Pose2>& robot_T_laser) {
 Outcome<Warnings> SlamJob::load() {
   if (auto ok = check(scenario); !ok) return pass_on(ok);
   if (is_log_file(scenario.log)) {
+    if (scenario.faults.any()) {
+      return bad_input("a log of ROS is mapped while it is read and is not spoiled; leave the section out",
+                       "faults");
+    }
     auto topics = open_laser_topics(scenario.log, scenario.topics);
     if (!topics) return pass_on(topics);
     take_mount((*topics)->robot_T_laser());
@@ -37,7 +73,22 @@ Outcome<Warnings> SlamJob::load() {
   if (!input) return pass_on(input);
   if (const auto* log = std::get_if<LaserLog>(&*input)) take_mount(log->robot_T_laser);
   input_ = std::make_unique<Input>(Input{.value = std::move(*input)});
+  if (auto ok = spoil_input(); !ok) return pass_on(ok);
   return load_map();
+}
+
+Status SlamJob::spoil_input() {
+  if (!scenario.faults.any()) return {};
+  SlamInput& input = input_->value;
+  if (auto ok = check(scenario.faults, kind_of(input)); !ok) return ok;
+  if (const auto* log = std::get_if<LaserLog>(&input)) input_->recorded = *log;
+  const bool ignores_ids = std::holds_alternative<LandmarkLog>(input) && scenario.landmarks.unknown_ids;
+  if (ignores_ids && scenario.faults.wrong_ids > 0.0)
+    return bad_input("slam.unknown_ids ignores the ids; leave out one of the two", "faults.wrong_ids");
+  auto changes = std::visit([&](auto& recording) { return spoil(recording, scenario); }, input);
+  if (!changes) return pass_on(changes);
+  input_->changes = *changes;
+  return {};
 }
 
 Outcome<Warnings> SlamJob::load_map() {
@@ -51,6 +102,12 @@ Outcome<Warnings> SlamJob::load_map() {
 }
 
 Status SlamJob::run(Run& run, const RunWatch& watch) {
+  auto done = map_or_localise(run, watch);
+  if (done && scenario.faults.any()) judge_by_truth(run.report, input_->changes);
+  return done;
+}
+
+Status SlamJob::map_or_localise(Run& run, const RunWatch& watch) {
   SlamInput& input = input_->value;
   run.report.status = "done";
   run.report.world_name = name_of(scenario);
@@ -64,7 +121,7 @@ Status SlamJob::run(Run& run, const RunWatch& watch) {
     return solve_graph(*this, *graph, run, watch);
   if (const auto* log = std::get_if<LaserLog>(&input)) {
     return input_->map ? localise_laser_log(*this, *log, *input_->map, run, watch)
-                       : map_laser_log(*this, *log, run, watch);
+                       : map_laser_log(*this, *log, input_->recorded, run, watch);
   }
   return map_landmark_log(*this, std::get<LandmarkLog>(input), run, watch);
 }

@@ -12,11 +12,13 @@
 #include "outrider/log/append.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/topics.hpp"
+#include "outrider/slam/map_error.hpp"
 #include "outrider/world/known_extent.hpp"
 #include "recordings.hpp"
 #include "scan_map.hpp"
 #include "slam_log.hpp"
 #include "track.hpp"
+#include "truth.hpp"
 
 namespace outrider {
 namespace {
@@ -168,6 +170,17 @@ Outcome<std::vector<NamedContent>> files_of(const std::vector<double>& recorded_
   return files;
 }
 
+/// Returns the pose of the map of the log on the map that was made.
+Pose2 map_T_reference(const LaserRun& run, const std::vector<Pose2>& reference) {
+  const std::vector<Pose2> poses = run.slam.trajectory();
+  std::vector<Vec2> path, known_path;
+  for (std::size_t i = 0; i < std::min(reference.size(), run.steps); ++i) {
+    path.push_back(poses[i + 1].position);
+    known_path.push_back(reference[i].position);
+  }
+  return rigid_alignment(known_path, path);
+}
+
 /// Maps what `map` runs, and reports it.
 template <class Map>
 Status report_mapping(LaserRecorder& recorder, Run& run, const RunWatch& watch, const Map& map) {
@@ -205,11 +218,20 @@ Status open_again(TopicsInput& source, const SlamScenario& scenario) {
   return {};
 }
 
-Status map_laser_log(const SlamJob& job, const LaserLog& log, Run& run, const RunWatch& watch) {
+Status map_laser_log(const SlamJob& job, const LaserLog& log, const LaserLog& recorded, Run& run,
+                     const RunWatch& watch) {
   LaserRecorder recorder(run.log, job.scenario, times_of(log));
-  return report_mapping(recorder, run, watch, [&](const LaserWatch& mapping) {
-    return run_laser_log(log, job.scenario.laser, mapping, processor_s);
+  std::optional<double> map_error_m;
+  auto done = report_mapping(recorder, run, watch, [&](const LaserWatch& mapping) {
+    auto mapped = run_laser_log(log, job.scenario.laser, mapping, processor_s);
+    if (mapped && !recorded.reference.empty()) {
+      map_error_m = wall_error_m(mapped->slam.map().occupancy(), recorded,
+                                 map_T_reference(*mapped, log.reference), job.scenario.laser.robot_T_laser);
+    }
+    return mapped;
   });
+  if (map_error_m) run.report.metrics.emplace_back("map_error_m", *map_error_m);
+  return done;
 }
 
 Status map_laser_topics(const SlamJob& job, TopicsInput source, Run& run, const RunWatch& watch) {

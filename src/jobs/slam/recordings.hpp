@@ -22,7 +22,9 @@ using TopicsInput = std::unique_ptr<LaserTopics>;
 template <class Pose>
 Status solve_graph(const SlamJob& job, const GraphInput<Pose>& input, Run& run, const RunWatch& watch);
 Status map_landmark_log(const SlamJob& job, LandmarkLog log, Run& run, const RunWatch& watch);
-Status map_laser_log(const SlamJob& job, const LaserLog& log, Run& run, const RunWatch& watch);
+/// `recorded` is the log as it was before the faults, or empty.
+Status map_laser_log(const SlamJob& job, const LaserLog& log, const LaserLog& recorded, Run& run,
+                     const RunWatch& watch);
 Status map_laser_topics(const SlamJob& job, TopicsInput source, Run& run, const RunWatch& watch);
 
 /// Opens a log of ROS topics again if `source` is null, because an earlier run has read it.

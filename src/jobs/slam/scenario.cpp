@@ -32,10 +32,12 @@ std::vector<OptionGroup> describe(SlamScenario& scenario) {
                   "known map, on which the robot of a laser log is localised; without it, a map is made",
                   &scenario.map),
       file_option("truth", "file with the true landmarks of a Freiburg log", &scenario.truth),
-      file_option("resume", "state of an earlier run to continue from", &scenario.resume)};
+      file_option("resume", "state of an earlier run to continue from", &scenario.resume),
+      {"seed", "", 0, 1e15, "seed of the random numbers of the faults", &scenario.seed}};
   for (Option& option : describe(scenario.topics)) top.push_back(std::move(option));
   return {{"", "what was recorded", std::move(top)},
           {"slam", "landmarks", describe(scenario.landmarks)},
+          {"faults", "what spoils the recording without the mapping being told", describe(scenario.faults)},
           {"noise", "noise of logs that give none", describe(scenario.noise)},
           {"carmen", "laser logs", describe(scenario.carmen)},
           {"laser", "laser scans", describe(scenario.laser)},

@@ -22,6 +22,10 @@ class SlamJob final : public JobTask {
   /// Takes the pose of the laser from the log, unless an option says it.
   void take_mount(const std::optional<Pose2>& robot_T_laser);
 
+  /// Spoils the recording, if there are faults.
+  Status spoil_input();
+  Status map_or_localise(Run& run, const RunWatch& watch);
+
   /// Loads the known map, if there is one.
   Outcome<Warnings> load_map();
 

@@ -7,12 +7,14 @@
 // describe() has the other keys.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "outrider/io/carmen_log.hpp"
 #include "outrider/io/landmark_logs.hpp"
 #include "outrider/io/laser_topics.hpp"
+#include "outrider/jobs/slam/recording_faults.hpp"
 #include "outrider/slam/landmark_slam.hpp"
 #include "outrider/slam/laser_slam.hpp"
 #include "outrider/slam/pose_graph.hpp"
@@ -37,6 +39,8 @@ struct SlamScenario {
   CarmenOptions carmen;             ///< of reading laser logs
   LaserTopicsOptions topics;        ///< of reading logs of ROS topics
   LaserSlamOptions laser = laser_options_for_logs();  ///< of laser logs
+  RecordingFaults faults;                             ///< what spoils the recording before it is mapped
+  std::int64_t seed = 1;                              ///< of the random numbers of the faults
 };
 
 /// Describes the options: the top-level keys, then the sections. They point into the scenario.
