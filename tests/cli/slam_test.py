@@ -100,7 +100,7 @@ class Slam(SlamCase):
         refused("job: slam\nlogs: x\n", ["bad.yaml:2", "'logs'", "did you mean 'log'"])
         refused("job: slam\nlog: x\nlaser: {reach: -1}\n", ["bad.yaml:3", "laser.reach", "-1"])
         refused("job: slam\nlog: x\nslam: {gates: 1}\n", ["bad.yaml:3", "slam.gates", "'gate'"])
-        refused("job: slam\nlog: x\n", ["--seed", "slam"], "--seed", "1")
+        refused("job: slam\nlog: x\n", ["--perfect-pose", "slam"], "--perfect-pose", "true")
         self.refused("slam", says=["log", "missing"])
 
     def test_a_file_chooses_what_a_log_would(self):
