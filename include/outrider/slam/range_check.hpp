@@ -34,8 +34,8 @@ struct RangeCheck {
 
 /// Returns why such a range finder makes a wrong map, as a clause; empty if none is known. It does with a
 /// bias of more than 0.05 m and three standard deviations, and with more than 0.4 % strays, of which one beam
-/// in 50 that ends anywhere leaves about as many. Of six recordings of real robots in buildings none has more
-/// than 0.027 m and 0.01 %.
+/// in 50 that ends anywhere leaves about as many. Of five recordings of real robots in buildings none has
+/// more than 0.027 m and 0.01 %.
 std::string why_not_believed(const RangeCheck& check);
 
 /// Checks scans in the order in which they were taken. Expects scans that check() accepts.
