@@ -110,10 +110,16 @@ LaserScan lone_readings(const LaserScan& scan) {
   return lone;
 }
 
-void count_strays(const PlacedScan& of, const PlacedScan& by, RangeCheck& check) {
-  check.readings += agreement(*of.scan, of.world_T_laser, *by.scan, by.world_T_laser).seen();
-  check.strays +=
-      agreement(lone_readings(*of.scan), of.world_T_laser, *by.scan, by.world_T_laser).seen_through;
+/// Asks the scan before and the one after about the readings of a scan.
+void count_strays(std::span<const PlacedScan> scans, std::size_t i, RangeCheck& check) {
+  const PlacedScan& of = scans[i];
+  const LaserScan lone = lone_readings(*of.scan);
+  for (const std::size_t k : {i - 1, i + 1}) {
+    if (k >= scans.size()) continue;  // i - 1 of the first scan too
+    const PlacedScan& by = scans[k];
+    check.readings += agreement(*of.scan, of.world_T_laser, *by.scan, by.world_T_laser).seen();
+    check.strays += agreement(lone, of.world_T_laser, *by.scan, by.world_T_laser).seen_through;
+  }
 }
 
 }  // namespace
@@ -147,10 +153,7 @@ RangeCheck check_range_finder(std::span<const PlacedScan> scans, double reach_m)
         votes.push_back(*vote);
     }
   }
-  for (std::size_t i = 1; i < scans.size(); ++i) {
-    count_strays(scans[i], scans[i - 1], check);
-    count_strays(scans[i - 1], scans[i], check);
-  }
+  for (std::size_t i = 0; i < scans.size(); ++i) count_strays(scans, i, check);
   settle_bias(votes, check);
   return check;
 }

@@ -252,7 +252,8 @@ bool CoverRecovery::is_hidden(Vec2 at) const {
   });
 }
 
-/// Replaces the first task by what of it keeps away from everything that was felt.
+/// Cuts the first task into the parts that are far enough from everything that was felt, and leaves out the
+/// others.
 void CoverRecovery::clip_front() {
   Task task = tasks_.front();
   tasks_.pop_front();

@@ -19,9 +19,8 @@ Status check_names(const PursuitScenario& scenario) {
   }
   if (scenario.faults.of_sightings() && scenario.known < 0) {
     return bad_input(
-        "with the whole future known there are no sightings that could be missing, late or wrong; give "
-        "known: "
-        "0, or leave them out",
+        "the whole future is known, so no sighting can be missing, late or wrong; give known: 0, or leave "
+        "these faults out",
         "faults");
   }
   return {};

@@ -1,17 +1,15 @@
 // CoverRecovery: the mission of a robot that measures where it is while it drives a track, and goes on when
 // it is held up.
 //
-// After each piece it compares where it is with where the piece ends:
-//  - If it fell short, it drives the rest of the piece. Where it does not get on at all it waits for 10 s and
-//  tries
-//    again; after six waits in a row it gives up.
-//  - If somebody carried it away, it drives back to where it was, and on from there.
-//  - If its bumper feels something that is not on the map, it waits for 10 s and tries again. If that is
-//  still there,
-//    it takes it for round (felt_posts.hpp), leaves out what it hides of the track, drives a lap around it,
-//    and on.
-//  - What no way leads to is left out. At the end it goes once more to what it left out, as if nothing stood
-//  there.
+// After each piece it compares where it is with where the piece ends.
+//   Fell short   It drives the rest of the piece. Where it does not move at all it waits for 10 s and tries
+//                again; after six waits in a row it gives up.
+//   Carried off  It drives back to where it was, and on from there.
+//   Touched      What its bumper feels is not on the map. It waits for 10 s and tries again. If that is still
+//                there, it takes it for round (felt_posts.hpp), leaves out the part of the track that is too
+//                near to it, drives a lap around it, and on.
+//   No way       What no way leads to is left out. At the end it tries once more what it left out, as if
+//                nothing stood there.
 // A robot that ends a piece beside it, by less than its radius, goes on: what it covers is then not proven.
 //
 // A robot that is not held up drives the track as CoverMission does. Thread rule: no shared state. The same

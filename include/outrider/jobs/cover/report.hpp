@@ -99,10 +99,9 @@ class CoverLog {
 /// - for every tracking error up to tracking_error_limit_m: sure_fraction of the reach, and
 /// sure_inner_fraction
 ///   of the reach without its rim;
-/// - with faults: held_up (how often), left_out_m (of the track), strayed_m, contacts with the edge,
-/// post_contacts,
-///   promised_missed_m2 (surely covered by the proof, and not by the drive), and false_covered: the robot
-///   believes that all is covered, and it is not.
+/// - with faults: held_up (how often), left_out_m (of the track), strayed_m, contacts (with the edge),
+///   post_contacts, promised_missed_m2 (surely covered by the proof, and not by the drive), and
+///   false_covered: the robot believes that all is covered, and it is not.
 Report cover_report(const CoverProblem& problem, const CoverRun& run, const std::string& name);
 
 }  // namespace outrider
