@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "outrider/core/text.hpp"
 #include "outrider/io/text.hpp"
 
 namespace outrider {
@@ -54,7 +55,7 @@ Outcome<XmlDocument> xml_document(std::string_view text, const std::string& name
   return document;
 }
 
-std::string_view xml_text(const tinyxml2::XMLElement& element) { return view(element.GetText()); }
+std::string_view xml_text(const tinyxml2::XMLElement& element) { return trimmed(view(element.GetText())); }
 
 std::string_view xml_text(const tinyxml2::XMLElement& element, const char* child) {
   const tinyxml2::XMLElement* found = element.FirstChildElement(child);

@@ -13,6 +13,7 @@
 #include "path_check.hpp"
 #include "scan_agreement.hpp"
 #include "scan_match.hpp"
+#include "wall_crossings.hpp"
 
 namespace outrider {
 namespace {
@@ -367,6 +368,7 @@ MapCheck LaserSlam::check() const {
     jump.before = pose_of[jump.before];
     jump.after = pose_of[jump.after];
   }
+  result.crossings = wall_crossings(trajectory(), state_->map.occupancy());
   return result;
 }
 std::vector<std::size_t> LaserSlam::gaps() const {

@@ -50,6 +50,9 @@ struct MapCheck {
   /// For each scan that is contradicted by earlier ones, the pair with the largest share, in order.
   std::vector<Contradiction> contradictions;
   std::vector<Jump> jumps;  ///< in order; check_map() finds none, since it knows no odometry
+  /// Numbers of the poses to which the path leads through what the map shows as occupied; check_map() finds
+  /// none, since it knows no map.
+  std::vector<std::size_t> crossings;
 };
 
 /// Checks scans in the order in which they were taken. Expects scans that check() accepts.

@@ -21,7 +21,8 @@ std::string map_doubt(const LaserSlam& slam) {
   const MapCheck check = slam.check();
   const bool contradicted =
       static_cast<double>(check.contradicted) > most_contradicted * static_cast<double>(check.scans);
-  if (gaps.empty() && check.jumps.empty() && !contradicted) return range_finder_doubt(slam);
+  if (gaps.empty() && check.jumps.empty() && check.crossings.empty() && !contradicted)
+    return range_finder_doubt(slam);
   const std::vector<Pose2> poses = slam.trajectory();
   const auto at = [&](std::size_t pose) {
     return fmt::format("({:.2f}, {:.2f})", poses[pose].position.x, poses[pose].position.y);
@@ -39,6 +40,13 @@ std::string map_doubt(const LaserSlam& slam) {
         "moved, or does a wheel slip?",
         at(jump.after), distance(jump.by_map.position, jump.by_odometry.position),
         degrees(std::abs(wrap_angle(jump.by_map.heading_rad - jump.by_odometry.heading_rad))));
+  }
+  if (!check.crossings.empty()) {
+    return fmt::format(
+        "lost: at {} its path leads through what its map shows as occupied; was the robot moved to a place "
+        "that "
+        "looks alike?",
+        at(check.crossings.front()));
   }
   return fmt::format("lost: {} of {} scans contradict others about what is free, so the map cannot be right",
                      check.contradicted, check.scans);

@@ -55,6 +55,38 @@ Box2 with_room(Box2 bounds, const std::vector<Pose2>& starts, double robot_radiu
   return bounds;
 }
 
+/// Returns the part of large bounds, as of an ocean or a city, that lies near the starts and the targets.
+Box2 near_part(Box2 bounds, const std::vector<Pose2>& starts, const std::vector<Target>& targets) {
+  constexpr double large_m = 300.0, near_m = 100.0;
+  if (std::max(bounds.size().x, bounds.size().y) <= large_m) return bounds;
+  Box2 used;
+  const auto include = [&](Vec2 p) {
+    if (bounds.contains(p)) used.include(p);
+  };
+  for (const Pose2& start : starts) include(start.position);
+  for (const Target& target : targets) include(xy(target.base));
+  if (used.empty()) return bounds;
+  const Box2 near = used.grown(near_m);
+  return {{std::max(bounds.low.x, near.low.x), std::max(bounds.low.y, near.low.y)},
+          {std::min(bounds.high.x, near.high.x), std::min(bounds.high.y, near.high.y)}};
+}
+
+/// Sets the bounds where none are given: those of what stands, with room around starts and targets, and
+/// without what is far from them.
+void set_bounds(const GuardScenario& scenario, const Pose2& start, const std::vector<Target>& targets,
+                World& world, std::vector<std::string>& warnings) {
+  std::vector<Pose2> starts = scenario.other_starts;
+  starts.insert(starts.begin(), start);
+  const Box2 all = with_room(world.bounds, starts, scenario.problem.robot.radius_m, targets);
+  world.bounds = near_part(all, starts, targets);
+  if (world.bounds.size() == all.size()) return;
+  warnings.push_back(
+      fmt::format("the yard is {:.0f} m by {:.0f} m; {:.0f} m by {:.0f} m of it, within 100 m of the starts "
+                  "and the targets, are "
+                  "used; give bounds for more",
+                  all.size().x, all.size().y, world.bounds.size().x, world.bounds.size().y));
+}
+
 Status load_walkers(GuardScenario& scenario) {
   auto weights = preferences_from_text(scenario.wander.prefers, scenario.problem.targets);
   if (!weights) return pass_on(weights);
@@ -198,11 +230,8 @@ Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
   if (!world) return pass_on(world);
   auto targets = load_targets(scenario.targets, *world);
   if (!targets) return pass_on(targets);
-  if (scenario.bounds.empty() && !world->terrain) {
-    std::vector<Pose2> starts = scenario.other_starts;
-    starts.insert(starts.begin(), *start);
-    world->bounds = with_room(world->bounds, starts, scenario.problem.robot.radius_m, *targets);
-  }
+  if (scenario.bounds.empty() && !world->terrain)
+    set_bounds(scenario, *start, *targets, *world, loaded->warnings);
 
   scenario.problem.start = {start->position, wrap_angle(start->heading_rad)};
   scenario.problem.world = std::move(*world);

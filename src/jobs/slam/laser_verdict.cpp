@@ -85,6 +85,15 @@ void doubt_jumps(Doubts& doubts, const std::vector<Jump>& jumps) {
       motion_text(first.by_map), motion_text(first.by_odometry), 100.0 * first.shared));
 }
 
+void doubt_crossings(Doubts& doubts, const std::vector<std::size_t>& crossings) {
+  if (crossings.empty()) return;
+  for (const std::size_t pose : crossings)
+    doubts.add("crossing", pose, std::numeric_limits<double>::quiet_NaN());
+  doubts.add_reason(
+      fmt::format("at {:.1f} s the path leads through what the map shows as occupied, {} of its steps in all",
+                  doubts.time_s(crossings.front()), crossings.size()));
+}
+
 void log_doubts(Log& log, const Table& table, double end_s) {
   for (const auto& row : table.rows) {
     const TableRow doubt{table, row};
@@ -108,9 +117,11 @@ void judge_mapping(Report& report, Log& log, const LaserRun& run, const std::vec
   doubt_gaps(doubts, gaps);
   doubt_contradictions(doubts, check);
   doubt_jumps(doubts, check.jumps);
+  doubt_crossings(doubts, check.crossings);
   if (const std::string why = why_not_believed(ranges); !why.empty()) doubts.add_reason(why);
   report.metrics.emplace_back("gaps", static_cast<double>(gaps.size()));
   report.metrics.emplace_back("jumps", static_cast<double>(check.jumps.size()));
+  report.metrics.emplace_back("walls_crossed", static_cast<double>(check.crossings.size()));
   report.metrics.emplace_back("loops_refused", static_cast<double>(run.slam.loops_refused()));
   report.metrics.emplace_back("loops_undone", static_cast<double>(run.slam.loops_undone()));
   report.metrics.emplace_back("scans_checked", static_cast<double>(check.scans));

@@ -34,7 +34,7 @@ TEST(SdfFiles, ModelsAreFoundWhereSimulatorsFindThem) {
                                                          {fuel + "Sun", "sun"},
                                                          {"file://models/tree", "above"},
                                                          {"model://bush", "far"},
-                                                         {fuel + "oak", "fuel"}}));
+                                                         {"\n  " + fuel + "oak\n  ", "fuel"}}));
   ASSERT_EQ(setenv("GZ_SIM_RESOURCE_PATH", (folder.path / "cache").string().c_str(), 1), 0);
   const auto loaded = load_sdf(path, {(folder.path / "far").string()});
   unsetenv("GZ_SIM_RESOURCE_PATH");

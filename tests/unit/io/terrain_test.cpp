@@ -22,14 +22,15 @@ std::string grid_fault(const std::string& text) {
   return field ? "" : field.error().where + ": " + field.error().sentence;
 }
 
-/// A grey PNG of these pixels; what libpng itself makes of linear or of sRGB numbers.
+/// A PNG of these pixels, grey ones unless told; what libpng itself makes of linear or of sRGB numbers.
 template <class Number>
-std::string png_of(int width, int height, const std::vector<Number>& pixels) {
+std::string png_of(int width, int height, const std::vector<Number>& pixels,
+                   png_uint_32 format = sizeof(Number) == 2 ? PNG_FORMAT_LINEAR_Y : PNG_FORMAT_GRAY) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(width);
   image.height = static_cast<png_uint_32>(height);
-  image.format = sizeof(Number) == 2 ? PNG_FORMAT_LINEAR_Y : PNG_FORMAT_GRAY;
+  image.format = format;
   png_alloc_size_t size = 0;
   png_image_write_to_memory(&image, nullptr, &size, 0, pixels.data(), 0, nullptr);
   std::string bytes(size, '\0');
@@ -96,6 +97,25 @@ TEST(TerrainPng, SoAreEight) {
   const auto field = terrain_from_png(png_of<std::uint8_t>(16, 16, ramp), "h.png", {}, {1, 1, 255});
   ASSERT_TRUE(field) << field.error().sentence;
   for (int i = 0; i < 256; ++i) EXPECT_NEAR(field->post(i % 16, 15 - i / 16).z, i, 1e-9);
+}
+
+TEST(TerrainPng, AnAlphaChannelMayBeThereIfNothingIsTransparent) {
+  const auto colours = png_of<std::uint8_t>(
+      2, 2, {0, 0, 0, 255, 9, 9, 9, 255, 200, 200, 200, 255, 255, 255, 255, 255}, PNG_FORMAT_RGBA);
+  const auto field = terrain_from_png(colours, "h.png", {}, {1, 1, 255});
+  ASSERT_TRUE(field) << field.error().sentence;
+  EXPECT_NEAR(field->post(1, 1).z, 9, 1e-9);
+  EXPECT_NEAR(field->post(0, 0).z, 200, 1e-9);
+  const auto wide =
+      terrain_from_png(png_of<std::uint16_t>(2, 2, {0, 65535, 257, 65535, 30000, 65535, 65535, 65535},
+                                             PNG_FORMAT_LINEAR_Y_ALPHA),
+                       "h.png", {}, {1, 1, 65535});
+  ASSERT_TRUE(wide) << wide.error().sentence;
+  EXPECT_NEAR(wide->post(1, 1).z, 257, 1e-9);
+  const auto clear = png_of<std::uint8_t>(2, 2, {0, 255, 9, 254, 1, 255, 2, 255}, PNG_FORMAT_GA);
+  const auto refused = terrain_from_png(clear, "h.png", {}, {1, 1, 1});
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().sentence.find("transparent"), std::string::npos);
 }
 
 TEST(TerrainPng, RefusesWhatIsNoImageOfHeights) {

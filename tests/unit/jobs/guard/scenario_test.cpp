@@ -42,6 +42,28 @@ TEST(GuardScenario, LeavesWhatIsFarAwayOutside) {
   EXPECT_EQ(bounds.high, (Vec2{0.5, 0.5}));
 }
 
+TEST(GuardScenario, TakesThePartOfALargeYardThatIsNearAndSaysSo) {
+  const test::Folder folder;
+  const std::string ocean =
+      "<sdf version='1.7'><world name='w'><model name='ocean'><link name='l'><collision "
+      "name='c'><geometry><plane><size>"
+      "2000 2000</size></plane></geometry></collision></link></model></world></sdf>";
+  GuardScenario scenario;
+  scenario.world = folder.write("w.sdf", ocean);
+  scenario.targets = folder.write("t.txt", "type=1 x=30 y=950\ntype=1 x=1300 y=0\n");
+  scenario.start = "20,940,0";
+  const auto loaded = load_problem(scenario);
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  EXPECT_EQ(scenario.problem.world.bounds.low, (Vec2{-80, 840}));
+  EXPECT_EQ(scenario.problem.world.bounds.high, (Vec2{130, 1000}));
+  ASSERT_EQ(loaded->size(), 1U);
+  EXPECT_NE((*loaded)[0].find("210 m by 160 m"), std::string::npos) << (*loaded)[0];
+  scenario.bounds = "-1000,-1000,1000,1000";
+  const auto whole = load_problem(scenario);
+  ASSERT_TRUE(whole) << to_string(whole.error());
+  EXPECT_EQ(scenario.problem.world.bounds.size(), (Vec2{2000, 2000}));
+}
+
 TEST(GuardScenario, KeepsBoundsThatAreGiven) {
   const Box2 given = bounds_of("type=1 x=3 y=0\n", "-1,0,0", "-2,-2,2,2");
   EXPECT_EQ(given.low, (Vec2{-2, -2}));
