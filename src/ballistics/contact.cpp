@@ -40,14 +40,16 @@ double safe_step(double distance, double speed, double acceleration) {
   return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));
 }
 
+/// The time at which a ball is nearest to something. `distance_to` tells how far away that is from a place.
+template <class DistanceTo>
 struct Approach {
   const Flight& flight;
-  const Solid& solid;
+  const DistanceTo& distance_to;
   double distance_m;  ///< least so far
   double time_s;
 
   void visit(double t) {
-    const double d = distance(flight.position(t), solid);
+    const double d = distance_to(flight.position(t));
     if (d < distance_m) {
       distance_m = d;
       time_s = t;
@@ -60,11 +62,23 @@ struct Approach {
     const double middle = 0.5 * (t0 + t1);
     visit(middle);
     const double reach = 0.5 * speed * (t1 - t0);
-    if (distance(flight.position(middle), solid) - reach >= distance_m - clearance_tolerance_m) return;
+    if (distance_to(flight.position(middle)) - reach >= distance_m - clearance_tolerance_m) return;
     search(t0, middle);
     search(middle, t1);
   }
 };
+
+template <class DistanceTo>
+std::optional<double> first_touch(const Flight& flight, double ball_radius_m, const DistanceTo& distance_to,
+                                  double from_s, double until_s) {
+  double t = from_s;
+  while (t <= until_s) {
+    const double gap = distance_to(flight.position(t)) - ball_radius_m;
+    if (gap <= contact_tolerance_m) return t;
+    t += safe_step(gap, norm(flight.velocity(t)), flight.most_acceleration());
+  }
+  return std::nullopt;
+}
 
 std::vector<Box3> boxes_of(const std::vector<Solid>& solids) {
   std::vector<Box3> boxes;
@@ -91,13 +105,8 @@ double fall_time(const Flight& flight, double height_m) {
 
 std::optional<double> contact_time(const Flight& flight, double ball_radius_m, const Solid& solid,
                                    double from_s, double until_s) {
-  double t = from_s;
-  while (t <= until_s) {
-    const double gap = distance(flight.position(t), solid) - ball_radius_m;
-    if (gap <= contact_tolerance_m) return t;
-    t += safe_step(gap, norm(flight.velocity(t)), flight.most_acceleration());
-  }
-  return std::nullopt;
+  const auto distance_to = [&](Vec3 p) { return distance(p, solid); };
+  return first_touch(flight, ball_radius_m, distance_to, from_s, until_s);
 }
 
 bool touches(const Flight& flight, double ball_radius_m, const Solid& solid, double from_s, double until_s) {
@@ -112,7 +121,17 @@ bool touches(const Flight& flight, double ball_radius_m, const Solid& solid, dou
 }
 
 FlightSpace::FlightSpace(std::vector<Solid> solids)
-    : solids_(std::move(solids)), boxes_(boxes_of(solids_)), tree_(boxes_) {}
+    : solids_(std::move(solids)), boxes_(boxes_of(solids_)), tree_(boxes_) {
+  for (const Solid& solid : solids_) {
+    const auto* mesh = std::get_if<MeshShape>(&solid.shape);
+    meshes_.push_back(mesh == nullptr ? std::nullopt : std::optional<MeshTree>(*mesh));
+  }
+}
+
+double FlightSpace::distance_to(std::size_t solid, Vec3 p) const {
+  const std::optional<MeshTree>& mesh = meshes_[solid];
+  return mesh ? mesh->distance(solids_[solid].world_T_solid.to_local(p)) : distance(p, solids_[solid]);
+}
 
 std::optional<Contact> FlightSpace::first_contact(const Flight& flight, double ball_radius_m,
                                                   double until_s) const {
@@ -120,7 +139,8 @@ std::optional<Contact> FlightSpace::first_contact(const Flight& flight, double b
   for (const std::uint32_t i : passed(tree_, flight, ball_radius_m + contact_tolerance_m, until_s)) {
     const auto near = passage(flight, boxes_[i], ball_radius_m + contact_tolerance_m, 0.0, until_s);
     if (!near) continue;
-    const auto time = contact_time(flight, ball_radius_m, solids_[i], near->low, near->high);
+    const auto apart = [&](Vec3 p) { return distance_to(i, p); };
+    const auto time = first_touch(flight, ball_radius_m, apart, near->low, near->high);
     if (!time || (first && *time >= first->time_s)) continue;
     first = Contact{*time, i, flight.position(*time)};
     until_s = *time;
@@ -134,7 +154,8 @@ Clearance FlightSpace::clearance(const Flight& flight, double ball_radius_m, dou
   for (const std::uint32_t i : passed(tree_, flight, most_m + ball_radius_m, until_s)) {
     const auto near = passage(flight, boxes_[i], least.distance_m + ball_radius_m, 0.0, until_s);
     if (!near) continue;
-    Approach approach{flight, solids_[i], least.distance_m + ball_radius_m, near->low};
+    const auto apart = [&](Vec3 p) { return distance_to(i, p); };
+    Approach<decltype(apart)> approach{flight, apart, least.distance_m + ball_radius_m, near->low};
     approach.visit(near->low);
     approach.visit(near->high);
     approach.search(near->low, near->high);

@@ -10,6 +10,7 @@
 
 #include "outrider/ballistics/box_tree.hpp"
 #include "outrider/ballistics/flight.hpp"
+#include "outrider/ballistics/mesh_tree.hpp"
 #include "outrider/world/solid.hpp"
 
 namespace outrider {
@@ -42,7 +43,7 @@ struct Clearance {
 };
 
 /// Solids preprocessed for many flights. A flight is tested only against solids whose bounding boxes it
-/// passes.
+/// passes, and against the triangles of meshes that are near.
 class FlightSpace {
  public:
   explicit FlightSpace(std::vector<Solid> solids);
@@ -60,9 +61,12 @@ class FlightSpace {
                                     double most_m) const;
 
  private:
+  [[nodiscard]] double distance_to(std::size_t solid, Vec3 p) const;
+
   std::vector<Solid> solids_;
   std::vector<Box3> boxes_;
   BoxTree tree_;
+  std::vector<std::optional<MeshTree>> meshes_;  // by solid: those that are meshes
 };
 
 /// Returns the last time at which the flight is at `height_m`, on its way down; 0 if it never reaches that
