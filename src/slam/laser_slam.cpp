@@ -11,6 +11,7 @@
 #include "motion_noise.hpp"
 #include "odometry_bias.hpp"
 #include "path_check.hpp"
+#include "range_bias.hpp"
 #include "scan_agreement.hpp"
 #include "scan_match.hpp"
 
@@ -361,6 +362,10 @@ MapCheck LaserSlam::check() const {
     jump.after = pose_of[jump.after];
   }
   return result;
+}
+double LaserSlam::range_bias_m() const {
+  KeyframeSurfaces surfaces(state_->options.robot_T_laser, state_->options.reach_m);
+  return outrider::range_bias_m(state_->graph, surfaces);
 }
 std::vector<std::size_t> LaserSlam::gaps() const {
   const std::vector<std::size_t> pose_of = state_->pose_numbers();

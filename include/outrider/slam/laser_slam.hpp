@@ -121,6 +121,9 @@ class LaserSlam {
   /// Checks whether the scans of the keyframes agree on what is free, and whether odometry or scans confirm
   /// each step from one keyframe to the next; numbers are those of trajectory().
   [[nodiscard]] MapCheck check() const;
+  /// Returns by how much the ranges seem to be too long, m, where walls were seen straight on and at flat
+  /// angles; 0 where they were not, and with `trust_odometry`.
+  [[nodiscard]] double range_bias_m() const;
 
  private:
   struct State;

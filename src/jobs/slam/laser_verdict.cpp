@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 
 #include "outrider/log/append.hpp"
@@ -77,12 +78,32 @@ void doubt_jumps(Doubts& doubts, const std::vector<Jump>& jumps) {
   if (jumps.empty()) return;
   for (const Jump& one : jumps) doubts.add("jump", one.after, one.shared);
   const Jump& first = jumps.front();
+  const std::string why =
+      first.pause_s > 0.0 ? fmt::format("after {:.0f} s without a scan ", first.pause_s)
+      : first.odometry_sd_m > 0.0
+          ? fmt::format("on a way that odometry alone measures, to {:.2f} m, ", first.odometry_sd_m)
+          : "";
   doubts.add_reason(fmt::format(
       "the path jumps {} at {:.1f} s: {}it moves by {}, odometry counted {}, and the scans before and "
       "after show only {:.0f} % of their surfaces in common",
       jumps.size() == 1 ? "once," : fmt::format("{} times, first", jumps.size()), doubts.time_s(first.after),
-      first.pause_s > 0.0 ? fmt::format("after {:.0f} s without a scan ", first.pause_s) : "",
-      motion_text(first.by_map), motion_text(first.by_odometry), 100.0 * first.shared));
+      why, motion_text(first.by_map), motion_text(first.by_odometry), 100.0 * first.shared));
+}
+
+void doubt_laser(Doubts& doubts, const LaserRun& run) {
+  constexpr std::size_t most_repeated = 2;
+  constexpr double most_bias_m = 0.08;  // of published logs it is 0.02 m at most
+  if (run.repeated > most_repeated) {
+    doubts.add_reason(
+        fmt::format("{} scans repeat the ranges of the one before exactly although the wheels moved; is the "
+                    "laser frozen?",
+                    run.repeated));
+  }
+  const double bias_m = run.slam.range_bias_m();
+  if (std::abs(bias_m) <= most_bias_m) return;
+  doubts.add_reason(fmt::format(
+      "ranges seem to be too {} by {:.2f} m or more, as walls lie elsewhere if seen at a flat angle",
+      bias_m > 0.0 ? "long" : "short", std::abs(bias_m)));
 }
 
 void log_doubts(Log& log, const Table& table, double end_s) {
@@ -107,6 +128,7 @@ void judge_mapping(Report& report, Log& log, const LaserRun& run, const std::vec
   doubt_gaps(doubts, gaps);
   doubt_contradictions(doubts, check);
   doubt_jumps(doubts, check.jumps);
+  doubt_laser(doubts, run);
   report.metrics.emplace_back("gaps", static_cast<double>(gaps.size()));
   report.metrics.emplace_back("jumps", static_cast<double>(check.jumps.size()));
   report.metrics.emplace_back("loops_refused", static_cast<double>(run.slam.loops_refused()));
