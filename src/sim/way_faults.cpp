@@ -18,7 +18,7 @@ constexpr int halvings = 40;
 }  // namespace
 
 bool WayFaults::any() const {
-  return kidnapping.at_s < never_s || stuck_from_s < never_s || blocked_at_s < never_s;
+  return kidnapping.at_s < never_s || stuck_from_s < never_s || blocked_at_s < never_s || planner.any();
 }
 
 std::vector<Option> describe(WayFaults& faults) {
@@ -32,7 +32,8 @@ std::vector<Option> describe(WayFaults& faults) {
       {"blocked_for", "s", 0.0, 1e9, "for how long it stands there", &faults.blocked_for_s},
       {"blocked_radius", "m", 0.01, 10.0, "radius of the post", &faults.blocked_radius_m},
   };
-  options.insert(options.end(), rest.begin(), rest.end());
+  for (const std::vector<Option>& more : {rest, describe(faults.planner)})
+    options.insert(options.end(), more.begin(), more.end());
   return options;
 }
 
@@ -92,9 +93,13 @@ void Hindrance::put_post(const StraightLeg& leg) {
   const double length_m = distance(leg.line.a, leg.line.b);
   const double after_s = std::max(0.0, faults_.blocked_at_s - leg.begin_s);
   const double from_m = covered(length_m, robot_.straight(), after_s);
-  const double middle_m = 0.5 * (from_m + length_m);
-  if (middle_m - from_m < robot_.radius_m + faults_.blocked_radius_m + room_m) return;
-  post_ = leg.line.a + middle_m / length_m * (leg.line.b - leg.line.a);
+  const double least_m = robot_.radius_m + faults_.blocked_radius_m + room_m;
+  const auto on_leg = [&](double way_m) {
+    return length_m > 0.0 ? leg.line.a + way_m / length_m * (leg.line.b - leg.line.a) : leg.line.a;
+  };
+  const Vec2 place = faults_.blocked_place.value_or(on_leg(0.5 * (from_m + length_m)));
+  if (distance(on_leg(from_m), place) < least_m) return;
+  post_ = place;
   post_s_ = leg.begin_s + after_s;
 }
 

@@ -1,9 +1,9 @@
 // WayFaults: what holds up a robot that drives from waypoint to waypoint. Somebody puts the robot elsewhere,
-// its wheels stick, or something is put in its way.
+// its wheels stick, something is put in its way, or no way is planned.
 //
-// Each of them ends the present drive: the robot measures where it is, and stops when that jumps; a drive
-// that does not go on is given up after 1 s. The obstacle is a low round post. No sensor of the robot sees
-// it, so the robot touches it.
+// Each of the first three ends the present drive: the robot measures where it is, and stops when that jumps;
+// a drive that does not go on is given up after 1 s. The obstacle is a low round post. No sensor of the robot
+// sees it, so the robot touches it.
 #pragma once
 
 #include <limits>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
+#include "outrider/core/planner_outage.hpp"
 #include "outrider/motion/robot_model.hpp"
 #include "outrider/sim/kidnapping.hpp"
 #include "outrider/world/collision_map.hpp"
@@ -24,6 +25,10 @@ struct WayFaults {
   double blocked_at_s = 1e9;   ///< from then on a post stands in the middle of the present or next straight
   double blocked_for_s = 1e9;  ///< for how long
   double blocked_radius_m = 0.2;  ///< radius of the post
+  std::optional<Vec2> blocked_place =
+      {};  ///< where the post stands, once the robot is off it; empty: see above
+
+  PlannerOutage planner = {};  ///< none by default
 
   /// Returns true if any fault was asked for.
   [[nodiscard]] bool any() const;

@@ -36,7 +36,8 @@ const std::vector<CapabilityRow>& capabilities() {
       {rigid, "rigid bodies", "sim"},
       {blocking, "targets that block", "targets_block"},
       {faults, "faults of the robot", "faults"},
-      {held_up, "a robot that is held up (kidnapped_at, stuck_from, blocked_at)", "faults.kidnapped_at"},
+      {held_up, "a robot that is held up (kidnapped_at, stuck_from, blocked_at, planner_fails_from)",
+       "faults.kidnapped_at"},
       {team, "several robots", "robots"},
   };
   return rows;
