@@ -91,12 +91,12 @@ docs:  ## write docs/options.md and docs/scenario.schema.json anew
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
 	@ninja -C build -j $(JOBS) docs
 
-soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz, load, cancel, loops and replays
+soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz for an hour, load, cancel, loops and replays
 	$(INSTALL) build test cbc
 	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=0
 	@ninja -C build-asan -j $(JOBS)
 	@OUTRIDER_CASES=100 ctest --preset soak -j $(JOBS) --timeout 3600
-	@$(MAKE) --no-print-directory fuzz
+	@$(MAKE) --no-print-directory fuzz FUZZ_SECONDS=$$((3600 * $(JOBS) / $(words $(wildcard tests/fuzz/*_fuzz.cpp))))
 	@$(MAKE) --no-print-directory load
 	@$(MAKE) --no-print-directory cancel
 	@$(MAKE) --no-print-directory loops

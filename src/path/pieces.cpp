@@ -31,6 +31,32 @@ PathPiece reversed(const PathPiece& piece) {
   return {piece.to, piece.from, piece.centre, -piece.turn_rad, piece.backward};
 }
 
+Vec2 point_on(const PathPiece& piece, double part) {
+  if (part <= 0.0) return piece.from;
+  if (part >= 1.0) return piece.to;
+  if (piece.turn_rad == 0.0) return piece.from + part * (piece.to - piece.from);
+  return piece.centre + rotated(part * piece.turn_rad, piece.from - piece.centre);
+}
+
+double nearest_part(const PathPiece& piece, Vec2 p) {
+  if (piece.turn_rad == 0.0) {
+    const Vec2 along = piece.to - piece.from;
+    const double length2 = squared_norm(along);
+    return length2 > 0.0 ? std::clamp(dot(p - piece.from, along) / length2, 0.0, 1.0) : 1.0;
+  }
+  const double side = piece.turn_rad > 0.0 ? 1.0 : -1.0;
+  const Vec2 from = piece.from - piece.centre, to = p - piece.centre;
+  const double ahead_rad = side * std::atan2(cross(from, to), dot(from, to));
+  const double angle_rad = ahead_rad < 0.0 ? ahead_rad + 2.0 * pi : ahead_rad;
+  if (angle_rad <= std::abs(piece.turn_rad)) return angle_rad / std::abs(piece.turn_rad);
+  return distance(p, piece.from) < distance(p, piece.to) ? 0.0 : 1.0;
+}
+
+PathPiece section_of(const PathPiece& piece, double from_part, double to_part) {
+  return {point_on(piece, from_part), point_on(piece, to_part), piece.centre,
+          (to_part - from_part) * piece.turn_rad, piece.backward};
+}
+
 Limits limits_on(const PathPiece& piece, const Pace& pace) {
   Limits limits = pace.straight();
   if (piece.turn_rad != 0.0) {

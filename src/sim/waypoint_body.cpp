@@ -18,7 +18,9 @@ WaypointBody::WaypointBody(const RobotModel& robot, const BodyGround& on, const 
       errors_(errors),
       rng_(rng),
       pose_(start),
-      hindrance_(faults, robot, on.ground) {}
+      hindrance_(faults, robot.radius_m, [&ground = on.ground, radius_m = robot.radius_m](Segment line) {
+        return ground.segment_free(line, radius_m);
+      }) {}
 
 std::vector<Vec2> WaypointBody::displaced_waypoints(std::vector<Vec2> waypoints) {
   const Vec2 error = random_in_disk(rng_, errors_.position_m);
@@ -94,7 +96,8 @@ void WaypointBody::end_straight(const StraightDrive& drive) {
 }
 
 std::optional<double> WaypointBody::stopped_after_s(const StraightDrive& drive) {
-  return hindrance_.cuts_leg({{drive.from, drive.goal}, drive.begin_s, drive.total_s});
+  return hindrance_.cuts_leg(
+      {{drive.from, drive.goal}, robot_.straight(), drive.begin_s, drive.total_s, hindrance_.kidnapped()});
 }
 
 void WaypointBody::cut_short(const StraightDrive& drive, double after_s) {

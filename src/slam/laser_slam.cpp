@@ -11,7 +11,6 @@
 #include "motion_noise.hpp"
 #include "odometry_bias.hpp"
 #include "path_check.hpp"
-#include "range_bias.hpp"
 #include "scan_agreement.hpp"
 #include "scan_match.hpp"
 
@@ -346,7 +345,7 @@ PoseGraph LaserSlam::pose_graph() const {
   return graph;
 }
 std::size_t LaserSlam::loops() const { return state_->loops.closed.size(); }
-MapCheck LaserSlam::check() const {
+std::vector<PlacedScan> LaserSlam::placed_scans() const {
   const std::vector<std::size_t> pose_of = state_->pose_numbers();
   std::vector<PlacedScan> scans;
   for (std::size_t i = 0; i < pose_of.size(); ++i) {
@@ -354,7 +353,14 @@ MapCheck LaserSlam::check() const {
     if (!key.has_scan()) continue;
     scans.push_back({&key.scan, compose(key.pose, state_->options.robot_T_laser), key.way_m, pose_of[i]});
   }
-  MapCheck result = check_map(scans);
+  return scans;
+}
+RangeCheck LaserSlam::check_range_finder() const {
+  return outrider::check_range_finder(placed_scans(), state_->options.reach_m);
+}
+MapCheck LaserSlam::check() const {
+  const std::vector<std::size_t> pose_of = state_->pose_numbers();
+  MapCheck result = check_map(placed_scans());
   KeyframeSurfaces surfaces(state_->options.robot_T_laser, state_->options.reach_m);
   result.jumps = find_jumps(state_->graph, surfaces);
   for (Jump& jump : result.jumps) {
@@ -362,10 +368,6 @@ MapCheck LaserSlam::check() const {
     jump.after = pose_of[jump.after];
   }
   return result;
-}
-double LaserSlam::range_bias_m() const {
-  KeyframeSurfaces surfaces(state_->options.robot_T_laser, state_->options.reach_m);
-  return outrider::range_bias_m(state_->graph, surfaces);
 }
 std::vector<std::size_t> LaserSlam::gaps() const {
   const std::vector<std::size_t> pose_of = state_->pose_numbers();

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "outrider/core/text.hpp"
-#include "outrider/sweep/columns.hpp"
 
 namespace outrider {
 namespace {
@@ -58,30 +57,20 @@ Axis number_axis(const Varied& varied, const Column& column) {
 
 }  // namespace
 
-Outcome<std::vector<Axis>> sweep_axes(ChunkReader& chunks, std::size_t most) {
-  const Sweep& sweep = chunks.sweep();
-  std::vector<Axis> axes;
-  for (std::size_t i = 0; i < sweep.varied.size() && axes.size() < most; ++i) {
-    const Varied& varied = sweep.varied[i];
-    if (varied.is_random_number()) {
-      const auto columns = read_columns(chunks, {varied.key});
-      if (!columns) return tl::unexpected<Fault>(columns.error());
-      axes.push_back(number_axis(varied, columns->front()));
-      if (axes.back().labels.empty()) axes.pop_back();
-    } else if (!varied.is_random() && varied.grid.size() > 1 && varied.grid.size() <= most_values) {
-      axes.push_back(grid_axis(sweep, i));
-    }
+std::vector<std::string> shown_keys(const Sweep& sweep, std::size_t most) {
+  std::vector<std::string> keys;
+  for (const Varied& varied : sweep.varied) {
+    const bool grid = !varied.is_random() && varied.grid.size() > 1 && varied.grid.size() <= most_values;
+    if ((grid || varied.is_random_number()) && keys.size() < most) keys.push_back(varied.key);
   }
-  return axes;
+  return keys;
 }
 
-Outcome<std::vector<bool>> done_runs(ChunkReader& chunks) {
-  const Sweep& sweep = chunks.sweep();
-  std::vector<bool> done(sweep.total, true);
-  const auto outcomes = read_outcomes(
-      chunks, [&](std::uint64_t run, const std::string&, const std::string&) { done[run] = false; });
-  if (!outcomes) return tl::unexpected<Fault>(outcomes.error());
-  return done;
+Axis axis_of(const Sweep& sweep, const Column& column) {
+  std::size_t index = 0;
+  while (sweep.varied[index].key != column.name) ++index;
+  const Varied& varied = sweep.varied[index];
+  return varied.is_random() ? number_axis(varied, column) : grid_axis(sweep, index);
 }
 
 }  // namespace outrider

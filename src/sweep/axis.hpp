@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "outrider/sweep/summary.hpp"
+#include "outrider/sweep/columns.hpp"
 
 namespace outrider {
 
@@ -15,10 +15,10 @@ struct Axis {
   std::vector<std::uint8_t> place_of;  ///< of each run, its value or bin; 255: none
 };
 
-/// Returns the axes of the keys that can be shown, in order: grids of 2 to 40 values, and random numbers.
-Outcome<std::vector<Axis>> sweep_axes(ChunkReader& chunks, std::size_t most);
+/// Returns the first keys that can be shown: grids of 2 to 40 values, and random numbers.
+std::vector<std::string> shown_keys(const Sweep& sweep, std::size_t most);
 
-/// Returns whether each run is done.
-Outcome<std::vector<bool>> done_runs(ChunkReader& chunks);
+/// Returns the axis of one of these keys, from its column. It has no labels if all numbers are the same.
+Axis axis_of(const Sweep& sweep, const Column& column);
 
 }  // namespace outrider

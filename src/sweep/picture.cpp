@@ -249,21 +249,21 @@ std::string heading(const Sweep& sweep, const SweepSummary& summary) {
 
 Outcome<std::string> sweep_picture(ChunkReader& chunks, const SweepSummary& summary) {
   const Sweep& sweep = chunks.sweep();
-  const auto axes = sweep_axes(chunks, most_axes);
-  if (!axes) return tl::unexpected<Fault>(axes.error());
-  const auto done = done_runs(chunks);
-  if (!done) return tl::unexpected<Fault>(done.error());
   const auto shown = shown_metrics(sweep, summary);
-  std::vector<std::string> names;
+  std::vector<std::string> names = shown_keys(sweep, most_axes);
+  const std::size_t keys = names.size();
   for (const std::size_t i : shown) names.push_back(summary.sides[0].metrics[i].name);
   const auto columns = read_columns(chunks, names);
   if (!columns) return tl::unexpected<Fault>(columns.error());
+  std::vector<Axis> axes;
+  for (std::size_t i = 0; i < keys; ++i) axes.push_back(axis_of(sweep, (*columns)[i]));
+  std::erase_if(axes, [](const Axis& axis) { return axis.labels.empty(); });
   Panels panels;
   std::string body = heading(sweep, summary);
-  for (const Axis& axis : *axes) body += rate_panel(sweep, *done, axis, panels.next());
-  if (axes->size() > 1) body += heat_panel(*done, (*axes)[0], (*axes)[1], panels.next());
+  for (const Axis& axis : axes) body += rate_panel(sweep, summary.done, axis, panels.next());
+  if (axes.size() > 1) body += heat_panel(summary.done, axes[0], axes[1], panels.next());
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    body += histogram_panel(sweep, summary, (*columns)[i], shown[i], panels.next());
+    body += histogram_panel(sweep, summary, (*columns)[keys + i], shown[i], panels.next());
   }
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "

@@ -184,10 +184,14 @@ std::string kind_of_reason(std::string_view reason) {
 
 Outcome<SweepSummary> summarise(ChunkReader& chunks) {
   const Sweep& sweep = chunks.sweep();
-  SweepSummary summary{.job = std::string(sweep.job.name), .runs = sweep.total, .sides = {}};
+  SweepSummary summary{.job = std::string(sweep.job.name),
+                       .runs = sweep.total,
+                       .done = std::vector<bool>(sweep.total, true),
+                       .sides = {}};
   ReasonCounter reasons;
   const auto outcomes =
       read_outcomes(chunks, [&](std::uint64_t run, const std::string& status, const std::string& reason) {
+        summary.done[run] = false;
         reasons.add(run, status, reason);
       });
   if (!outcomes) return tl::unexpected<Fault>(outcomes.error());

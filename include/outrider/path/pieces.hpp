@@ -20,6 +20,13 @@ double turn_in_place(double from_rad, double to_rad);
 /// Returns the piece in the opposite direction; a piece that is driven in reverse stays one.
 PathPiece reversed(const PathPiece& piece);
 
+/// Returns the point that far along the piece; 0 is its beginning, 1 its end.
+Vec2 point_on(const PathPiece& piece, double part);
+/// Returns the part of the piece before its point that is nearest to p.
+double nearest_part(const PathPiece& piece, Vec2 p);
+/// Returns what lies between two points of the piece.
+PathPiece section_of(const PathPiece& piece, double from_part, double to_part);
+
 /// Returns the limits of speed and acceleration along the piece. On an arc the turn rate of the robot limits
 /// the speed.
 Limits limits_on(const PathPiece& piece, const Pace& pace);

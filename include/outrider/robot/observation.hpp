@@ -70,14 +70,22 @@ struct GridObservation {
   /// Cells of the target's path that became known since the previous observation, one per second. The first
   /// observation begins with second 0.
   std::vector<Cell> target;
+  /// Second of the first of these cells. Unset: they follow those of the observations before.
+  std::optional<int> target_from_s = {};
+  bool blocked = false;  ///< the robot could not enter the cell to which it was sent: it is closed
+  /// Whether a robot is in the cell of the target, if the robots feel it. Unset: by the path of the target.
+  std::optional<bool> caught = {};
 };
 
 struct Observation {
   double time_s = 0.0;
-  Pose2 odometry;                            ///< odom_T_robot; the heading may exceed +-pi
-  std::optional<Pose2> motion = {};          ///< previous_T_robot, for logs with incremental odometry
-  bool touching = false;                     ///< the bumper was pressed since the previous observation
-  std::optional<double> touch_rad = {};      ///< bearing of the newest contact, if the bumper tells it
+  Pose2 odometry;                        ///< odom_T_robot; the heading may exceed +-pi
+  std::optional<Pose2> motion = {};      ///< previous_T_robot, for logs with incremental odometry
+  bool touching = false;                 ///< the bumper was pressed since the previous observation
+  std::optional<double> touch_rad = {};  ///< bearing of the newest contact, if the bumper tells it
+  /// The pose from which somebody carried the robot away since the previous observation, as far as it was
+  /// measured.
+  std::optional<Pose2> carried_from = {};
   std::optional<LaserScan> scan = {};        ///< scan taken since the previous observation
   std::optional<LogStep> landmarks = {};     ///< motion and landmarks seen since the previous observation
   std::optional<TagImage> image = {};        ///< newest image, even if an earlier observation had it already

@@ -36,6 +36,7 @@
 #include "outrider/slam/map_check.hpp"
 #include "outrider/slam/occupancy_map.hpp"
 #include "outrider/slam/pose_graph.hpp"
+#include "outrider/slam/range_check.hpp"
 
 namespace outrider {
 
@@ -121,12 +122,12 @@ class LaserSlam {
   /// Checks whether the scans of the keyframes agree on what is free, and whether odometry or scans confirm
   /// each step from one keyframe to the next; numbers are those of trajectory().
   [[nodiscard]] MapCheck check() const;
-  /// Returns by how much the ranges seem to be too long, m, where walls were seen straight on and at flat
-  /// angles; 0 where they were not, and with `trust_odometry`.
-  [[nodiscard]] double range_bias_m() const;
+  /// Checks whether the scans of the keyframes speak for the range finder.
+  [[nodiscard]] RangeCheck check_range_finder() const;
 
  private:
   struct State;
+  [[nodiscard]] std::vector<PlacedScan> placed_scans() const;
   explicit LaserSlam(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

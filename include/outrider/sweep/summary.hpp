@@ -70,6 +70,7 @@ struct PairedDone {
 struct SweepSummary {
   std::string job;
   std::uint64_t runs = 0;
+  std::vector<bool> done = {};           ///< of each run, whether its status is done
   std::vector<RunsSummary> sides;        ///< one for all runs, or one for each side of a comparison
   std::vector<RunsSummary> points = {};  ///< of each point of the grid and side, if there is a grid
   std::vector<ReasonSummary> reasons = {};

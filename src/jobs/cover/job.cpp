@@ -17,13 +17,71 @@ Status cancelled() {
   return fault(FaultCode::cancelled, "it was cancelled while it measured what the drive covers");
 }
 
-/// Breaks off where the drive does what was proven that it cannot do.
+constexpr double measuring_error = 1e-3;  // of the reach, by chords and rounding
+
+/// Breaks off where a drive without faults does what was proven that it cannot do.
 void check_promises(const CoverRun& run) {
   const bool kept = run.drive.time_s >= run.bound.least_s - 1e-6 &&
                     run.drive.time_s <= run.bound.most_s + 1e-6 &&
-                    run.driven.fraction >= run.proof.sure_fraction - 1e-3;
+                    run.driven.fraction >= run.proof.sure_fraction - measuring_error;
   if (!kept) throw std::logic_error("the simulated drive breaks the bounds of its track");
 }
+
+/// Measures what was promised of the drive and what of that it kept.
+FaultyResult result_of(const FaultyDrive& faulty, const CoverRun& run, const CoverProblem& problem) {
+  const CoverRecovery& mission = faulty.mission;
+  FaultyResult result{.hold_ups = mission.hold_ups,
+                      .strayed_m = mission.strayed_m,
+                      .left_out_m = mission.left_out_m(),
+                      .believed_complete = mission.believes_complete(),
+                      .gave_up = mission.gave_up,
+                      .finished = faulty.finished,
+                      .contacts = faulty.contacts,
+                      .post_contacts = faulty.post_contacts};
+  const CoverTrack& track = run.plan.track;
+  const Region& reach = run.plan.ground.reach;
+  const Coverage surely = cover::coverage_along(track.start, track.pieces, problem, reach, true);
+  result.promised_missed_m2 = area_of(common(surely.covered, run.driven.missed));
+  result.kept_promise = result.promised_missed_m2 <= measuring_error * area_of(reach);
+  return result;
+}
+
+/// Drives a track, logs that, and measures what it covers.
+struct Driver {
+  const CoverProblem& problem;
+  const TrackFaults& faults;
+  std::uint64_t seed;
+  RunWatch watch;
+
+  /// Fault: cancelled.
+  Status drive(CoverRun& run, CoverLog& log, const std::stop_token& stop) const {
+    const CoverTrack& track = run.plan.track;
+    const auto& ground = run.plan.ground.ground;
+    if (!faults.any()) {
+      run.drive = drive_track(track, *ground, problem.pace, problem.tracking_error_m, seed, watch,
+                              [&](const PieceDrive& so_far) { log.note(so_far); });
+      if (auto ok = measure(run, run.finished() ? stop : std::stop_token{}); !ok) return ok;
+      if (run.finished()) check_promises(run);
+      log.finish(run.drive, run.driven);
+      return {};
+    }
+    const FaultyDrive faulty = drive_with_faults(
+        track, problem, ground, faults, seed, watch,
+        [&](const PieceDrive& so_far, const CoverRecovery& mission) { log.note(so_far, mission); });
+    run.drive = faulty.drive;
+    if (auto ok = measure(run, faulty.finished ? stop : std::stop_token{}); !ok) return ok;
+    run.faulty = result_of(faulty, run, problem);
+    log.finish(run.drive, run.driven, &*run.faulty);
+    return {};
+  }
+
+ private:
+  /// What a stopped drive has covered is still measured; the measuring of a whole one can be stopped.
+  Status measure(CoverRun& run, const std::stop_token& stop) const {
+    run.driven = cover::coverage_of_drive(run.drive, problem, run.plan.ground.reach, stop);
+    return stop.stop_requested() ? cancelled() : Status{};
+  }
+};
 
 /// The options with the method that was chosen.
 std::vector<std::pair<std::string, std::string>> settled_settings(const CoverScenario& scenario,
@@ -60,7 +118,7 @@ Status CoverJob::run(Run& run, const RunWatch& watch) {
   auto proof = prove(*plan, problem, watch.budget());
   if (!proof && proof.error().code == FaultCode::cancelled) return tl::unexpected<Fault>(proof.error());
   if (!proof) throw std::logic_error(to_string(proof.error()));
-  CoverRun driven{std::move(*plan), std::move(*proof), {}, {}, {}};
+  CoverRun driven{std::move(*plan), std::move(*proof), {}, {}, {}, {}};
   const CoverPlan& planned = driven.plan;
   driven.bound = time_bound(planned.track, problem.pace, problem.tracking_error_m, scenario.error_factor);
   if (auto ok = steps.next("driving it"); !ok) return ok;
@@ -68,14 +126,8 @@ Status CoverJob::run(Run& run, const RunWatch& watch) {
   const std::string name = std::filesystem::path(scenario.area).filename().string();
   CoverLog log(run.log, problem, planned, seed, name);
   if (task->frame.moved()) log_event(run.log, 0.0, "frame", sentence_of(task->frame));
-  driven.drive = drive_track(planned.track, *planned.ground.ground, problem.pace, problem.tracking_error_m,
-                             seed, steps.inner(), [&](const PieceDrive& so_far) { log.note(so_far); });
-  // What a stopped drive has covered is still measured; the measuring of a whole one can be stopped.
-  const std::stop_token stop = driven.finished() ? watch.stop : std::stop_token{};
-  driven.driven = cover::coverage_of_drive(driven.drive, problem, planned.ground.reach, stop);
-  if (stop.stop_requested()) return cancelled();
-  if (driven.finished()) check_promises(driven);
-  log.finish(driven.drive, driven.driven);
+  const Driver driver{problem, scenario.faults, seed, steps.inner()};
+  if (auto ok = driver.drive(driven, log, watch.stop); !ok) return ok;
   run.report = cover_report(problem, driven, name);
   run.report.settings = settled_settings(scenario, planned.method);
   if (!driven.finished()) mark_cancelled(run.report, run.log, driven.drive.time_s);

@@ -130,8 +130,38 @@ std::string shortfall(const CoverProblem& problem, const CoverProof& proof) {
       std::ceil(1e4 * (1.0 - field.inner_fraction) * field.inner_m2 / field.reach_m2) * 1e-4);
 }
 
+/// Why a drive with faults has not covered what was promised.
+std::string why_missed(const FaultyResult& faulty, const CoverProblem& problem) {
+  std::string reason =
+      fmt::format("{:.4g} m2 are not covered that the track surely covers", faulty.promised_missed_m2);
+  if (faulty.left_out_m > 0.0)
+    reason += fmt::format("; {:.4g} m of the track were not driven", faulty.left_out_m);
+  if (faulty.gave_up) reason += ", and the robot does not get on any more";
+  if (faulty.strayed_m > problem.tracking_error_m)
+    reason += fmt::format("; the robot came {:.3g} m off its track, more than the tracking_error of {:g} m",
+                          faulty.strayed_m, problem.tracking_error_m);
+  if (faulty.hold_ups.empty()) return reason;
+  const HoldUp& first = faulty.hold_ups.front();
+  return reason + fmt::format("; it was held up {}, at first after {:.1f} s, when it {}",
+                              counted(faulty.hold_ups.size(), "time"), first.time_s, first.sentence);
+}
+
+/// What faults add to the metrics.
+void add_metrics(std::vector<std::pair<std::string, double>>& metrics, const FaultyResult& faulty) {
+  const bool false_covered = faulty.believed_complete && !faulty.kept_promise;
+  const std::vector<std::pair<std::string, double>> more = {
+      {"held_up", static_cast<double>(faulty.hold_ups.size())},
+      {"left_out_m", faulty.left_out_m},
+      {"strayed_m", faulty.strayed_m},
+      {"promised_missed_m2", faulty.promised_missed_m2},
+      {"false_covered", false_covered ? 1.0 : 0.0},
+      {"contacts", static_cast<double>(faulty.contacts)},
+      {"post_contacts", static_cast<double>(faulty.post_contacts)}};
+  metrics.insert(metrics.end(), more.begin(), more.end());
+}
+
 std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& problem, const CoverRun& run) {
-  const auto& [plan, proof, bound, drive, driven] = run;
+  const auto& [plan, proof, bound, drive, driven, faulty] = run;
   const auto number = [](std::size_t count) { return static_cast<double>(count); };
   return {{"covered_fraction", driven.fraction},
           {"covered_m2", driven.covered_m2},
@@ -199,19 +229,19 @@ CoverLog::CoverLog(Log& log, const CoverProblem& problem, const CoverPlan& plan,
 
 /// Notes the passes, laps and cells that begin. Pieces of one role, one after the other, are one pass; a lap
 /// or a cell begins another.
-void CoverLog::note_pieces(const PieceDrive& drive) {
-  for (; pieces_ < drive.ends_s.size(); ++pieces_) {
-    const PieceRole role = plan_.roles[pieces_];
-    const bool begins = std::ranges::binary_search(plan_.begins, pieces_);
-    const double time_s = begin_of(drive, pieces_);
-    if (pieces_ == 0 || begins || role == PieceRole::lane || role != plan_.roles[pieces_ - 1])
-      queue_.note(time_s, topic::coverage_passes, outrider_msgs::CoveragePass{std::string(name_of(role))});
-    if (!begins) continue;
-    const bool lap = role == PieceRole::lap;
-    queue_.note_event(time_s, lap ? "lap" : "cell",
-                      lap ? fmt::format("lap {} of {} begins", ++laps_, plan_.laps)
-                          : fmt::format("cell {} of {} begins", ++cells_, plan_.cells));
-  }
+void CoverLog::note_piece(std::size_t index, double time_s) {
+  const bool fresh = index != off_track && index >= fresh_;
+  const PieceRole role = index == off_track ? PieceRole::move : plan_.roles[index];
+  const bool begins = fresh && std::ranges::binary_search(plan_.begins, index);
+  if (fresh) fresh_ = index + 1;
+  if (begins || role == PieceRole::lane || role != role_)
+    queue_.note(time_s, topic::coverage_passes, outrider_msgs::CoveragePass{std::string(name_of(role))});
+  role_ = role;
+  if (!begins) return;
+  const bool lap = role == PieceRole::lap;
+  queue_.note_event(time_s, lap ? "lap" : "cell",
+                    lap ? fmt::format("lap {} of {} begins", ++laps_, plan_.laps)
+                        : fmt::format("cell {} of {} begins", ++cells_, plan_.cells));
 }
 
 /// Notes the poses before the index `end`.
@@ -219,23 +249,45 @@ void CoverLog::note_poses(const PieceDrive& drive, std::size_t end) {
   for (; poses_ < end; ++poses_) queue_.note_pose(drive.track[poses_].time_s, drive.track[poses_].pose);
 }
 
-/// Notes what is covered at that time.
+/// Notes what is covered at that time. While the robot was carried it covered nothing.
 void CoverLog::note_coverage(const PieceDrive& drive, double time_s) {
-  const double from_s = std::max(0.0, measured_s_);
-  const bool begins = measured_s_ < 0.0;
-  CoverageSums sums;
-  if (bar_) {
-    sums = coverage_.add(begins ? std::vector<Pose2>{drive.track.front().pose}
-                                : poses_between(drive, from_s, time_s));
+  const auto add = [&](double from_s, double until_s) {
+    sums_ = bar_ ? coverage_.add(poses_between(drive, from_s, until_s))
+                 : coverage_.add(stretch(drive, from_s, until_s));
+  };
+  if (measured_s_ < 0.0) {
+    sums_ = bar_ ? coverage_.add(std::vector<Pose2>{drive.track.front().pose})
+                 : coverage_.add(std::vector<Vec2>{drive.way.front()});
   } else {
-    sums = coverage_.add(begins ? std::vector<Vec2>{drive.way.front()} : stretch(drive, from_s, time_s));
+    double from_s = measured_s_;
+    for (const Carried& carried : drive.carried) {
+      if (carried.until_s <= from_s || carried.from_s >= time_s) continue;
+      if (carried.from_s > from_s) add(from_s, carried.from_s);
+      from_s = carried.until_s;
+    }
+    if (from_s < time_s) add(from_s, time_s);
   }
   measured_s_ = time_s;
-  queue_.note(time_s, topic::coverage, outrider_msgs::Coverage{sums.covered_m2, sums.overlap_m2});
+  queue_.note(time_s, topic::coverage, outrider_msgs::Coverage{sums_.covered_m2, sums_.overlap_m2});
 }
 
 void CoverLog::note(const PieceDrive& drive) {
-  note_pieces(drive);
+  for (; pieces_ < drive.ends_s.size(); ++pieces_) note_piece(pieces_, begin_of(drive, pieces_));
+  note_drive(drive);
+}
+
+void CoverLog::note(const PieceDrive& drive, const CoverRecovery& mission) {
+  for (; pieces_ < drive.ends_s.size(); ++pieces_)
+    note_piece(mission.pieces[pieces_], begin_of(drive, pieces_));
+  for (; hold_ups_ < mission.hold_ups.size(); ++hold_ups_) {
+    const HoldUp& held = mission.hold_ups[hold_ups_];
+    queue_.note_event(held.time_s, "held_up", "the robot " + held.sentence);
+  }
+  note_drive(drive);
+}
+
+/// Notes the motion since the last call, and logs all until now.
+void CoverLog::note_drive(const PieceDrive& drive) {
   note_poses(drive, drive.track.size() - 1);  // the next piece may replace the last one
   if (measured_s_ < 0.0) note_coverage(drive, 0.0);
   const double step_s = plan_.sums.time_s / covered_steps;
@@ -243,12 +295,13 @@ void CoverLog::note(const PieceDrive& drive) {
   queue_.flush(log_, drive.time_s);
 }
 
-void CoverLog::finish(const PieceDrive& drive, const Coverage& driven) {
-  note(drive);
+void CoverLog::finish(const PieceDrive& drive, const Coverage& driven, const FaultyResult* faulty) {
+  if (faulty == nullptr) note(drive);
   note_poses(drive, drive.track.size());
   if (measured_s_ < drive.time_s) note_coverage(drive, drive.time_s);
-  if (drive.ends_s.size() == plan_.track.pieces.size())
-    queue_.note_event(drive.time_s, "done",
+  const bool kept = faulty == nullptr || faulty->kept_promise;
+  if (faulty != nullptr ? faulty->finished : drive.ends_s.size() == plan_.track.pieces.size())
+    queue_.note_event(drive.time_s, kept ? "done" : "not_done",
                       fmt::format("{:.2f} % of the reach is covered, {:.4g} m2 of it more than once",
                                   100.0 * driven.fraction, driven.overlap_m2));
   area_.missed = outlines_of(outlines(driven.missed));
@@ -262,11 +315,17 @@ Report cover_report(const CoverProblem& problem, const CoverRun& run, const std:
   report.status = "done";
   report.world_name = name;
   report.metrics = metrics_of(problem, run);
+  if (run.faulty) add_metrics(report.metrics, *run.faulty);
   if (run.proof.fields.size() > 1) report.tables.push_back(areas_table(run.proof));
   if (!run.proof.complete) {
     report.status = "not_done";
     report.reason = shortfall(problem, run.proof);
     report.tables.push_back(missed_table(run.proof));
+  }
+  if (run.faulty && !run.faulty->kept_promise) {
+    const std::string before = report.reason.empty() ? "" : report.reason + "; ";
+    report.status = "not_done";
+    report.reason = before + why_missed(*run.faulty, problem);
   }
   return report;
 }

@@ -28,6 +28,21 @@ Status check_names(const CoverScenario& scenario) {
   return {};
 }
 
+/// Checks that the faults can be simulated and change something.
+Status check_faults(const CoverScenario& scenario) {
+  const TrackFaults& faults = scenario.faults;
+  if (faults.any() && scenario.problem.bar()) {
+    return bad_input("faults are simulated for robots that cover with their disk; leave them out, or the bar",
+                     "faults");
+  }
+  if (faults.tracking_ratio != 1.0 && scenario.problem.tracking_error_m == 0.0) {
+    return bad_input(fmt::format("{:g} times a tracking_error of 0 m is 0 m; give a tracking_error",
+                                 faults.tracking_ratio),
+                     "faults.tracking");
+  }
+  return {};
+}
+
 /// Reads the area: the free space of a saved map, or polygons. `start` is in its coordinates.
 Outcome<CoverArea> load_area(const CoverScenario& scenario, Units units, const std::optional<Pose2>& start) {
   auto map = saved_map(scenario.area);
@@ -75,11 +90,14 @@ std::vector<OptionGroup> describe(CoverScenario& scenario) {
       {"tool", "what covers the ground", describe(scenario.problem.tool)},
       {"pace", "how fast the robot drives and turns", describe(scenario.problem.pace)},
       {"order", "in which order laps and cells are driven", describe(scenario.options)},
+      {"faults", "what goes wrong with the simulated drive without the robot being told",
+       describe(scenario.faults)},
   };
 }
 
 Outcome<CoverTask> load_task(const CoverScenario& scenario) {
   if (auto ok = check_names(scenario); !ok) return pass_on(ok);
+  if (auto ok = check_faults(scenario); !ok) return pass_on(ok);
   auto method = find_cover_method(scenario.method);
   if (!method) return pass_on(method);
   auto units = units_of(scenario);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 #include "bar_sweep.hpp"
 #include "outrider/core/units.hpp"
@@ -12,6 +15,37 @@ namespace {
 constexpr double pose_step_rad = radians(2.0);
 constexpr double outside_m = 1e-5;  // more than the rounding of regions
 constexpr std::size_t batch = 24;   // sweeps that are judged at once
+
+/// Returns what both cover; what both cover counts as overlap.
+Coverage together(Coverage a, const Coverage& b, const Region& area) {
+  a.overlap = united({a.overlap, b.overlap, common(a.covered, b.covered)});
+  a.covered = united(a.covered, b.covered);
+  a.missed = without(area, a.covered);
+  a.covered_m2 = area_of(a.covered);
+  a.missed_m2 = area_of(a.missed);
+  a.overlap_m2 = area_of(a.overlap);
+  const double all_m2 = area_of(area);
+  a.fraction = all_m2 > 0.0 ? a.covered_m2 / all_m2 : 1.0;
+  return a;
+}
+
+/// Returns what a drive without a carriage covered between two times.
+Coverage coverage_between(const PieceDrive& drive, double from_s, double until_s, const CoverProblem& problem,
+                          const Region& area, const std::stop_token& stop) {
+  const auto within = [&](double time_s) { return time_s >= from_s && time_s <= until_s; };
+  if (const auto bar = problem.bar()) {
+    std::vector<Pose2> poses;
+    for (const TimedPose& sample : drive.track) {
+      if (within(sample.time_s)) add_pose(poses, sample.pose);
+    }
+    return coverage_of(poses, *bar, area, stop);
+  }
+  std::vector<Vec2> way;
+  for (std::size_t i = 0; i < drive.way.size(); ++i) {
+    if (within(drive.times_s[i])) way.push_back(drive.way[i]);
+  }
+  return coverage_of(way, problem.body_radius_m(), area, stop);
+}
 
 }  // namespace
 
@@ -45,11 +79,19 @@ Coverage coverage_along(const Pose2& start, const std::vector<PathPiece>& pieces
 
 Coverage coverage_of_drive(const PieceDrive& drive, const CoverProblem& problem, const Region& area,
                            const std::stop_token& stop) {
-  const auto bar = problem.bar();
-  if (!bar) return coverage_of(drive.way, problem.body_radius_m(), area, stop);
-  std::vector<Pose2> poses;
-  for (const TimedPose& sample : drive.track) add_pose(poses, sample.pose);
-  return coverage_of(poses, *bar, area, stop);
+  constexpr double ever_s = std::numeric_limits<double>::infinity();
+  double from_s = -ever_s;
+  std::optional<Coverage> all;
+  const auto add = [&](double until_s) {
+    Coverage part = coverage_between(drive, from_s, until_s, problem, area, stop);
+    all = all ? together(std::move(*all), part, area) : std::move(part);
+  };
+  for (const Carried& carried : drive.carried) {
+    add(carried.from_s);
+    from_s = carried.until_s;
+  }
+  add(ever_s);
+  return std::move(all).value_or(Coverage{});
 }
 
 Region outside_of(const std::vector<Pose2>& poses, const Bar& bar, const Region& area) {

@@ -11,12 +11,17 @@ constexpr double most_contradicted = 0.1;  ///< share of the scans; people and n
 
 }  // namespace
 
+std::string range_finder_doubt(const LaserSlam& slam) {
+  const std::string why = why_not_believed(slam.check_range_finder());
+  return why.empty() ? why : "lost: " + why + ", so its map cannot be right";
+}
+
 std::string map_doubt(const LaserSlam& slam) {
   const std::vector<std::size_t> gaps = slam.gaps();
   const MapCheck check = slam.check();
   const bool contradicted =
       static_cast<double>(check.contradicted) > most_contradicted * static_cast<double>(check.scans);
-  if (gaps.empty() && check.jumps.empty() && !contradicted) return {};
+  if (gaps.empty() && check.jumps.empty() && !contradicted) return range_finder_doubt(slam);
   const std::vector<Pose2> poses = slam.trajectory();
   const auto at = [&](std::size_t pose) {
     return fmt::format("({:.2f}, {:.2f})", poses[pose].position.x, poses[pose].position.y);

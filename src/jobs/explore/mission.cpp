@@ -277,6 +277,16 @@ void perceive(ExploreMission& mission, const Observation& seen) {
   if (touched) note_touch(mission, seen);
 }
 
+/// Asks whether the range finder can be believed, less and less often. Ends the mission if it cannot.
+bool believes_range_finder(ExploreMission& mission) {
+  if (mission.scans < mission.range_finder_asked_at) return true;
+  mission.range_finder_asked_at *= 2;
+  std::string doubt = range_finder_doubt(mission.slam);
+  if (doubt.empty()) return true;
+  end(mission, "lost", std::move(doubt));
+  return false;
+}
+
 std::optional<Command> respond(ExploreMission& mission) {
   if (mission.stage == ExploreStage::over) return std::nullopt;
   const double until_s = mission.time_s + mission.task.rules.period_s;
@@ -289,7 +299,7 @@ std::optional<Command> respond(ExploreMission& mission) {
   }
   mission.sighted_s = mission.time_s;
   if (mission.looked) update_frontiers(mission);
-  const Twist2 twist = drive(mission);
+  const Twist2 twist = believes_range_finder(mission) ? drive(mission) : Twist2{};
   mission.looked = false;
   if (mission.stage == ExploreStage::over) {
     mission.slam.settle();

@@ -23,6 +23,7 @@ double peak_mib() {
 
 /// The bound that somebody who knew the whole future could prove, where the run proved none itself.
 void look_back(PursuitRun& run, const PursuitTask& task, const Budget& budget) {
+  if (run.faults && run.faults->kidnapped) return;  // it may have been put nearer
   const bool certain = task.rules.known_s >= task.problem.last_s();
   if (certain && !task.rules.ask) return;
   run.lower_bound = 0;
@@ -59,8 +60,9 @@ Status PursueJob::run(Run& run, const RunWatch& watch) {
   WallWatch laps;
   task->rules.budget.stop = watch.stop;
   PursuitLog log(run.log, task->problem, name);
-  auto pursued = pursue(task->problem, task->robots, task->rules, laps,
-                        [&](const PursuitRun& so_far) { log.note(so_far); });
+  auto pursued = pursue(
+      task->problem, task->robots, task->rules, laps, [&](const PursuitRun& so_far) { log.note(so_far); },
+      scenario.faults, static_cast<std::uint64_t>(scenario.seed));
   constexpr double never = std::numeric_limits<double>::quiet_NaN();
   if (!pursued) {
     if (!is_proven_impossible(pursued.error())) return tl::unexpected<Fault>(pursued.error());

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace outrider {
@@ -13,6 +15,7 @@ PursuitMission::PursuitMission(const PursuitProblem& map, std::size_t seconds, c
       watch_(watch),
       look_(std::move(look)),
       seconds_(seconds),
+      costs_(map.costs),
       belief_(map, seconds, rules.forecast) {}
 
 std::optional<Command> PursuitMission::step(const Observation& seen) {
@@ -33,15 +36,59 @@ std::optional<Command> PursuitMission::step(const Observation& seen) {
 
 /// Takes in the positions of all robots and the newly known cells of the target.
 void PursuitMission::take_in(const GridObservation& grid) {
-  target_.insert(target_.end(), grid.target.begin(), grid.target.end());
+  see_target(grid);
   if (run.state.robots.empty()) {
     run.state = begin_pursuit(grid.robots);
-  } else {
-    const auto now_s = static_cast<std::size_t>(run.state.time_s) + 1;
-    const Cell sent_to = robot_at(run.state, run.state.duty, 1);
-    pass_second(run.state, *belief_.believed.costs, grid.robots, target_[now_s]);
-    if (grid.robots[run.state.duty] != sent_to) forget_path();
+    return;
   }
+  const auto now_s = static_cast<std::size_t>(run.state.time_s) + 1;
+  const Cell before = run.state.robots[run.state.duty];
+  const Cell sent_to = robot_at(run.state, run.state.duty, 1);
+  const bool known = now_s < target_.size();
+  pass_second(run.state, *costs_, grid.robots, known ? target_[now_s] : belief_.believed.target[now_s]);
+  const Cell here = grid.robots[run.state.duty];
+  if (here != sent_to) forget_path();
+  if (grid.blocked) close(sent_to);
+  if (here != sent_to && here != before) {  // it was put there, perhaps nearer to the target
+    run.lower_bound = 0;
+    run.earliest_catch_s = -1;
+  }
+  if (!grid.caught || *grid.caught == run.state.caught) return;
+  run.state.caught = *grid.caught;
+  if (*grid.caught) return;
+  belief_.doubt();  // the target is not where it was said to be
+  forget_path();
+}
+
+/// Adds the newly known cells. Where it was not seen for a while, the target is taken to have gone straight.
+void PursuitMission::see_target(const GridObservation& grid) {
+  const std::size_t from =
+      grid.target_from_s ? static_cast<std::size_t>(*grid.target_from_s) : target_.size();
+  if (!grid.target.empty() && !target_.empty() && from > target_.size()) {
+    const Cell a = target_.back(), b = grid.target.front();
+    const auto steps = static_cast<double>(from - (target_.size() - 1));
+    for (int k = 1; target_.size() < from; ++k) {
+      const double part = k / steps;
+      target_.push_back({a.x + static_cast<int>(std::lround(part * (b.x - a.x))),
+                         a.y + static_cast<int>(std::lround(part * (b.y - a.y)))});
+    }
+  }
+  target_.insert(target_.end(), grid.target.begin(), grid.target.end());
+}
+
+/// Plans around the cell from now on.
+void PursuitMission::close(Cell cell) {
+  CostGrid costs = *belief_.believed.costs;
+  costs[cell] = belief_.believed.threshold;
+  belief_.believed.costs = std::make_shared<const CostGrid>(std::move(costs));
+  sessions_.clear();
+}
+
+/// Forgets which cells were closed. Returns false if none was.
+bool PursuitMission::reopen() {
+  if (belief_.believed.costs == costs_) return false;
+  belief_.believed.costs = costs_;
+  return true;
 }
 
 /// The robot on duty is not where it was sent: what was planned does not begin where it is.
@@ -103,6 +150,10 @@ double PursuitMission::call() {
   const double before_s = run.planning_s;
   if (sessions_.empty()) open_sessions();
   for (Session& session : sessions_) work_on(session);
+  if (all_failed() && reopen()) {  // what was closed may be open again
+    open_sessions();
+    for (Session& session : sessions_) work_on(session);
+  }
   if (all_failed() && !belief_.is_certain()) {
     belief_.expect_rest();
     open_sessions();

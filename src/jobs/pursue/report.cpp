@@ -41,11 +41,45 @@ outrider_msgs::CostGrid drawn_map(const PursuitProblem& problem) {
           static_cast<std::uint32_t>(rows), drawn_costs(problem, block, columns, rows)};
 }
 
-std::string not_caught(const PursuitProblem& problem, const PursuitState& state) {
+std::string not_caught(const PursuitProblem& problem, const PursuitState& state, bool faulty) {
   if (state.time_s >= problem.last_s()) {
     return fmt::format("the target was gone after second {} without being caught", problem.last_s());
   }
-  return fmt::format("from second {} on no catch was possible any more", state.time_s);
+  return fmt::format("from second {} on no catch was possible any more{}", state.time_s,
+                     faulty ? ", as far as the robots knew" : "");
+}
+
+/// Returns true if the robot on duty and the target truly are in one cell.
+bool is_caught(const PursuitProblem& problem, const PursuitState& state) {
+  const auto now_s = static_cast<std::size_t>(state.time_s);
+  return state.caught && now_s > 0 && state.paths[state.duty][now_s] == problem.target[now_s];
+}
+
+/// What went wrong, to be put behind a reason.
+std::string faults_text(const TeamFaultCounts& faults) {
+  std::string text;
+  const auto add = [&](int count, std::string_view what) {
+    if (count > 0) text += fmt::format("; {} {}", count, what);
+  };
+  add(faults.missing, "sightings of it did not come");
+  add(faults.late, "sightings came late");
+  add(faults.wrong, "sightings were wrong");
+  add(faults.stuck_s, "seconds long a robot did not move when it was sent on");
+  add(faults.blocked, "steps led into closed cells");
+  if (faults.kidnapped) text += "; a robot was put elsewhere";
+  return text;
+}
+
+/// What faults add to the metrics.
+void add_metrics(std::vector<std::pair<std::string, double>>& metrics, const PursuitRun& run,
+                 const TeamFaultCounts& faults, bool false_catch) {
+  const std::vector<std::pair<std::string, double>> more = {
+      {"time_s", run.state.time_s},          {"false_catch", false_catch ? 1.0 : 0.0},
+      {"missing_sightings", faults.missing}, {"late_sightings", faults.late},
+      {"wrong_sightings", faults.wrong},     {"stuck_s", faults.stuck_s},
+      {"blocked_steps", faults.blocked},     {"kidnapped", faults.kidnapped ? 1.0 : 0.0},
+      {"contacts", faults.into_walls}};
+  metrics.insert(metrics.end(), more.begin(), more.end());
 }
 
 std::string pose_topic(std::size_t robot) {
@@ -97,25 +131,31 @@ void PursuitLog::note(const PursuitRun& run) {
 
 Report pursuit_report(const PursuitProblem& problem, const PursuitRun& run, const std::string& name) {
   const PursuitState& state = run.state;
+  const bool caught = is_caught(problem, state);
   Report report;
   report.world_name = name;
-  report.status = state.caught ? "done" : "not_done";
-  if (!state.caught) report.reason = not_caught(problem, state);
+  report.status = caught ? "done" : "not_done";
+  if (!caught) {
+    report.reason = state.caught ? "the mission took the target for caught, which it was not"
+                                 : not_caught(problem, state, run.faults.has_value());
+    if (run.faults) report.reason += faults_text(*run.faults);
+  }
   const auto cost = static_cast<double>(state.cost), bound = static_cast<double>(run.lower_bound);
   report.metrics = {
-      {"caught", state.caught ? 1.0 : 0.0},
-      {"catch_time_s", state.caught ? state.time_s : unknown},
+      {"caught", caught ? 1.0 : 0.0},
+      {"catch_time_s", caught ? state.time_s : unknown},
       {"moves", static_cast<double>(state.moves)},
       {"cost", cost},
       {"lower_bound", bound},
-      {"optimal", state.caught && state.cost == run.lower_bound ? 1.0 : 0.0},
+      {"optimal", caught && state.cost == run.lower_bound ? 1.0 : 0.0},
       {"earliest_catch_s", run.earliest_catch_s < 0 ? unknown : run.earliest_catch_s},
       {"robots", static_cast<double>(state.robots.size())},
-      {"catcher", state.caught ? static_cast<double>(state.duty + 1) : unknown},
+      {"catcher", caught ? static_cast<double>(state.duty + 1) : unknown},
       {"handovers", static_cast<double>(state.handovers)},
       {"planning_calls", static_cast<double>(run.calls)},
       {"expansions", static_cast<double>(run.expansions)},
   };
+  if (run.faults) add_metrics(report.metrics, run, *run.faults, state.caught && !caught);
   return report;
 }
 

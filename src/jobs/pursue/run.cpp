@@ -9,17 +9,22 @@ namespace outrider {
 
 Outcome<PursuitRun> pursue(const PursuitProblem& truth, const std::vector<Cell>& robots,
                            const PursuitRules& rules, StopWatch& watch,
-                           const std::function<void(const PursuitRun&)>& look) {
+                           const std::function<void(const PursuitRun&)>& look, const TeamFaults& faults,
+                           std::uint64_t seed) {
   for (const Cell robot : robots) {
     PursuitProblem problem = truth;
     problem.start = robot;
     if (auto ok = check(problem); !ok) return pass_on(ok);
   }
-  SimulatedTeam team(robots, truth.target, rules.known_s);
+  const auto free = [&](Cell cell) { return truth.costs->contains(cell) && !truth.wall(cell); };
+  SimulatedTeam team = faults.any()
+                           ? SimulatedTeam(robots, truth.target, rules.known_s, faults, free, Rng(seed))
+                           : SimulatedTeam(robots, truth.target, rules.known_s);
   PursuitMission mission(truth, truth.target.size(), rules, watch, look);
   run_mission(mission, team, rules.budget.stop, [&](const Observation&, const Command*) {
     if (look) look(mission.run);
   });
+  if (faults.any()) mission.run.faults = team.counts();
   if (mission.fault) return tl::unexpected<Fault>(std::move(*mission.fault));
   return std::move(mission.run);
 }

@@ -17,6 +17,12 @@ Status check_names(const PursuitScenario& scenario) {
     return bad_input(fmt::format("'{}' is no clock; expected virtual or wall", excerpt(scenario.clock)),
                      "clock");
   }
+  if (scenario.faults.of_sightings() && scenario.known < 0) {
+    return bad_input(
+        "the whole future is known, so no sighting can be missing, late or wrong; give known: 0, or leave "
+        "these faults out",
+        "faults");
+  }
   return {};
 }
 
@@ -84,13 +90,14 @@ std::vector<OptionGroup> describe(PursuitScenario& scenario) {
         {"starts", "", 0, 0, "x,y of each robot but the first, with blanks between; empty: spread out",
          &scenario.starts},
         {"call", "s", 0.01, 1.9, "of a planning call on the wall clock", &scenario.call_s},
-        {"seed", "", 0, 1e15, "seed of every random number; a pursuit draws none", &scenario.seed}}}};
+        {"seed", "", 0, 1e15, "seed of what faults draw; nothing else is random", &scenario.seed}}}};
   for (std::size_t i = 0; i < scenario.planners.size(); ++i) {
     const std::string name(pursuit_planners()[i].name);
     if (!scenario.planners[i].options.empty()) {
       groups.push_back({name, "planner " + name, scenario.planners[i].options});
     }
   }
+  groups.push_back({"faults", "what goes wrong without the robots being told", describe(scenario.faults)});
   return groups;
 }
 

@@ -28,8 +28,7 @@ std::vector<std::string> doubts_of_numbers(const LandmarkSlamOptions& options, c
   if (run.contradicted > most_contradicted || run.misfits > most_misfits) {
     doubts.push_back(
         fmt::format("{} landmarks were given up because their sightings contradict the map, and at up to {} "
-                    "steps in a row "
-                    "no sighting fitted: was the robot moved, or were they?",
+                    "steps in a row no sighting fitted: was the robot moved, or were they?",
                     run.contradicted, run.misfits));
   }
   const double ratio = chi2_per_dof(run.slam);

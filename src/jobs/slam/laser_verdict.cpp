@@ -90,20 +90,15 @@ void doubt_jumps(Doubts& doubts, const std::vector<Jump>& jumps) {
       why, motion_text(first.by_map), motion_text(first.by_odometry), 100.0 * first.shared));
 }
 
-void doubt_laser(Doubts& doubts, const LaserRun& run) {
+void doubt_laser(Doubts& doubts, const LaserRun& run, const RangeCheck& ranges) {
   constexpr std::size_t most_repeated = 2;
-  constexpr double most_bias_m = 0.08;  // of published logs it is 0.02 m at most
   if (run.repeated > most_repeated) {
     doubts.add_reason(
         fmt::format("{} scans repeat the ranges of the one before exactly although the wheels moved; is the "
                     "laser frozen?",
                     run.repeated));
   }
-  const double bias_m = run.slam.range_bias_m();
-  if (std::abs(bias_m) <= most_bias_m) return;
-  doubts.add_reason(fmt::format(
-      "ranges seem to be too {} by {:.2f} m or more, as walls lie elsewhere if seen at a flat angle",
-      bias_m > 0.0 ? "long" : "short", std::abs(bias_m)));
+  if (const std::string why = why_not_believed(ranges); !why.empty()) doubts.add_reason(why);
 }
 
 void log_doubts(Log& log, const Table& table, double end_s) {
@@ -120,6 +115,7 @@ void log_doubts(Log& log, const Table& table, double end_s) {
 void judge_mapping(Report& report, Log& log, const LaserRun& run, const std::vector<double>& times_s) {
   if (run.trusts_odometry || run.stopped) return;
   MapCheck check = run.slam.check();
+  const RangeCheck ranges = run.slam.check_range_finder();
   forget_usual_pauses(check.jumps, run);
   const std::vector<std::size_t> gaps = run.slam.gaps();
   const std::vector<Pose2> poses = run.slam.trajectory();
@@ -128,13 +124,15 @@ void judge_mapping(Report& report, Log& log, const LaserRun& run, const std::vec
   doubt_gaps(doubts, gaps);
   doubt_contradictions(doubts, check);
   doubt_jumps(doubts, check.jumps);
-  doubt_laser(doubts, run);
+  doubt_laser(doubts, run, ranges);
   report.metrics.emplace_back("gaps", static_cast<double>(gaps.size()));
   report.metrics.emplace_back("jumps", static_cast<double>(check.jumps.size()));
   report.metrics.emplace_back("loops_refused", static_cast<double>(run.slam.loops_refused()));
   report.metrics.emplace_back("loops_undone", static_cast<double>(run.slam.loops_undone()));
   report.metrics.emplace_back("scans_checked", static_cast<double>(check.scans));
   report.metrics.emplace_back("scans_contradicted", static_cast<double>(check.contradicted));
+  report.metrics.emplace_back("range_bias_m", ranges.bias_m);
+  report.metrics.emplace_back("stray_share", ranges.stray_share());
   if (doubts.reason().empty()) return;
   report.status = "doubtful";
   report.reason = "the map may be wrong: " + doubts.reason();

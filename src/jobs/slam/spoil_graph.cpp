@@ -13,9 +13,6 @@ constexpr int most_draws = 100;
 double length(const Pose2& pose) { return norm(pose.position); }
 double length(const Pose3& pose) { return norm(pose.position); }
 
-Pose2 scaled(const Pose2& motion, double ratio) {
-  return {ratio * motion.position, ratio * motion.heading_rad};
-}
 /// Only the way: a robot in space does not turn by its wheels alone.
 Pose3 scaled(const Pose3& motion, double ratio) { return {ratio * motion.position, motion.rotation}; }
 
@@ -86,7 +83,10 @@ class GraphSpoiler {
   }
 
   void make_outlier(Edge& edge) {
-    if (edge.kind == EdgeKind::point) return place_anywhere(edge.measured, farthest_m_, outliers_);
+    if (edge.kind == EdgeKind::point) {
+      place_anywhere(edge.measured, farthest_m_, outliers_);
+      return;
+    }
     if (edge.kind == EdgeKind::range) {
       edge.measured.position.x = outliers_.uniform(0.0, farthest_m_);
       return;

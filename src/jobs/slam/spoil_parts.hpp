@@ -11,12 +11,15 @@
 
 namespace outrider {
 
+inline Pose2 scaled(const Pose2& motion, double ratio) {
+  return {ratio * motion.position, ratio * motion.heading_rad};
+}
+
 /// Returns what odometry counts of a motion.
 inline Pose2 counted(const Pose2& motion, const RecordingFaults& faults, double time_s) {
   if (faults.stuck(time_s)) return {};
   if (faults.slip == 0.0) return motion;
-  const double ratio = 1.0 / (1.0 - faults.slip);
-  return {ratio * motion.position, ratio * motion.heading_rad};
+  return scaled(motion, 1.0 / (1.0 - faults.slip));
 }
 
 /// Returns what a range becomes with the bias, which leaves some of it.

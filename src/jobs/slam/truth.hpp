@@ -14,8 +14,8 @@ double wall_error_m(const Grid<std::uint8_t>& occupancy, const LaserLog& recorde
                     const Pose2& map_T_reference, const Pose2& robot_T_laser);
 
 /// Adds the metric `changes`, how often the recording was changed, and where a truth is known `wrong`: 1 if
-/// the path is off by more than 0.25 m, or landmarks or walls by more than 0.1 m; and `false_done`: 1 if it is
-/// wrong and the status is done.
+/// the path is off by more than 0.25 m, or landmarks or walls by more than 0.1 m; and `false_done`: 1 if it
+/// is wrong and the status is done.
 void judge_by_truth(Report& report, std::size_t changes);
 
 }  // namespace outrider

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/polyanya_search.hpp"
 #include "outrider/path/grid/line_of_sight.hpp"
 
 namespace outrider::hub_labelling {
@@ -119,6 +120,28 @@ EndLengths<AnyAngleMetric> lengths_to(const GridMap& ground, const AnyAngleGraph
   return lengths;
 }
 
+/// Returns true if a search among the turns expands at most as much as one on the mesh, over a few queries
+/// between turns. In a narrow maze it does not: there the mesh knows which turns a corridor forces.
+bool leads_better(const AnyAngleIndex& index, const GridMap& ground, const std::stop_token& stop) {
+  constexpr std::size_t probes = 16;
+  const StoredArray<Cell>& places = index.turns->graph.at;
+  const auto probe = [&](std::size_t i) { return places[i % probes * places.size() / probes]; };
+  polyanya_search::Memory memory;
+  memory.renew(std::shared_ptr<const GridMap>(std::shared_ptr<void>(), &ground));
+  AnyAngleIndex::Scratch scratch;
+  Budget budget;
+  budget.stop = stop;
+  BudgetMeter among_turns(budget), on_mesh(budget);
+  for (std::size_t i = 0; i < probes; ++i) {
+    const Cell start = probe(i), goal = probe(7 * i + 3);
+    std::vector<Cell> way;
+    if (start == goal || AnyAngleIndex::straight_on(ground, start, goal, way)) continue;
+    index.find(ground, start, goal, way, scratch, among_turns);
+    static_cast<void>(polyanya_search::Search(memory, {ground, start, goal}, nullptr).run(on_mesh));
+  }
+  return among_turns.spent() <= on_mesh.spent();
+}
+
 }  // namespace
 
 std::unique_ptr<const AnyAngleIndex> AnyAngleIndex::of(const GridMap& ground, std::size_t most_bytes,
@@ -141,6 +164,7 @@ std::unique_ptr<const AnyAngleIndex> AnyAngleIndex::of(const GridMap& ground, st
     if (guided.memory() + mesh.memory() > most_bytes) return nullptr;
     index.work = guided.to.size() / edges_an_expansion;
     index.turns = std::make_unique<const AnyAngleTurns>(AnyAngleTurns{std::move(mesh), std::move(guided)});
+    if (try_labels && !leads_better(index, ground, stop)) return nullptr;
   }
   return std::make_unique<const AnyAngleIndex>(std::move(index));
 }

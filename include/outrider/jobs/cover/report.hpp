@@ -3,8 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "outrider/jobs/cover/mission.hpp"
 #include "outrider/jobs/cover/plan.hpp"
 #include "outrider/jobs/cover/time_bound.hpp"
 #include "outrider/log/log.hpp"
@@ -15,16 +19,33 @@
 
 namespace outrider {
 
+/// How a drive with faults went.
+struct FaultyResult {
+  std::vector<HoldUp> hold_ups;
+  double strayed_m = 0.0;          ///< largest distance from the track that the robot measured
+  double left_out_m = 0.0;         ///< length of the track that was not driven
+  bool believed_complete = false;  ///< by the robot
+  bool gave_up = false;
+  bool finished = false;     ///< nobody stopped it
+  std::size_t contacts = 0;  ///< with the edge of the area
+  std::size_t post_contacts = 0;
+  double promised_missed_m2 = 0.0;  ///< of what the track surely covers by its proof, what the drive has not
+  bool kept_promise = false;        ///< that is no more than the measuring is off
+};
+
 /// A track, its proofs, and its simulated drive.
 struct CoverRun {
   CoverPlan plan;
   CoverProof proof;
   TimeBound bound;
   PieceDrive drive;
-  Coverage driven;  ///< coverage of the reach by the drive
+  Coverage driven;                          ///< coverage of the reach by the drive
+  std::optional<FaultyResult> faulty = {};  ///< set if faults were asked for
 
   /// Returns false if the drive was stopped.
-  [[nodiscard]] bool finished() const { return drive.ends_s.size() == plan.track.pieces.size(); }
+  [[nodiscard]] bool finished() const {
+    return faulty ? faulty->finished : drive.ends_s.size() == plan.track.pieces.size();
+  }
 };
 
 /// Logs a coverage run. The covered area is measured once in a sixtieth of the time that the track takes at
@@ -36,11 +57,15 @@ class CoverLog {
            const std::string& name);
   /// Logs what was driven since the last call.
   void note(const PieceDrive& drive);
-  /// Logs the end: what the drive has covered, what it missed, and what it covered more than once.
-  void finish(const PieceDrive& drive, const Coverage& driven);
+  /// The same of a robot that may be held up.
+  void note(const PieceDrive& drive, const CoverRecovery& mission);
+  /// Logs the end: what the drive has covered, what it missed, and what it covered more than once. With
+  /// faults also whether that is what was promised.
+  void finish(const PieceDrive& drive, const Coverage& driven, const FaultyResult* faulty = nullptr);
 
  private:
-  void note_pieces(const PieceDrive& drive);
+  void note_drive(const PieceDrive& drive);
+  void note_piece(std::size_t index, double time_s);
   void note_poses(const PieceDrive& drive, std::size_t end);
   void note_coverage(const PieceDrive& drive, double time_s);
 
@@ -49,12 +74,16 @@ class CoverLog {
   outrider_msgs::CoverageArea area_;
   bool bar_;  ///< a bar covers
   GrowingCoverage coverage_;
-  LogQueue queue_;            ///< what a piece brings, to be logged in the order of time
-  std::size_t pieces_ = 0;    ///< that are logged
-  std::size_t poses_ = 0;     ///< that are logged
-  std::size_t laps_ = 0;      ///< that have begun
-  std::size_t cells_ = 0;     ///< that have begun
-  double measured_s_ = -1.0;  ///< until when the coverage is measured
+  LogQueue queue_;                 ///< what a piece brings, to be logged in the order of time
+  std::size_t pieces_ = 0;         ///< that are logged
+  std::size_t fresh_ = 0;          ///< first piece of the track that has not begun
+  std::size_t hold_ups_ = 0;       ///< that are logged
+  std::optional<PieceRole> role_;  ///< of the last piece
+  CoverageSums sums_;              ///< until measured_s_
+  std::size_t poses_ = 0;          ///< that are logged
+  std::size_t laps_ = 0;           ///< that have begun
+  std::size_t cells_ = 0;          ///< that have begun
+  double measured_s_ = -1.0;       ///< until when the coverage is measured
 };
 
 /// Returns the report. The metrics are:
@@ -69,7 +98,10 @@ class CoverLog {
 ///   clearance_m (from the edges), and planned_fraction, planned_missed_m2, planned_overlap_m2 by its disk;
 /// - for every tracking error up to tracking_error_limit_m: sure_fraction of the reach, and
 /// sure_inner_fraction
-///   of the reach without its rim.
+///   of the reach without its rim;
+/// - with faults: held_up (how often), left_out_m (of the track), strayed_m, contacts (with the edge),
+///   post_contacts, promised_missed_m2 (surely covered by the proof, and not by the drive), and
+///   false_covered: the robot believes that all is covered, and it is not.
 Report cover_report(const CoverProblem& problem, const CoverRun& run, const std::string& name);
 
 }  // namespace outrider

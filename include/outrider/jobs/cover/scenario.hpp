@@ -9,6 +9,7 @@
 #include "outrider/io/area_frame.hpp"
 #include "outrider/jobs/cover/plan.hpp"
 #include "outrider/jobs/cover/saved_map.hpp"
+#include "outrider/sim/track_faults.hpp"
 
 namespace outrider {
 
@@ -23,9 +24,10 @@ struct CoverScenario {
   std::int64_t seed = 1;         ///< of the simulated drive
   CoverProblem problem;          ///< its numbers are options; its polygons come from the file
   CoverOptions options;          ///< of the planner
+  TrackFaults faults;            ///< of the simulated drive; the robot is not told
 };
 
-/// Describes the options: the top-level keys, then the sections pace and order.
+/// Describes the options: the top-level keys, then the sections tool, pace, order and faults.
 std::vector<OptionGroup> describe(CoverScenario& scenario);
 
 /// Everything that a run needs.

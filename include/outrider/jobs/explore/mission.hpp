@@ -22,9 +22,9 @@
 //   left_over something is left over that the robot cannot see; the reason says how much, and why
 //   budget    the limit of time or distance is reached
 //   leak      the map exceeds its largest extent: the world is open
-//   stuck     the robot got stuck too often, there is no path home, it got no nearer to home for 120 s, or
-//   its planner ran out of its budget lost      the robot no longer knows its pose, or its map cannot be
-//   believed (map_doubt.hpp), or what it sees
+//   stuck     the robot got stuck too often, there is no path home, it got no nearer to home for 120 s, or its
+//             planner ran out of its budget
+//   lost      the robot no longer knows its pose, its map cannot be believed (map_doubt.hpp), or what it sees
 //             at home is not what it saw there first: it may have been carried away
 //   blind     no usable scan came
 // Thread rule: one at a time. Sources: as in the headers named.
@@ -137,8 +137,9 @@ struct ExploreMission {
   std::int64_t stuck_here = 0;  ///< how often recently
   double stuck_m = 0.0;         ///< driven_m at the last time
   std::int64_t scans = 0;
-  std::int64_t bad_scans = 0;  ///< unusable scans
-  std::int64_t loops = 0;      ///< closed loops
+  std::int64_t bad_scans = 0;                ///< unusable scans
+  std::int64_t range_finder_asked_at = 250;  ///< value of `scans` at which the range finder is checked
+  std::int64_t loops = 0;                    ///< closed loops
   std::vector<ExploreEvent> events;
   std::string stop_reason;  ///< set once the robot drives home or has ended
   std::string reason;       ///< the stop reason as a sentence

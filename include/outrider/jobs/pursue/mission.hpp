@@ -10,13 +10,18 @@
 // If only `known_s` seconds of the future are known, the forecast predicts the rest. A second that differs
 // from the prediction causes a new forecast and a new plan. A target that the robot can never reach by the
 // forecast is predicted to stay where it is. The length of the target's path is always known. If the robot is
-// not in the cell to which it was sent, everything is planned anew from where it is.
+// not in the cell to which it was sent, everything is planned anew from where it is. A cell that it could not
+// enter is planned around until no catch is possible without it.
+//
+// Robots that feel whether they have caught the target go by that. Otherwise the target counts as caught
+// where its known path says so. If they feel nothing where it should be, its path is no longer certain.
 //
 // Thread rule: no shared state. The library reads no clock: time comes from the StopWatch.
 #pragma once
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,6 +30,7 @@
 #include "outrider/jobs/pursue/target_belief.hpp"
 #include "outrider/pursuit/anytime.hpp"
 #include "outrider/robot/mission.hpp"
+#include "outrider/sim/simulated_team.hpp"
 
 namespace outrider {
 
@@ -78,6 +84,7 @@ struct PursuitRun {
   double planning_s = 0.0;             ///< total planning time
   int calls = 0;                       ///< number of planner calls
   std::uint64_t expansions = 0;        ///< over all calls
+  std::optional<TeamFaultCounts> faults = {};  ///< set if faults were asked for
 };
 
 /// The execution.
@@ -110,6 +117,9 @@ class PursuitMission {
   };
 
   void take_in(const GridObservation& grid);
+  void see_target(const GridObservation& grid);
+  void close(Cell cell);
+  bool reopen();
   void forget_path();
   [[nodiscard]] bool is_over() const;
   bool plan();
@@ -133,7 +143,8 @@ class PursuitMission {
   StopWatch& watch_;
   std::function<void(const PursuitRun&)> look_;
   std::size_t seconds_;
-  std::vector<Cell> target_;  ///< known part of the target's path
+  std::vector<Cell> target_;               ///< known part of the target's path
+  std::shared_ptr<const CostGrid> costs_;  ///< of the map
   TargetBelief belief_;
   std::vector<Session> sessions_;
   int lead_s_ = 0;

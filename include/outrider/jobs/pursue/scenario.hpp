@@ -20,7 +20,8 @@ struct PursuitScenario {
   std::int64_t pursuers = 1;               ///< number of robots
   std::string starts;     ///< cells of the robots after the first, "x,y x,y", as in the file; empty: placed
   double call_s = 1.5;    ///< duration of a call of the anytime search on the wall clock
-  std::int64_t seed = 1;  ///< written into the report
+  std::int64_t seed = 1;  ///< of what faults draw
+  TeamFaults faults;      ///< the mission is not told
   std::vector<ConfiguredPursuitPlanner> planners = configured_planners();  ///< in the order of the catalogue
 
   /// Returns all planners with their default options.
@@ -28,7 +29,7 @@ struct PursuitScenario {
 };
 
 /// Describes the options: the top-level keys, then a section for each planner that has options, under its
-/// name.
+/// name, and the section faults.
 std::vector<OptionGroup> describe(PursuitScenario& scenario);
 
 /// Everything that a run needs.

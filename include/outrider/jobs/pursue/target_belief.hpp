@@ -15,7 +15,9 @@ class TargetBelief {
   TargetBelief(PursuitProblem map, std::size_t seconds, TargetForecast forecast);
 
   /// Returns true if the whole path is known.
-  [[nodiscard]] bool is_certain() const { return known_ == seconds_; }
+  [[nodiscard]] bool is_certain() const { return known_ == seconds_ && !doubted_; }
+  /// The path has proven wrong: it is not certain any more.
+  void doubt() { doubted_ = true; }
   /// Takes in the known cells. Returns true if they differ from the belief.
   bool update(const std::vector<Cell>& known, Cell robot);
   /// Replaces the forecast: the target stays in its last known cell.
@@ -29,6 +31,7 @@ class TargetBelief {
   TargetForecast forecast_;
   std::size_t seconds_;
   std::size_t known_ = 0;
+  bool doubted_ = false;
 };
 
 }  // namespace outrider

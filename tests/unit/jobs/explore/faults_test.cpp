@@ -63,14 +63,25 @@ TEST(ExploreFaults, ABiasThatSpoilsTheMapIsNotDone) {
   EXPECT_EQ(explored(faults).report.status, "not_done");
 }
 
+/// What the robot itself cannot believe it does not call complete.
+TEST(ExploreFaults, ARangeFinderThatIsOffIsNotBelieved) {
+  ExplorerFaults off, strewn;
+  off.bias_m = 0.15;
+  strewn.outliers = 0.1;
+  for (const ExplorerFaults& faults : {off, strewn}) {
+    const ExploreRun run = explored(faults);
+    EXPECT_EQ(run.stop_reason, "lost") << run.report.reason;
+    EXPECT_EQ(metric(run.report, "false_complete"), 0.0);
+  }
+}
+
 TEST(ExploreFaults, OthersEndHonestly) {
-  ExplorerFaults outliers, late, slips, stuck, kidnapped;
-  outliers.outliers = 0.1;
+  ExplorerFaults late, slips, stuck, kidnapped;
   late.latency_s = 0.4;
   slips.slip = 0.2;
   stuck.stuck_from_s = 5.0;
   kidnapped.kidnapping.at_s = 5.0;
-  for (const ExplorerFaults& faults : {outliers, late, slips, stuck, kidnapped}) explored(faults);
+  for (const ExplorerFaults& faults : {late, slips, stuck, kidnapped}) explored(faults);
 }
 
 TEST(ExploreFaults, AClockThatJumpsChangesNothing) {

@@ -12,6 +12,7 @@
 #include "support/grid_oracle.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_grid.hpp"
+#include "unit/path/mesh/corner_distances.hpp"
 
 namespace outrider::hub_labelling {
 namespace {
@@ -108,6 +109,24 @@ TYPED_TEST(GuidedSearches, EndWithTheBudget) {
     ended += found == Found::out_of_budget ? 1 : 0;
   }
   EXPECT_GT(ended, 20);
+}
+
+/// Returns the least power of two of bytes in which an index of landmarks fits.
+std::size_t bytes_of_landmarks(const GridMap& ground) {
+  std::size_t bytes = 1024;
+  while (AnyAngleIndex::of(ground, bytes, {}, false) == nullptr) bytes *= 2;
+  return bytes;
+}
+
+/// In the corridors of a maze a search on the mesh expands next to nothing, since it knows the forced turns.
+TEST(GuidedSearches, AreLeftOutWhereTheMeshExpandsLess) {
+  Rng rng = Rng(43).child("maze");
+  const GridMap maze = GridMap::of(mesh_oracle::maze(rng, 60, 1, false), GridModel::corners).value();
+  EXPECT_EQ(AnyAngleIndex::of(maze, bytes_of_landmarks(maze), {}), nullptr);
+  const GridMap open = GridMap::of(strewn(rng, 120, 120, 0.1), GridModel::corners).value();
+  const auto index = AnyAngleIndex::of(open, bytes_of_landmarks(open), {});
+  ASSERT_NE(index, nullptr);
+  EXPECT_FALSE(index->labels) << "or this shows nothing";
 }
 
 }  // namespace
