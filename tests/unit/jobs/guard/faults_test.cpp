@@ -176,7 +176,7 @@ GuardProblem walled_street() {
 
 TEST(GuardFaults, APlannerWithoutABudgetEndsTheMissionWithThatReason) {
   GuardSimParams faults;
-  faults.way.planner.from_s = 0.0;
+  faults.planner.from_s = 0.0;
   const FaultyRun done = guarded(faults, false, walled_street());
   EXPECT_LT(done.hit, 3);
   EXPECT_NE(done.run.report.reason.find("no way can be planned since"), std::string::npos)
@@ -186,7 +186,7 @@ TEST(GuardFaults, APlannerWithoutABudgetEndsTheMissionWithThatReason) {
 
 TEST(GuardFaults, AfterAPlannerWithoutABudgetItGoesOn) {
   GuardSimParams faults;
-  faults.way.planner = {0.0, 20.0};
+  faults.planner = {0.0, 20.0};
   const FaultyRun done = guarded(faults, false, walled_street());
   EXPECT_EQ(done.hit, 3);
   EXPECT_GT(metric(done.run.report, "mission_s"), 20.0);
