@@ -42,6 +42,12 @@ Outcome<Pose2> parse_pose(const std::string& text, const std::string& where) {
   return Pose2{{(*n)[0], (*n)[1]}, radians((*n)[2])};
 }
 
+Outcome<Vec2> parse_place(const std::string& text, const std::string& where) {
+  auto n = parse_numbers(text, 2, where, "x,y in m, such as 3.5,-2");
+  if (!n) return pass_on(n);
+  return Vec2{(*n)[0], (*n)[1]};
+}
+
 Outcome<Box2> parse_box(const std::string& text, const std::string& where) {
   auto n = parse_numbers(text, 4, where, "low x,low y,high x,high y in m, such as -10,-10,10,10");
   if (!n) return pass_on(n);

@@ -35,7 +35,8 @@ std::vector<Option> describe(DriveSimParams& params) {
       {"tag_scale", "", 0.1, 10.0, "true size of every tag, relative to tag_size, which the robot is told",
        &params.tag_scale},
   };
-  for (const std::vector<Option>& more : {sight, describe(params.kidnapping), tags, describe(params.clock)})
+  for (const std::vector<Option>& more :
+       {sight, describe(params.kidnapping), tags, describe(params.clock), describe(params.planner)})
     options.insert(options.end(), more.begin(), more.end());
   return options;
 }

@@ -41,8 +41,8 @@ std::vector<Option> describe(ExplorerFaults& faults) {
       {"stuck_from", "s", 0.0, 1e9, "from then on the left wheel does not turn", &faults.stuck_from_s},
       {"stuck_for", "s", 0.0, 1e9, "for how long", &faults.stuck_for_s},
   };
-  for (const std::vector<Option>& more :
-       {describe(faults.kidnapping), describe(faults.clock), describe(faults.walk_ins)})
+  for (const std::vector<Option>& more : {describe(faults.planner), describe(faults.kidnapping),
+                                          describe(faults.clock), describe(faults.walk_ins)})
     options.insert(options.end(), more.begin(), more.end());
   return options;
 }

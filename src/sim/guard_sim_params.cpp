@@ -1,13 +1,11 @@
 #include "outrider/sim/guard_sim_params.hpp"
 
-#include <utility>
-
 namespace outrider {
 
 bool GuardSimParams::any() const {
   const GuardSimParams none;
   return gun.jammed_at_s != none.gun.jammed_at_s || gun.balls != none.gun.balls || way.any() ||
-         position_ratio != none.position_ratio || aim_ratio != none.aim_ratio;
+         planner.any() || position_ratio != none.position_ratio || aim_ratio != none.aim_ratio;
 }
 
 ExecutionErrors true_errors(ExecutionErrors told, const GuardSimParams& params) {
@@ -31,7 +29,8 @@ std::vector<Option> describe(GuardSimParams& params) {
       {"aim", "", 0.0, 1.9, "true largest errors of gun and muzzle speed, relative to those of errors",
        &params.aim_ratio},
   };
-  for (Option& option : describe(params.way)) options.push_back(std::move(option));
+  for (const std::vector<Option>& more : {describe(params.way), describe(params.planner)})
+    options.insert(options.end(), more.begin(), more.end());
   return options;
 }
 

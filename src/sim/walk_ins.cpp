@@ -12,7 +12,7 @@ namespace {
 
 constexpr double person_m = 0.2;  ///< radius
 constexpr double person_height_m = 1.7;
-constexpr double from_robot_m = 0.3;  ///< gap that a person leaves
+constexpr double from_robot_m = 0.3;  ///< gap that a person leaves, and who closes a door
 constexpr double first_from_robot_m = 1.0;
 constexpr int most_draws = 100;
 
@@ -73,22 +73,29 @@ void WalkIns::walk(Person& person, double way_m, const Meeting& robot) {
   person.at = next;
 }
 
-void WalkIns::put_post(const Meeting& robot, const OpenGround& ground) {
-  if (!robot.drives) return;
+/// Returns where the post is put now, if it can be put there.
+std::optional<Vec2> WalkIns::place_for_post(const Meeting& robot, const OpenGround& ground) const {
   const double radius_m = options_.blocked_radius_m;
+  if (const auto& told = options_.blocked_place) {
+    const bool is_free = distance(*told, robot.pose.position) > robot.radius_m + radius_m + from_robot_m;
+    return is_free ? told : std::nullopt;
+  }
+  if (!robot.drives) return std::nullopt;
   const double ahead_m = robot.radius_m + options_.blocked_ahead_m + radius_m;
   const Vec2 place = robot.pose.position + ahead_m * direction(robot.pose.heading_rad);
   if (ground.gap_m(place) + ground.radius_m() < radius_m || !ground.free({robot.pose.position, place}))
-    return;
-  post_ = place;
-  post_s_ = time_s_;
+    return std::nullopt;
+  return place;
 }
 
 void WalkIns::advance(double time_s, const Meeting& robot, const OpenGround& ground) {
   const double way_m = options_.people_mps * (time_s - time_s_);
   time_s_ = time_s;
   for (Person& person : people_) walk(person, way_m, robot);
-  if (!post_s_ && time_s >= options_.blocked_at_s) put_post(robot, ground);
+  if (!post_s_ && time_s >= options_.blocked_at_s) {
+    post_ = place_for_post(robot, ground);
+    if (post_) post_s_ = time_s_;
+  }
   if (post_s_ && time_s >= *post_s_ + options_.blocked_for_s) post_.reset();
   disks_.clear();
   for (const Person& person : people_) disks_.push_back({{person.at}, person_m});

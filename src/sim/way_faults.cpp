@@ -109,9 +109,12 @@ void Hindrance::put_post(const HinderedLeg& leg) {
   const double length_m = distance(from, to);
   const double after_s = std::max(0.0, faults_.blocked_at_s - leg.begin_s);
   const double from_m = covered(length_m, leg.limits, after_s);
-  const double middle_m = 0.5 * (from_m + length_m);
-  if (middle_m - from_m < gap_m() + room_m) return;
-  post_ = from + middle_m / length_m * (to - from);
+  const auto on_leg = [&](double way_m) {
+    return length_m > 0.0 ? from + way_m / length_m * (to - from) : from;
+  };
+  const Vec2 place = faults_.blocked_place.value_or(on_leg(0.5 * (from_m + length_m)));
+  if (distance(on_leg(from_m), place) < gap_m() + room_m) return;
+  post_ = place;
   post_s_ = leg.begin_s + after_s;
 }
 

@@ -257,6 +257,7 @@ class FilterEngine : public SlamEngine {
       if (!seen.contains(k) && has_to_be_seen(local, options_) && !sightings.empty()) ++record.missed;
       if (record.refused < options_.patience + 2 && record.missed < options_.misses) continue;
       outcome.removed.push_back(record.id);
+      outcome.contradicted += record.refused >= options_.patience + 2 ? 1 : 0;
       remove(k);
     }
   }

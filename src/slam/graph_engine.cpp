@@ -157,6 +157,7 @@ class GraphEngine : public SlamEngine {
       if (missed || record.missed < 0) ++record.missed;
       const bool gone = record.refused >= options_.patience + 2 || record.missed >= options_.misses;
       if (gone) outcome.removed.push_back(record.id);
+      outcome.contradicted += record.refused >= options_.patience + 2 ? 1 : 0;
       return gone;
     });
   }

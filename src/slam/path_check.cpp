@@ -13,6 +13,8 @@ constexpr double least_shared = 1.0 / 3.0;      // share of the points
 constexpr double near_m = 0.5, near_rad = 0.4;  // a shorter step leaves most of the surface in view
 constexpr double pause_s = 60.0;                // in which a robot may have been carried or driven anywhere
 constexpr double least_shared_sure = 0.5;       // of a short step, and of one after a pause
+constexpr double guess_sd_m = 0.5;   // of a step by odometry alone, which may lead to one of several places
+constexpr double unsure_sd_m = 0.3;  // of one that may, unless the map agrees with it within that
 
 /// Returns the squared error of a step by the map in standard deviations of the odometry.
 double chi2_of(const Pose2& by_map, const Keyframe& key) {
@@ -21,6 +23,14 @@ double chi2_of(const Pose2& by_map, const Keyframe& key) {
   const double position = off_m / key.odometry_noise.position_m;
   const double heading = off_rad / key.odometry_noise.heading_rad;
   return position * position + heading * heading;
+}
+
+/// Returns true if a step is long and odometry too uncertain to tell places apart: several that look alike
+/// may lie within its error, and the scans would fit each of them.
+bool is_guess(const Pose2& by_map, const Keyframe& key, double shared) {
+  const double sd_m = key.odometry_noise.position_m;
+  const bool is_off = distance(by_map.position, key.odometry.position) > sd_m;
+  return (sd_m > unsure_sd_m && is_off) || (sd_m > guess_sd_m && shared < least_shared_sure);
 }
 
 }  // namespace
@@ -64,12 +74,15 @@ std::vector<Jump> find_jumps(const KeyframeGraph& graph, KeyframeSurfaces& surfa
     const bool differs = key.shared_before < least_shared_sure;
     const bool is_after_pause = differs && key.pause_s >= pause_s;
     const bool odometry_differs = chi2_of(by_map, key) > most_odometry_chi2;
-    if (!(is_near && differs) && !is_after_pause && !odometry_differs) continue;
+    const bool may_be_guess = key.odometry_noise.position_m > unsure_sd_m;
+    if (!(is_near && differs) && !is_after_pause && !odometry_differs && !may_be_guess) continue;
     const bool is_measured = !(is_near && differs) && before.has_scan() && key.has_scan();
     const double shared = is_measured ? shared_surface(graph, surfaces, i - 1, i) : key.shared_before;
     const bool is_jump = (is_near && differs) || (odometry_differs && shared < least_shared);
-    if (is_jump || is_after_pause)
-      jumps.push_back({i - 1, i, by_map, key.odometry, shared, is_jump ? 0.0 : key.pause_s});
+    const bool is_unconfirmed = is_guess(by_map, key, shared);
+    if (!is_jump && !is_after_pause && !is_unconfirmed) continue;
+    jumps.push_back({i - 1, i, by_map, key.odometry, shared, is_jump || is_unconfirmed ? 0.0 : key.pause_s,
+                     is_unconfirmed && !is_jump ? key.odometry_noise.position_m : 0.0});
   }
   return jumps;
 }

@@ -5,7 +5,8 @@
 // same pose must show the same, so a short step needs both. A robot that was carried, or whose odometry stood
 // still meanwhile, may be recognised at another place; then neither confirms the step, and a building with
 // two places that look alike is folded without any scan that contradicts another one. Nor does odometry
-// confirm a step after a minute without a scan, because nobody knows what it missed. The overlap is computed
+// confirm a step after a minute without a scan, because nobody knows what it missed, or a step whose error
+// is so large that several places within it may look like the one that was matched. The overlap is computed
 // from the points themselves and not by the map with which scans are matched.
 #pragma once
 

@@ -1,23 +1,21 @@
 #include "wall_crossings.hpp"
 
-#include <cmath>
-
+#include "outrider/world/grid_ray.hpp"
 #include "outrider/world/occupancy.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr double longest_m = 1.0;
-constexpr double steps_per_cell = 4.0;
 
 bool meets_occupied(const Grid<std::uint8_t>& occupancy, Vec2 from, Vec2 to) {
-  const double length_m = distance(from, to);
-  const int steps = static_cast<int>(std::ceil(steps_per_cell * length_m / occupancy.frame.resolution_m));
-  for (int i = 1; i <= steps; ++i) {
-    const Cell cell = occupancy.frame.cell_at(from + static_cast<double>(i) / steps * (to - from));
-    if (occupancy.contains(cell) && occupancy[cell] == occupied_cell) return true;
-  }
-  return false;
+  const auto in_cells = [&](Vec2 p) {
+    return lattice_point((1.0 / occupancy.frame.resolution_m) * (p - occupancy.frame.origin));
+  };
+  bool met = false;
+  cross_cells(in_cells(from), in_cells(to),
+              [&](Cell cell) { met |= occupancy.contains(cell) && occupancy[cell] == occupied_cell; });
+  return met;
 }
 
 }  // namespace

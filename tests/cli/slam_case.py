@@ -48,6 +48,11 @@ class SlamCase(ToolTest):
         self.assertTrue(all(info.low.x < x < info.high.x and info.low.y < y < info.high.y for _, x, y in settled))
         return log
 
+    def done(self, *args):
+        run = self.run_tool("slam", *args, "--json")
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        return flat(self.json_of(run))
+
     def doubtful(self, *args):
         run = self.run_tool("slam", *args, "--json")
         self.assertEqual(run.returncode, 1, run.stderr)

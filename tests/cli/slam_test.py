@@ -267,6 +267,33 @@ class Slam(SlamCase):
         self.assertEqual((found.returncode, found.stdout), (2, ""))
         self.assertIn(".g2o", self.sentence(found))
 
+    def test_faults(self):
+        """Faults of a recording that spoil the map are not done, those that do not are; the same seed, the same run."""
+        folder = SOURCE / "scenarios/slam"
+        doubts = {
+            "posts": {"bias": 0.12, "kidnapped_at": 12, "frozen_from": 5, "latency": 0.5, "wrong_ids": 0.3, "slip": 0.3},
+            "yard": {"bias": 0.17, "outliers": 0.3, "slip": 0.2, "wrong_ids": 0.2},
+            "office": {"bias": 0.2, "frozen_from": 100, "blind_from": 200},
+        }
+        for name, faults in doubts.items():
+            for key, value in faults.items():
+                found = self.doubtful(folder / f"{name}.yaml", f"--faults-{key.replace('_', '-')}", value)
+                self.assertGreater(found["changes"], 0, key)
+                self.assertEqual(found["false_done"], 0, key)
+        for name, key, value in (("posts", "missed", 0.5), ("posts", "blind_from", 20), ("office", "missed", 0.3), ("office", "slip", 0.1)):
+            found = self.done(folder / f"{name}.yaml", f"--faults-{key.replace('_', '-')}", value, "--seed", 3)
+            self.assertGreater(found["changes"], 0, key)
+            self.assertEqual(found["wrong"], 0, key)
+        self.assertNotIn("changes", self.done(folder / "posts.yaml"))
+        one, same, other = (self.doubtful(folder / "posts.yaml", "--faults-outliers", 0.2, "--seed", seed)["cost"] for seed in (1, 1, 2))
+        self.assertEqual(one, same)
+        self.assertNotEqual(one, other)
+        for name, key, word in (("yard", "latency", "no times"), ("office", "wrong_ids", "have no ids")):
+            refused = self.run_tool("run", folder / f"{name}.yaml", f"--faults-{key.replace('_', '-')}", "0.1")
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn(f"faults.{key}", refused.stderr)
+            self.assertIn(word, refused.stderr)
+
     def test_published(self):
         folder = DATA / "slam"
         if not folder.exists():

@@ -20,6 +20,9 @@ Outcome<std::vector<double>> parse_numbers(const std::string& text, std::size_t 
 /// Parses "x,y,heading" in m, m and degrees. The heading is not wrapped.
 Outcome<Pose2> parse_pose(const std::string& text, const std::string& where);
 
+/// Parses "x,y" in m.
+Outcome<Vec2> parse_place(const std::string& text, const std::string& where);
+
 /// Parses "low x,low y,high x,high y" in m. Refuses a box without area.
 Outcome<Box2> parse_box(const std::string& text, const std::string& where);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
+#include "outrider/core/planner_outage.hpp"
 #include "outrider/estimate/tag.hpp"
 #include "outrider/motion/wheel_faults.hpp"
 #include "outrider/sim/clock_faults.hpp"
@@ -35,6 +36,7 @@ struct DriveSimParams {
   TagSightFaults sight;        ///< faults of the camera
   Kidnapping kidnapping;       ///< none by default
   ClockFaults clock;           ///< none by default
+  PlannerOutage planner;       ///< none by default; a drive is planned at 0 s
   MovedTag moved_tag;          ///< none by default
   double tag_scale = 1.0;      ///< true size of every tag, relative to what the robot is told
   std::optional<TagMap> tags;  ///< where the tags truly hang; none: where the map of the robot says

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
+#include "outrider/core/planner_outage.hpp"
 #include "outrider/geometry/pose.hpp"
 #include "outrider/motion/wheel_faults.hpp"
 #include "outrider/sim/clock_faults.hpp"
@@ -52,6 +53,7 @@ struct ExplorerFaults {
   double stuck_for_s = 1e9;    ///< for how long
   ClockFaults clock;           ///< none by default
   WalkInOptions walk_ins;      ///< nobody by default
+  PlannerOutage planner;       ///< none by default
   Kidnapping kidnapping;       ///< shorter than asked for if the robot would stand in something
 
   [[nodiscard]] bool blind(double time_s) const {

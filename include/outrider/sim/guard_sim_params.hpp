@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
+#include "outrider/core/planner_outage.hpp"
 #include "outrider/sim/execution_errors.hpp"
 #include "outrider/sim/way_faults.hpp"
 
@@ -26,6 +27,7 @@ struct GunFaults {
 struct GuardSimParams {
   GunFaults gun;
   WayFaults way;
+  PlannerOutage planner;        ///< none by default
   double position_ratio = 1.0;  ///< true largest error of the end of a drive, relative to the one told
   double aim_ratio = 1.0;       ///< true largest errors of joints and muzzle speed, relative to those told
 

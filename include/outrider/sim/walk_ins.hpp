@@ -3,7 +3,8 @@
 //
 // A person is a disk of 0.2 m radius. It walks straight to one place after another, drawn at random, if the
 // way there is free of what stands. It stands still rather than come nearer than 0.3 m to the robot. The post
-// is put on free ground ahead of the robot when that drives, and may be taken away again.
+// is put on free ground ahead of the robot when that drives, or at a place that is told once the robot is off
+// it, as a door that closes; and it may be taken away again.
 //
 // Same world, options and random stream: same motion. O(people) per step.
 #pragma once
@@ -23,12 +24,13 @@ class OpenGround;
 struct World;
 
 struct WalkInOptions {
-  std::int64_t people = 0;        ///< number of people
-  double people_mps = 0.8;        ///< their speed
-  double blocked_at_s = 1e9;      ///< from then on a post is put before the robot when it drives
-  double blocked_for_s = 1e9;     ///< how long it stands there
-  double blocked_ahead_m = 0.6;   ///< gap between the robot and the post at first
-  double blocked_radius_m = 0.2;  ///< radius of the post
+  std::int64_t people = 0;                 ///< number of people
+  double people_mps = 0.8;                 ///< their speed
+  double blocked_at_s = 1e9;               ///< from then on a post is put before the robot when it drives
+  double blocked_for_s = 1e9;              ///< how long it stands there
+  double blocked_ahead_m = 0.6;            ///< gap between the robot and the post at first
+  double blocked_radius_m = 0.2;           ///< radius of the post
+  std::optional<Vec2> blocked_place = {};  ///< where the post is put; empty: before the robot
 };
 std::vector<Option> describe(WalkInOptions& options);
 
@@ -52,6 +54,10 @@ class WalkIns {
   /// Returns the gap between a disk and the nearest of them, m; negative if they overlap, and infinite if
   /// there is none.
   [[nodiscard]] double gap_m(Segment swept, double radius_m) const;
+  /// Returns the post, while it stands.
+  [[nodiscard]] std::optional<RoundedPolygon> post() const {
+    return post_ ? std::optional(RoundedPolygon{{*post_}, options_.blocked_radius_m}) : std::nullopt;
+  }
   /// Returns the time at which the post was put there, if it was.
   [[nodiscard]] std::optional<double> blocked_s() const { return post_s_; }
 
@@ -62,7 +68,7 @@ class WalkIns {
     Rng rng;
   };
   void walk(Person& person, double way_m, const Meeting& robot);
-  void put_post(const Meeting& robot, const OpenGround& ground);
+  [[nodiscard]] std::optional<Vec2> place_for_post(const Meeting& robot, const OpenGround& ground) const;
 
   WalkInOptions options_;
   std::vector<RoundedPolygon> standing_;  // what is in the way of people

@@ -27,6 +27,8 @@ struct WayFaults {
   double blocked_at_s = 1e9;   ///< from then on a post stands in the middle of the present or next straight
   double blocked_for_s = 1e9;  ///< for how long
   double blocked_radius_m = 0.2;  ///< radius of the post
+  /// Where the post stands, once the robot is off it; nothing: on the way of the robot, as above.
+  std::optional<Vec2> blocked_place = {};
 
   /// Returns true if any fault was asked for.
   [[nodiscard]] bool any() const;

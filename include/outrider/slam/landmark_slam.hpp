@@ -73,6 +73,7 @@ struct StepOutcome {
   int waiting = 0;                    ///< sightings of candidates that are not in the map yet
   std::vector<std::int64_t> added;    ///< ids of new landmarks
   std::vector<std::int64_t> removed;  ///< ids of removed landmarks
+  int contradicted = 0;               ///< how many of them because their sightings were refused
   bool lost = false;                  ///< the robot is lost; the map is frozen
 };
 

@@ -119,8 +119,9 @@ class LaserSlam {
   /// Returns the poses that only odometry joins to the ones before, because their scan matched nothing and no
   /// later match spans the gap.
   [[nodiscard]] std::vector<std::size_t> gaps() const;
-  /// Checks whether the scans of the keyframes agree on what is free, and whether odometry or scans confirm
-  /// each step from one keyframe to the next; numbers are those of trajectory().
+  /// Checks whether the scans of the keyframes agree on what is free, whether odometry or scans confirm each
+  /// step from one keyframe to the next, and whether the path leads through what map() shows as occupied;
+  /// numbers are those of trajectory().
   [[nodiscard]] MapCheck check() const;
   /// Checks whether the scans of the keyframes speak for the range finder.
   [[nodiscard]] RangeCheck check_range_finder() const;

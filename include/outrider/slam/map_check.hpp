@@ -42,6 +42,8 @@ struct Jump {
   double shared = 0.0;  ///< share of the points of one scan that lie on a surface of the other
   /// Time without a scan, if only this speaks against the step; it means nothing if the clock is wrong.
   double pause_s = 0.0;
+  /// Standard deviation of the odometry, if it is too large to tell places apart; else 0.
+  double odometry_sd_m = 0.0;
 };
 
 struct MapCheck {

@@ -105,7 +105,8 @@ double way_clearance_m(const std::vector<Vec2>& points, const CollisionMap& grou
 }
 
 Outcome<DriveRoute> plan_route(const DriveTask& task, const CollisionMap& ground, const Pose2& goal,
-                               const std::string& planner, const DriveRouteOptions& options) {
+                               const std::string& planner, const DriveRouteOptions& options,
+                               const Budget& budget) {
   auto row = find_path_planner(planner);
   if (!row) return pass_on(row);
   if (row->steers) {
@@ -119,7 +120,7 @@ Outcome<DriveRoute> plan_route(const DriveTask& task, const CollisionMap& ground
       problem_for(*row, ground, radius_m, task.start.position, goal.position, options.resolution_m);
   if (!problem) return pass_on(problem);
   Workspace workspace;
-  auto plan = row->configure().plan(*problem, {}, workspace);
+  auto plan = row->configure().plan(*problem, budget, workspace);
   if (!plan) return pass_on(plan);
   std::vector<Vec2> points = plan->waypoints;
   points.front() = task.start.position;

@@ -104,6 +104,20 @@ Status check_argument(const std::string& value, const char* key, const char* one
   return bad_input(fmt::format("'{}' is not valid; expected {} or {}", excerpt(value), one, other), key);
 }
 
+/// A drive is planned before it begins, and never again.
+Status check_outage(const DriveScenario& scenario) {
+  constexpr const char* key = "faults.planner_fails_from";
+  const double from_s = scenario.sim.planner.from_s;
+  if (!scenario.sim.planner.any()) return {};
+  if (scenario.planner.empty())
+    return bad_input("waypoints need no planner; give a goal and a planner, or leave it out", key);
+  if (from_s == 0.0) return {};
+  return bad_input(fmt::format("'{:g}' is not valid; a drive is planned at 0 s and never again, so give 0, "
+                               "or leave it out",
+                               from_s),
+                   key);
+}
+
 Status check_arguments(const DriveScenario& scenario) {
   if (auto ok = check_argument(scenario.loop, "loop", "closed", "open"); !ok) return ok;
   if (auto ok = check_argument(scenario.sight, "sight", "rendered", "modelled"); !ok) return ok;
@@ -114,6 +128,7 @@ Status check_arguments(const DriveScenario& scenario) {
   if (!scenario.goal.empty() && !scenario.waypoints.empty()) {
     return bad_input("there are waypoints as well; give a goal and a planner, or waypoints", "goal");
   }
+  if (auto ok = check_outage(scenario); !ok) return ok;
   return check(scenario.task.follow);
 }
 
@@ -220,7 +235,8 @@ Outcome<DriveSetup> load_drive(const DriveScenario& scenario) {
   if (auto ok = load_ground(scenario, goal, setup); !ok) return pass_on(ok);
   const CollisionMap ground = CollisionMap::of(setup.task.world, scenario.height_m);
   if (goal) {
-    auto route = plan_route(setup.task, ground, *goal, scenario.planner, scenario.route);
+    auto route = plan_route(setup.task, ground, *goal, scenario.planner, scenario.route,
+                            scenario.sim.planner.budget(0.0));
     if (!route) return pass_on(route);
     setup.task.waypoints = std::move(route->waypoints);
     setup.plan = std::move(route->plan);

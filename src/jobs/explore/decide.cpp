@@ -41,7 +41,8 @@ std::vector<Cell> pulled(const GridMap& ground, const std::vector<Cell>& vertice
 }
 
 Outcome<std::vector<Vec2>> way_between(const std::shared_ptr<const GridMap>& ground, Vec2 from, Vec2 to,
-                                       const std::string& planner, Workspace& workspace) {
+                                       const std::string& planner, const Budget& budget,
+                                       Workspace& workspace) {
   const auto is_free = [&](Cell c) { return ground->place(c); };
   const auto start = nearest_cell(ground->frame, from, snap_m, is_free);
   const auto goal = nearest_cell(ground->frame, to, snap_m, is_free);
@@ -50,12 +51,17 @@ Outcome<std::vector<Vec2>> way_between(const std::shared_ptr<const GridMap>& gro
   auto row = find_path_planner(planner);
   if (!row) return pass_on(row);
   const Problem problem{ground, ground->point(*start), ground->point(*goal)};
-  auto plan = row->configure().plan(problem, {}, workspace);
+  auto plan = row->configure().plan(problem, budget, workspace);
   if (!plan) return pass_on(plan);
   std::vector<Vec2> way{from};
   for (const Cell cell : pulled(*ground, plan->vertices)) way.push_back(ground->point(cell));
   if (way.size() > 2 && *start == ground->frame.cell_at(from)) way.erase(way.begin() + 1);
   return way;
+}
+
+/// Returns true for a fault that does not mean that no way leads there.
+bool says_nothing(FaultCode code) {
+  return code == FaultCode::bad_input || code == FaultCode::budget_exhausted;
 }
 
 std::optional<Decision> leaked(const ExploreState& state, const ExploreOptions& options) {
@@ -131,7 +137,8 @@ std::vector<Option> describe(ExploreOptions& options) {
 
 Outcome<std::vector<Vec2>> way_to(const ExploreState& state, Vec2 place, const ExploreOptions& options,
                                   Workspace& workspace) {
-  return way_between(state.map.ground().grid(), state.pose.position, place, options.planner, workspace);
+  return way_between(state.map.ground().grid(), state.pose.position, place, options.planner, state.budget,
+                     workspace);
 }
 
 Outcome<Decision> decide(const ExploreState& state, const ExploreOptions& options, Workspace& workspace) {
@@ -151,7 +158,7 @@ Outcome<Decision> decide(const ExploreState& state, const ExploreOptions& option
     const std::size_t chosen = order.front();
     const View& view = views.views[chosen];
     auto way = way_to(state, view.pose.position, options, workspace);
-    if (!way && way.error().code == FaultCode::bad_input) return pass_on(way);
+    if (!way && says_nothing(way.error().code)) return pass_on(way);
     if (way) {
       decision.kind = DecisionKind::go;
       decision.sentence =

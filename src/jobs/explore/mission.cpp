@@ -41,18 +41,6 @@ Pose2 odometry_at(const ExploreMission& mission, double time_s) {
   return compose(before.odometry, {part * motion.position, part * motion.heading_rad});
 }
 
-/// Returns true if the scan has exactly the ranges of before although the robot has moved since.
-bool repeats(ExploreMission& mission, const LaserScan& scan) {
-  constexpr double moved_m = 0.02, turned_rad = 0.02;
-  if (scan.ranges_m != mission.ranges_m) {
-    mission.ranges_m = scan.ranges_m;
-    mission.odometry_of_ranges = mission.odometry_of_slam;
-    return false;
-  }
-  const Pose2 since = relative_pose(mission.odometry_of_ranges, mission.odometry_of_slam);
-  return norm(since.position) > moved_m || std::abs(wrap_angle(since.heading_rad)) > turned_rad;
-}
-
 /// Returns the end points of the beams that hit something.
 std::vector<Vec2> ends_of(const LaserScan& scan, const Pose2& frame_T_laser) {
   std::vector<Vec2> ends;
@@ -113,7 +101,7 @@ void take_scan(ExploreMission& mission, const LaserScan& scan) {
   mission.pose = compose(step->pose, wrap_heading(relative_pose(then, mission.odometry)));
   mission.marks_moved = mission.marks_moved || step->update.redrawn;
   ++mission.scans;
-  if (!usable(scan) || repeats(mission, scan)) {
+  if (!usable(scan) || mission.repeated.repeats(scan, mission.odometry_of_slam)) {
     ++mission.bad_scans;
   } else {
     mission.scan_s = std::min(scan.time_s, mission.time_s);
@@ -161,8 +149,15 @@ void add_event(ExploreMission& mission, std::string kind, std::string text) {
 }
 
 ExploreState state_of(ExploreMission& mission) {
-  return {mission.frontiers, mission.blacklist,  mission.task.robot, mission.range_m,
-          mission.pose,      mission.task.start, mission.time_s,     mission.decision.choice};
+  return {mission.frontiers,
+          mission.blacklist,
+          mission.task.robot,
+          mission.range_m,
+          mission.pose,
+          mission.task.start,
+          mission.time_s,
+          mission.decision.choice,
+          mission.outage.budget(mission.time_s)};
 }
 
 /// Returns the reason not to believe that the robot is home; empty if it is not there, or sees there what it

@@ -92,6 +92,22 @@ bool stands_still(ExploreMission& mission) {
   return mission.time_s - mission.moved_on_s > mission.task.rules.patience_s;
 }
 
+/// Ends the mission if the robot has got no nearer to home for long, as behind a door that was closed. It may
+/// move all that time, to and fro.
+void end_if_no_nearer_to_home(ExploreMission& mission) {
+  constexpr double nearer_m = 0.1, home_patience_s = 120.0;
+  if (mission.stage != ExploreStage::go_home || !mission.path) return;
+  const double left_m = remaining_m(*mission.path);
+  double& least_m = mission.home_left_m[mission.on_trail ? 1 : 0];
+  if (left_m < least_m - nearer_m) {
+    least_m = left_m;
+    mission.nearer_home_s = mission.time_s;
+  } else if (mission.time_s - mission.nearer_home_s > home_patience_s) {
+    end(mission, "stuck",
+        fmt::format("it gets no nearer to home since {:.0f} s: is the way closed?", mission.nearer_home_s));
+  }
+}
+
 /// Returns the obstacles around the robot: by the map; by the last scans in a narrow place; by the newest
 /// scan if the map encloses the robot. What was touched is there too, but beside the trail that leads home.
 Nearby surroundings(const ExploreMission& mission) {
@@ -174,6 +190,8 @@ std::pair<RobotModel, SteerOptions> way_of_driving(const ExploreMission& mission
 
 Twist2 drive(ExploreMission& mission) {
   if (mission.path) advance_along(*mission.path, mission.pose.position);
+  end_if_no_nearer_to_home(mission);
+  if (mission.stage == ExploreStage::over) return {};
   look_close(mission);
   Nearby nearby = surroundings(mission);
   if (mission.stage == ExploreStage::back_off) {

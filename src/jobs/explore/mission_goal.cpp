@@ -76,6 +76,7 @@ void take(ExploreMission& mission, Decision decision) {
   if (elsewhere) {
     ++mission.goal_changes;
     mission.settled_m.reset();
+    mission.home_left_m.fill(ExploreMission::no_way_m);
     moved_on(mission);
     add_event(mission, "goal", mission.decision.sentence);
   }
@@ -122,6 +123,18 @@ bool goes_out_again(ExploreMission& mission) {
   return true;
 }
 
+/// The planner has had no budget for a decision: waits for a while, then goes home.
+void go_without_planner(ExploreMission& mission, const Fault& fault) {
+  constexpr double patience_s = 10.0;
+  if (!mission.planless_s) add_event(mission, "stuck", "no way is planned, so it waits: " + fault.sentence);
+  const double since_s = mission.planless_s.value_or(mission.time_s);
+  mission.planless_s = since_s;
+  mission.path.reset();
+  if (mission.time_s - since_s < patience_s) return;
+  turn_home(mission, "stuck",
+            fmt::format("no way can be planned since {:.1f} s: {}", since_s, fault.sentence));
+}
+
 }  // namespace
 
 void decide_anew(ExploreMission& mission) {
@@ -136,7 +149,8 @@ void decide_anew(ExploreMission& mission) {
         fmt::format("its budget is spent after {:.0f} s and {:.1f} m", mission.time_s, mission.driven_m));
   }
   const bool explored = mission.stop_reason == "complete" || mission.stop_reason == "left_over";
-  if (mission.arriving || (mission.stage == ExploreStage::go_home && !explored)) {
+  const bool for_good = mission.stage == ExploreStage::go_home && !explored && !mission.planless_s;
+  if (mission.arriving || for_good) {
     if (mission.arriving && explored && goes_out_again(mission)) return;
     return turn_home(mission, mission.stop_reason, mission.reason);
   }
@@ -144,6 +158,9 @@ void decide_anew(ExploreMission& mission) {
   if (arrived && mission.frontiers.frontiers().contains(goal))
     mission.blacklist.add(mission.decision.choice.place, mission.time_s);
   auto decision = decide_with_tries(mission);
+  if (!decision && decision.error().code == FaultCode::budget_exhausted)
+    return go_without_planner(mission, decision.error());
+  mission.planless_s.reset();
   if (!decision) return turn_home(mission, "stuck", decision.error().sentence);
   take(mission, std::move(*decision));
 }

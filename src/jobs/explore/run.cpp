@@ -124,15 +124,38 @@ double count(const LeftOvers& left, LeftReason reason) {
   return static_cast<double>(std::ranges::count(left.places, reason, &LeftOver::reason));
 }
 
-void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& robot,
-           const ExplorationReference& truth, std::int64_t visible_contacts) {
+/// What there is to see in the end, and what sees it.
+struct Truth {
+  ExplorationReference reference;
+  RangeFinder finder;
+};
+
+/// Returns the truth at the end. A post that closes a door then hides what nobody can see any more.
+Truth truth_at_end(const World& world, const ExplorationReference& before, const SimulatedRobot& robot,
+                   const ExploreMission& mission, double climbs_m) {
+  const RangeFinder& finder = robot.devices().laser->finder();
+  const auto post = robot.body<TwistBody>().walk_ins().post();
+  if (!post) return {before, finder};
+  constexpr double height_m = 2.0;
+  const Vec2 at = post->core.front();
+  const World after =
+      world.with({"post", {{at.x, at.y, 0.5 * height_m}, {}}, CylinderShape{post->radius_m, 0.5 * height_m}});
+  const RangeFinder sees_post(after, finder.model());
+  auto reference = exploration_reference(sees_post, OpenGround(after, mission.task.robot, climbs_m),
+                                         mission.task.start.position);
+  return {reference ? std::move(*reference) : before, sees_post};
+}
+
+void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& robot, const Truth& at_end,
+           std::int64_t visible_contacts) {
+  const ExplorationReference& truth = at_end.reference;
   const ExploreMission& mission = timed.mission;
   const TwistBody& body = robot.body<TwistBody>();
   Report& report = run.report;
   const bool home = distance(robot.pose().position, mission.task.start.position) <= home_m;
   const bool back = home || !mission.task.rules.return_home;
   const bool complete = mission.stop_reason == "complete";
-  const MapQuality quality = map_quality(truth, robot.devices().laser->finder(), run.map);
+  const MapQuality quality = map_quality(truth, at_end.finder, run.map);
   const std::string wrong = why_wrong(quality);
   const bool claims_done = complete && (mission.home || !mission.task.rules.return_home);
   report.status = complete && back && visible_contacts == 0 && wrong.empty() ? "done" : "not_done";
@@ -194,6 +217,7 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
   auto begun = begin(bounded(given, *reference, params.laser));
   if (!begun) return pass_on(begun);
   TimedMission timed{std::move(*begun)};
+  timed.mission.outage = params.faults.planner;
   const ExploreMission& mission = timed.mission;
   log_start(log, world, mission.task, params.laser, seed);
   ExploreLog recorder(log, mission.task.start);
@@ -218,7 +242,8 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
   run.pose = mission.pose;
   run.true_pose = robot.pose();
   run.report.world_name = world.name;
-  close(run, timed, robot, *reference, contacts.visible());
+  close(run, timed, robot, truth_at_end(world, *reference, robot, mission, params.wheels.climbs_m),
+        contacts.visible());
   run.touched = mission.touched;
   if (!finished) mark_cancelled(run.report, log, robot.time_s());
   return run;

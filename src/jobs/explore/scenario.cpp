@@ -5,6 +5,7 @@
 #include "outrider/core/units.hpp"
 #include "outrider/io/text.hpp"
 #include "outrider/io/values.hpp"
+#include "outrider/sim/post_place.hpp"
 
 namespace outrider {
 namespace {
@@ -25,6 +26,23 @@ Status check_laser(const RangeFinderModel& laser) {
   return bad_input(fmt::format("'{:g}' is not valid; expected less than laser.most, which is {:g} m",
                                laser.least_m, laser.most_m),
                    "laser.least");
+}
+
+std::vector<Option> describe_faults(ExploreScenario& scenario) {
+  std::vector<Option> options = describe(scenario.sim.faults);
+  options.push_back({"blocked_place", "", 0, 0,
+                     "x,y in m where the post is put, such as the middle of a doorway, once the robot is off "
+                     "it; empty: before the robot",
+                     &scenario.blocked_place});
+  return options;
+}
+
+Status set_post_place(const ExploreScenario& scenario, const World& world, WalkInOptions& walk_ins) {
+  if (scenario.blocked_place.empty()) return {};
+  auto place = parse_place(scenario.blocked_place, "faults.blocked_place");
+  if (!place) return pass_on(place);
+  walk_ins.blocked_place = *place;
+  return check_post_place(world, *place, walk_ins.blocked_at_s);
 }
 
 }  // namespace
@@ -52,7 +70,7 @@ std::vector<OptionGroup> describe(ExploreScenario& scenario) {
       {"robot", "the robot, a disk on two wheels", describe(task.robot)},
       {"laser", "its range finder", describe(scenario.sim.laser)},
       {"wheels", "its wheels and how they count wrong", describe(scenario.sim.wheels)},
-      {"faults", "what goes wrong without the robot being told", describe(scenario.sim.faults)},
+      {"faults", "what goes wrong without the robot being told", describe_faults(scenario)},
       {"link", "how scans travel to the robot's computer", describe(scenario.sim.link)},
       {"explore", "where it goes next", describe(task.explore)},
       {"steer", "how it drives there", describe(task.steer)},
@@ -72,6 +90,7 @@ Outcome<ExploreSetup> load_explore(const ExploreScenario& scenario) {
   ExploreSetup setup{std::move(loaded->world), scenario.task, scenario.sim, std::move(loaded->warnings)};
   setup.task.start = {start->position, wrap_angle(start->heading_rad)};
   setup.sim.laser.robot_T_laser = setup.task.slam.robot_T_laser;
+  if (auto ok = set_post_place(scenario, setup.world, setup.sim.faults.walk_ins); !ok) return pass_on(ok);
   return setup;
 }
 

@@ -36,7 +36,8 @@ const std::vector<CapabilityRow>& capabilities() {
       {rigid, "rigid bodies", "sim"},
       {blocking, "targets that block", "targets_block"},
       {faults, "faults of the robot", "faults"},
-      {held_up, "a robot that is held up (kidnapped_at, stuck_from, blocked_at)", "faults.kidnapped_at"},
+      {held_up, "a robot that is held up (kidnapped_at, stuck_from, blocked_at, planner_fails_from)",
+       "faults.kidnapped_at"},
       {team, "several robots", "robots"},
   };
   return rows;
@@ -89,6 +90,7 @@ std::vector<Capability> asked_of(const GuardScenario& scenario) {
   const GuardProblem& problem = scenario.problem;
   GuardSimParams other_faults = scenario.faults;
   other_faults.way = {};
+  other_faults.planner = {};
   const std::pair<Capability, bool> all[] = {
       {arrivals, scenario.arrivals.any()},
       {survivors, scenario.arrivals.leave < 1.0},
@@ -100,7 +102,7 @@ std::vector<Capability> asked_of(const GuardScenario& scenario) {
       {rigid, scenario.sim != "kinematic"},
       {blocking, problem.targets_block},
       {faults, other_faults.any()},
-      {held_up, scenario.faults.way.any()},
+      {held_up, scenario.faults.way.any() || scenario.faults.planner.any()},
       {team, scenario.robots > 1},
   };
   std::vector<Capability> asked;

@@ -10,9 +10,10 @@
 
 namespace outrider {
 
-/// Returns the waypoints that the robot would drive from one place to another.
-std::vector<Vec2> way_between(const StopTasks& tasks, const Pose2& from, Vec2 to, const GuardProblem& problem,
-                              const FiringMap& firing_map);
+/// Returns the waypoints that the robot would drive from one place to another; the first place alone if there
+/// is no way. Fault: budget_exhausted if the planner has no budget (StopTasks::budget).
+Outcome<std::vector<Vec2>> way_between(const StopTasks& tasks, const Pose2& from, Vec2 to,
+                                       const GuardProblem& problem, const FiringMap& firing_map);
 
 /// Returns what there is to say of a target that was never hit. Tries without a shot are no misses.
 std::string missed(const TargetRecord& record);

@@ -71,7 +71,8 @@ std::optional<std::vector<std::size_t>> planned_before(const StopTasks& tasks,
   std::erase_if(planned, [&](std::size_t record) { return std::ranges::count(lost, record) > 0; });
   PassingShots solver(problem, firing_map);
   const auto hit_along = [&](const Pose2& from, Vec2 to, GunState& gun, double& heading_rad) {
-    const std::vector<Vec2> way = way_between(tasks, from, to, problem, firing_map);
+    const std::vector<Vec2> way =
+        way_between(tasks, from, to, problem, firing_map).value_or(std::vector<Vec2>{from.position});
     std::vector<std::size_t> targets;
     targets.reserve(planned.size());
     for (const std::size_t record : planned) targets.push_back(target_of(tasks, record));

@@ -43,6 +43,7 @@ std::optional<Command> GuardMission::propose(const Observation& seen) {
 
 std::optional<Command> GuardMission::step(const Observation& seen) {
   note(seen);
+  tasks.budget = tasks.outage.budget(seen.time_s);
   if (auto wait = give_up_silent_gun(tasks, seen)) return wait;
   if (!tasks.given_up.empty()) return std::nullopt;
   if (!problem_->supplies.any()) return propose(seen);

@@ -71,6 +71,7 @@ Report carry_out(const GuardRun& run, const GuardProblem& known, Robot& robot, c
                  TargetLog& targets, Log& log, const RunWatch& watch) {
   GuardMission mission = mission_of(run, known);
   mission.tasks.stop = watch.stop;
+  mission.tasks.outage = run.faults.planner;
   if (run.truth) doubt_proofs(mission.tasks);
   double expected_hits = 0.0, now_s = 0.0;
   const bool ended =

@@ -17,6 +17,7 @@
 #include "outrider/jobs/guard/sightings_file.hpp"
 #include "outrider/jobs/guard/stations_file.hpp"
 #include "outrider/jobs/guard/team_starts.hpp"
+#include "outrider/sim/post_place.hpp"
 
 namespace outrider {
 namespace {
@@ -99,6 +100,25 @@ Status load_walkers(GuardScenario& scenario) {
   if (!history) return pass_on(history);
   scenario.history = std::move(*history);
   return {};
+}
+
+std::vector<Option> describe_faults(GuardScenario& scenario) {
+  std::vector<Option> options = describe(scenario.faults);
+  options.push_back(
+      {"blocked_place", "", 0, 0,
+       "x,y in m where the post is put, such as the middle of a gate, once the robot is off it; "
+       "empty: on its way",
+       &scenario.blocked_place});
+  return options;
+}
+
+Status set_post_place(GuardScenario& scenario) {
+  if (scenario.blocked_place.empty()) return {};
+  auto place = parse_place(scenario.blocked_place, "faults.blocked_place");
+  if (!place) return pass_on(place);
+  WayFaults& way = scenario.faults.way;
+  way.blocked_place = *place;
+  return check_post_place(scenario.problem.world, *place, way.blocked_at_s);
 }
 
 /// Several robots: what else plans or asks for one robot only.
@@ -194,7 +214,7 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
       {"air", "the air that the ball flies through", describe(problem.air)},
       {"errors", "the largest errors of the execution", describe(problem.errors)},
       {"faults", "what goes wrong without the mission being told, once it has begun to guard",
-       describe(scenario.faults)},
+       describe_faults(scenario)},
       {"supplies", "water and charge that end, and the stations that fill them up",
        describe(problem.supplies)},
       {"plan", "the planner", describe(scenario.options)},
@@ -236,6 +256,7 @@ Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
   scenario.problem.start = {start->position, wrap_angle(start->heading_rad)};
   scenario.problem.world = std::move(*world);
   scenario.problem.targets = std::move(*targets);
+  if (auto ok = set_post_place(scenario); !ok) return pass_on(ok);
   if (auto ok = load_stations(scenario.problem); !ok) return pass_on(ok);
   if (auto ok = check_combination(scenario); !ok) return pass_on(ok);
   auto intruders =

@@ -144,18 +144,39 @@ AimGun gun_at_rest(const FiringMap& firing_map, const Pose2& robot) {
   return barrel(firing_map, robot.position, {heading_on(stance, robot.heading_rad), 0.0});
 }
 
+/// Gives all waiting targets up.
+void give_up(StopTasks& tasks, std::string why, double time_s) {
+  for (TargetRecord& record : tasks.records) {
+    if (record.status == TargetStatus::waiting) settle(record, TargetStatus::failed, why, time_s);
+  }
+  tasks.queue.clear();
+  tasks.given_up = std::move(why);
+}
+
+/// Waits for the planner to have a budget again; nothing: it has waited for long enough, and gives up.
+std::optional<Command> wait_for_planner(StopTasks& tasks, double time_s, const Fault& fault) {
+  constexpr double patience_s = 30.0, again_s = 1.0;
+  const double since_s = tasks.planless_s.value_or(time_s);
+  tasks.planless_s = since_s;
+  if (time_s - since_s < patience_s) return Wait{time_s + again_s};
+  give_up(tasks, fmt::format("no way can be planned since {:.1f} s: {}", since_s, fault.sentence), time_s);
+  return std::nullopt;
+}
+
 /// Off to the place of the present task, shooting in passing; nothing when the robot stands there.
-std::optional<FollowWaypoints> set_off(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
-                                       const FiringMap& firing_map) {
+std::optional<Command> set_off(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
+                               const FiringMap& firing_map) {
   const Vec2 place = tasks.queue.front().place;
   auto way = way_between(tasks, seen.odometry, place, problem, firing_map);
-  auto shots = shots_in_passing(tasks, way, seen, problem, firing_map);
+  if (!way) return wait_for_planner(tasks, seen.time_s, way.error());
+  tasks.planless_s.reset();
+  auto shots = shots_in_passing(tasks, *way, seen, problem, firing_map);
   if (!shots) return set_off(tasks, seen, problem, firing_map);
   tasks.arrived = true;
   tasks.last_place = place;
   if (distance(seen.odometry.position, place) <= there_m) return std::nullopt;
   tasks.cut.driving = true;
-  FollowWaypoints drive{std::move(way), false, std::move(*shots)};
+  FollowWaypoints drive{std::move(*way), false, std::move(*shots)};
   const StopTask& task = tasks.queue.front();
   const auto& along = drive.waypoints;
   if (tasks.on_the_move && !task.guns.empty()) {
@@ -211,22 +232,26 @@ Fire fire(StopTasks& tasks, double time_s) {
 
 }  // namespace
 
-std::vector<Vec2> way_between(const StopTasks& tasks, const Pose2& from, Vec2 to, const GuardProblem& problem,
-                              const FiringMap& firing_map) {
+Outcome<std::vector<Vec2>> way_between(const StopTasks& tasks, const Pose2& from, Vec2 to,
+                                       const GuardProblem& problem, const FiringMap& firing_map) {
   if (tasks.keep_away || !tasks.cut.obstacles.empty()) {
     auto [standing, gap_m] = tasks.keep_away.value_or(KeepAway{{}, obstacle_gap_m(problem)});
     standing.insert(standing.end(), tasks.cut.obstacles.begin(), tasks.cut.obstacles.end());
-    if (auto way = way_around(problem, firing_map, from.position, to, standing, gap_m))
+    if (auto way = way_around(problem, firing_map, from.position, to, standing, gap_m, tasks.budget))
       return std::move(*way);
   }
   if (tasks.routes) {
-    if (auto route = tasks.routes->route(from, to)) return std::move(route->waypoints);
+    auto route = tasks.routes->route(from, to, tasks.budget);
+    if (route) return std::move(route->waypoints);
+    if (route.error().code == FaultCode::budget_exhausted) return pass_on(route);
   }
   // No corner of an obstacle is seen from here or from there: along the grid.
-  if (const auto routes = yard_routes(problem, firing_map, {from.position, to}, {})) {
+  auto routes = yard_routes(problem, firing_map, {from.position, to}, tasks.budget);
+  if (!routes && routes.error().code == FaultCode::budget_exhausted) return pass_on(routes);
+  if (routes) {
     if (auto way = routes->waypoints(0, 1); !way.empty()) return way;
   }
-  return {from.position};
+  return std::vector<Vec2>{from.position};
 }
 
 void settle(TargetRecord& record, TargetStatus status, std::string reason, double time_s) {
@@ -290,11 +315,7 @@ std::optional<Command> give_up_silent_gun(StopTasks& tasks, const Observation& s
   if (!tasks.flying.empty()) {
     if (const auto wait = wait_for_balls(tasks, seen.time_s)) return *wait;
   }
-  for (TargetRecord& record : tasks.records) {
-    if (record.status == TargetStatus::waiting) settle(record, TargetStatus::failed, why, seen.time_s);
-  }
-  tasks.queue.clear();
-  tasks.given_up = std::move(why);
+  give_up(tasks, std::move(why), seen.time_s);
   return std::nullopt;
 }
 
@@ -345,7 +366,7 @@ std::optional<Command> go_on_with_task(StopTasks& tasks, const Observation& seen
 std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
                                     const FiringMap& firing_map) {
   if (auto wait = wait_if_held_up(tasks, seen, problem)) return wait;
-  for (;;) {
+  while (tasks.given_up.empty()) {
     if (tasks.queue.empty()) {
       if (tasks.flying.empty() && (tasks.second_pass || tasks.more_to_come)) return std::nullopt;
       if (auto wait = go_on_without_tasks(tasks, seen, problem, firing_map)) return wait;
@@ -359,6 +380,7 @@ std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, c
     }
     if (auto command = go_on_with_task(tasks, seen, problem, firing_map)) return command;
   }
+  return std::nullopt;
 }
 
 }  // namespace outrider

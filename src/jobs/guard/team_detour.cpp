@@ -77,15 +77,15 @@ class Chains {
 
 std::optional<std::vector<Vec2>> way_around(const GuardProblem& problem, const FiringMap& firing_map,
                                             Vec2 from, Vec2 to, const std::vector<Vec2>& standing,
-                                            double gap_m) {
+                                            double gap_m, const Budget& budget) {
   const FreeLegs legs(problem, firing_map, standing, gap_m);
   if (legs.is_free(from, to)) return std::vector<Vec2>{from, to};
   const GridFrame& frame = firing_map.frame;
   if (!frame.contains(frame.cell_at(from)) || !frame.contains(frame.cell_at(to))) return std::nullopt;
   SearchMemory<double> memory;
   Chains chains(firing_map, legs, memory.labels, from, to);
-  BudgetMeter unlimited{Budget{}};
-  const auto goal = best_first(chains, memory, unlimited);
+  BudgetMeter meter(budget);
+  const auto goal = best_first(chains, memory, meter);
   if (!goal) return std::nullopt;
   const std::vector<State> chain = path_to(*goal, memory.labels);
   std::vector<Vec2> way{from};

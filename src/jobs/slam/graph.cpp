@@ -4,13 +4,13 @@
 #include <limits>
 
 #include "graph_log.hpp"
+#include "graph_verdict.hpp"
 #include "outrider/geometry/spatial_pose.hpp"
 #include "outrider/io/g2o.hpp"
 #include "outrider/io/track_csv.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/slam/map_error.hpp"
 #include "outrider/slam/pose_graph_bound.hpp"
-#include "outrider/slam/pose_graph_doubt.hpp"
 
 namespace outrider {
 namespace {
@@ -114,48 +114,6 @@ Metrics metrics_of(const GraphInput<Pose>& input, const PoseGraphOf<Pose>& kept,
           {"descents_agreeing", number(solution.descents_agreeing)}};
 }
 
-template <class Pose>
-std::string edge_name(const PoseGraphOf<Pose>& graph, std::uint32_t edge) {
-  return fmt::format("from {} to {}", graph.nodes[graph.edges[edge].from].name,
-                     graph.nodes[graph.edges[edge].to].name);
-}
-
-/// Returns why the solution cannot be believed; empty if it can.
-template <class Pose>
-std::string doubt_sentence(const PoseGraphOf<Pose>& kept, const PoseGraphSolutionOf<Pose>& solution) {
-  constexpr double largest_share = 0.25;
-  const GraphDoubt doubt = doubt_about(kept, solution.poses);
-  const auto refused = static_cast<double>(solution.refused.size());
-  if (refused > largest_share * (doubt.refusable + refused)) {
-    return fmt::format("{} of {} edges that are no odometry are refused; check where they come from", refused,
-                       doubt.refusable + refused);
-  }
-  if (doubt.edge) {
-    return fmt::format(
-        "the edge {} contradicts the others: without it the cost would be lower by {:.4g}; "
-        "--graph-robust gnc refuses such edges",
-        edge_name(kept, *doubt.edge), doubt.edge_cost);
-  }
-  if (!doubt.cost) return {};
-  return fmt::format(
-      "a cost of {:.6g} is implausible for {} degrees of freedom: the information matrices are too large, or "
-      "edges contradict each other, which --graph-robust gnc refuses",
-      solution.cost, degrees_of_freedom(kept));
-}
-
-template <class Pose>
-void set_status(Report& report, const PoseGraphOf<Pose>& kept, const PoseGraphSolutionOf<Pose>& solution) {
-  if (!solution.converged) {
-    report.status = "not_done";
-    report.reason =
-        fmt::format("no minimum is reached to the tolerance after {} steps; allow more by --graph-iterations",
-                    solution.iterations);
-    return;
-  }
-  report.reason = doubt_sentence(kept, solution);
-  if (!report.reason.empty()) report.status = "doubtful";
-}
-
 /// Returns the refused edges as a table; they are in the log as events too.
 template <class Pose>
 Table refused_edges(const PoseGraphOf<Pose>& graph, const PoseGraphSolutionOf<Pose>& solution) {
@@ -191,7 +149,7 @@ Status solve_graph(const SlamJob& job, const GraphInput<Pose>& input, Run& run, 
   for (const std::uint32_t edge : solution->refused) plan.refused.push_back(edge_name(input.graph, edge));
   const Metrics logged = log_graph(run.log, scenario, plan);
   run.report.metrics.insert(run.report.metrics.end(), logged.begin(), logged.end());
-  set_status(run.report, kept, *solution);
+  judge_graph(run.report, input.graph, kept, *solution, watch.budget());
   if (!solution->refused.empty()) run.report.tables.push_back(refused_edges(input.graph, *solution));
   run.report.machine_times = {
       {"time_s", time_s},

@@ -1,5 +1,7 @@
 #include "outrider/jobs/slam/landmark_mission.hpp"
 
+#include <algorithm>
+
 #include "outrider/job/clock.hpp"
 
 namespace outrider {
@@ -19,6 +21,9 @@ std::optional<Command> LandmarkMission::step(const Observation& seen) {
   used += outcome->used;
   refused += outcome->refused;
   removed += static_cast<int>(outcome->removed.size());
+  contradicted += outcome->contradicted;
+  if (outcome->used > 0) misfits_now_ = 0;
+  if (outcome->used == 0 && outcome->refused > 0) misfits = std::max(misfits, ++misfits_now_);
   lost += outcome->lost ? 1 : 0;
   newest = std::move(*outcome);
   return Wait{};

@@ -222,6 +222,31 @@ Metrics metrics_of(const LandmarkMission& run, std::size_t landmarks, const MapE
           {"steps_lost", number(run.lost)}};
 }
 
+/// Returns the residuals of the ranges of a map whose poses are settled and whose landmarks have ids; those
+/// of sightings that do not fit are left out.
+RangeResiduals residuals_of(const LandmarkLog& log, const LandmarkMission& run, const LandmarkMap& map,
+                            const LandmarkSlamOptions& options) {
+  constexpr double most_sds = 5.0;
+  RangeResiduals residuals;
+  if (options.engine != "graph" || options.unknown_ids) return residuals;
+  std::map<std::int64_t, Vec2> places;
+  for (const LandmarkEstimate& landmark : map) places.emplace(landmark.id, landmark.position);
+  const std::vector<Pose2> poses = run.slam.trajectory();
+  for (std::size_t i = 0; i < log.steps.size(); ++i) {
+    const Pose2& pose = poses[poses.size() - log.steps.size() + i];
+    for (const LandmarkSighting& sighting : log.steps[i].sightings) {
+      const auto place = sighting.id ? places.find(*sighting.id) : places.end();
+      const double range_m = norm(sighting.position);
+      if (place == places.end() || range_m == 0.0) continue;
+      const Eigen::Vector2d along(sighting.position.x / range_m, sighting.position.y / range_m);
+      const double sd_m = std::sqrt(along.dot(sighting.covariance * along));
+      const double residual_m = range_m - distance(pose.position, place->second);
+      if (std::abs(residual_m) <= most_sds * sd_m) residuals.add(residual_m, sd_m);
+    }
+  }
+  return residuals;
+}
+
 Metrics times_of(const LandmarkMission& run) {
   std::vector<double> sorted = run.times_s;
   std::ranges::sort(sorted);
@@ -255,7 +280,8 @@ Status map_landmark_log(const SlamJob& job, LandmarkLog log, Run& run, const Run
                                   recorder.settle(mapped->slam, map, truth, !options.unknown_ids));
   run.report.metrics.emplace_back("run_s", recorder.end_s());
   run.report.machine_times = times_of(*mapped);
-  judge_landmarks(run.report, run.log, options, *mapped, recorder.times_s());
+  judge_landmarks(run.report, run.log, options, *mapped, residuals_of(log, *mapped, map, options),
+                  recorder.times_s());
   if (log.steps.size() < logged) mark_cancelled(run.report, run.log, recorder.end_s());
   run.files = files_of(*mapped, map);
   return {};

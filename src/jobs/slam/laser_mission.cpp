@@ -15,6 +15,7 @@ std::optional<Command> LaserMission::step(const Observation& seen) {
     return std::nullopt;
   }
   ++scans;
+  repeated += repeats_.repeats(*seen.scan, seen.odometry) ? 1 : 0;
   matched += advanced->matched ? 1 : 0;
   lost += advanced->lost ? 1 : 0;
   newest = std::move(*advanced);

@@ -76,6 +76,7 @@ Outcome<LaserRun> run_laser_log(LaserSource& source, const LaserSlamOptions& opt
                   .trusts_odometry = options.trust_odometry,
                   .matched = mission.matched,
                   .lost = mission.lost,
+                  .repeated = mission.repeated,
                   .time_s = timed.time_s,
                   .max_step_s = timed.max_step_s,
                   .log_s = clock.length_s(),

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 
 #include "outrider/log/append.hpp"
@@ -77,12 +78,27 @@ void doubt_jumps(Doubts& doubts, const std::vector<Jump>& jumps) {
   if (jumps.empty()) return;
   for (const Jump& one : jumps) doubts.add("jump", one.after, one.shared);
   const Jump& first = jumps.front();
+  const std::string why =
+      first.pause_s > 0.0 ? fmt::format("after {:.0f} s without a scan ", first.pause_s)
+      : first.odometry_sd_m > 0.0
+          ? fmt::format("on a way that odometry alone measures, to {:.2f} m, ", first.odometry_sd_m)
+          : "";
   doubts.add_reason(fmt::format(
       "the path jumps {} at {:.1f} s: {}it moves by {}, odometry counted {}, and the scans before and "
       "after show only {:.0f} % of their surfaces in common",
       jumps.size() == 1 ? "once," : fmt::format("{} times, first", jumps.size()), doubts.time_s(first.after),
-      first.pause_s > 0.0 ? fmt::format("after {:.0f} s without a scan ", first.pause_s) : "",
-      motion_text(first.by_map), motion_text(first.by_odometry), 100.0 * first.shared));
+      why, motion_text(first.by_map), motion_text(first.by_odometry), 100.0 * first.shared));
+}
+
+void doubt_laser(Doubts& doubts, const LaserRun& run, const RangeCheck& ranges) {
+  constexpr std::size_t most_repeated = 2;
+  if (run.repeated > most_repeated) {
+    doubts.add_reason(
+        fmt::format("{} scans repeat the ranges of the one before exactly although the wheels moved; is the "
+                    "laser frozen?",
+                    run.repeated));
+  }
+  if (const std::string why = why_not_believed(ranges); !why.empty()) doubts.add_reason(why);
 }
 
 void doubt_crossings(Doubts& doubts, const std::vector<std::size_t>& crossings) {
@@ -118,7 +134,7 @@ void judge_mapping(Report& report, Log& log, const LaserRun& run, const std::vec
   doubt_contradictions(doubts, check);
   doubt_jumps(doubts, check.jumps);
   doubt_crossings(doubts, check.crossings);
-  if (const std::string why = why_not_believed(ranges); !why.empty()) doubts.add_reason(why);
+  doubt_laser(doubts, run, ranges);
   report.metrics.emplace_back("gaps", static_cast<double>(gaps.size()));
   report.metrics.emplace_back("jumps", static_cast<double>(check.jumps.size()));
   report.metrics.emplace_back("walls_crossed", static_cast<double>(check.crossings.size()));

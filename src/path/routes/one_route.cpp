@@ -45,9 +45,10 @@ class Search {
         settled_(graph.nodes.size(), none),
         sees_goal_(graph.nodes.size(), Sight::untested) {}
 
-  std::optional<std::vector<Vec2>> run() {
+  Outcome<std::vector<Vec2>> run(BudgetMeter& meter) {
     leave_start();
     while (!queue_.empty()) {
+      if (!meter.spend()) return meter.refusal();
       std::pop_heap(queue_.begin(), queue_.end());
       const Waiting next = queue_.back();
       queue_.pop_back();
@@ -61,7 +62,7 @@ class Search {
           break;
       }
     }
-    return std::nullopt;
+    return std::vector<Vec2>{};
   }
 
  private:
@@ -181,8 +182,9 @@ class Search {
 
 }  // namespace
 
-std::optional<std::vector<Vec2>> one_route(const NodeGraph& graph, const Pose2& start, Vec2 goal) {
-  return Search(graph, start, goal).run();
+Outcome<std::vector<Vec2>> one_route(const NodeGraph& graph, const Pose2& start, Vec2 goal,
+                                     BudgetMeter& meter) {
+  return Search(graph, start, goal).run(meter);
 }
 
 }  // namespace outrider::routes

@@ -129,7 +129,7 @@ std::vector<Vec2> Routes::waypoints(std::size_t from, std::size_t to) const {
   return points;
 }
 
-Outcome<Route> Routes::route(const Pose2& start, Vec2 goal) const {
+Outcome<Route> Routes::route(const Pose2& start, Vec2 goal, const Budget& budget) const {
   const CornerTable& t = *table_->corners;
   if (!std::isfinite(start.heading_rad)) return bad_input("the start's heading is not a finite number");
   Status start_status = check_place(t.ground, t.robot, start.position, FaultCode::start_blocked, "the start");
@@ -146,8 +146,10 @@ Outcome<Route> Routes::route(const Pose2& start, Vec2 goal) const {
     return Route{{start.position, goal}, drive_cost(t.robot, start.heading_rad, {start.position, goal})};
   }
   const Pose2 from{start.position, wrap_angle(start.heading_rad)};
-  auto waypoints = routes::one_route({t.ground, t.robot, t.nodes, t.lines}, from, goal);
-  if (!waypoints) {
+  BudgetMeter meter(budget);
+  auto waypoints = routes::one_route({t.ground, t.robot, t.nodes, t.lines}, from, goal, meter);
+  if (!waypoints) return pass_on(waypoints);
+  if (waypoints->empty()) {
     return fault(
         FaultCode::no_path,
         fmt::format("no route leads from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f}) over the {} nodes; extra "

@@ -209,6 +209,22 @@ TEST(SimulatedExplorer, APostIsPutBeforeItAndTakenAway) {
   EXPECT_GT(it.pose().position.x, x) << "it was taken away";
 }
 
+TEST(SimulatedExplorer, APostAtAPlaceWaitsUntilTheRobotIsOffIt) {
+  ExplorerSimParams params = faultless();
+  params.faults.walk_ins.blocked_at_s = 1.0;
+  params.faults.walk_ins.blocked_place = Vec2{0.2, 0.0};
+  SimulatedRobot it = simulated_explorer(walls({{{9.0, -2.0}, {9.0, 2.0}}}), {}, burger(), params, 1);
+  const auto& walk_ins = it.body<TwistBody>().walk_ins();
+  drive(it, {}, 3.0);
+  EXPECT_FALSE(walk_ins.blocked_s()) << "the robot stands there";
+  drive(it, ahead, 10.0);
+  ASSERT_TRUE(walk_ins.blocked_s());
+  EXPECT_GT(*walk_ins.blocked_s(), 3.0);
+  ASSERT_EQ(walk_ins.disks().size(), 1u);
+  EXPECT_EQ(walk_ins.disks().front().core.front(), (Vec2{0.2, 0.0}));
+  EXPECT_EQ(it.body<TwistBody>().contacts(), 0);
+}
+
 TEST(SimulatedExplorer, PeopleKeepOffWallsAndTheRobot) {
   World room = walls({{{-3.0, -3.0}, {3.0, -3.0}},
                       {{3.0, -3.0}, {3.0, 3.0}},

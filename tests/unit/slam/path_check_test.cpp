@@ -125,6 +125,25 @@ TEST(PathCheck, AStepAfterAPauseNeedsScansThatAgree) {
   EXPECT_TRUE(find_jumps(graph, surfaces).empty()) << "the scans confirm it";
 }
 
+/// Without scans on the way, several places may lie within the error of the odometry, and the scans fit the
+/// one that was chosen.
+TEST(PathCheck, AStepThatOdometryHardlyMeasuresNeedsToAgreeWithIt) {
+  Rng rng(7);
+  KeyframeGraph graph = drive_past_walls(rng);
+  KeyframeSurfaces surfaces({}, 30.0);
+  Keyframe& later = graph.keyframes[7];
+  ASSERT_GT(shared_surface(graph, surfaces, 6, 7), 0.6);
+  later.odometry_noise = {0.4, 0.3};
+  EXPECT_TRUE(find_jumps(graph, surfaces).empty());
+  later.odometry.position.x += 0.5;
+  const std::vector<Jump> jumps = find_jumps(graph, surfaces);
+  ASSERT_EQ(jumps.size(), 1U) << "the scans agree, and would at other places";
+  EXPECT_EQ(jumps[0].odometry_sd_m, 0.4);
+  EXPECT_EQ(jumps[0].pause_s, 0.0);
+  later.odometry_noise = {0.6, 0.3};
+  EXPECT_TRUE(find_jumps(graph, surfaces).empty()) << "within its error, and the scans agree";
+}
+
 TEST(PathCheck, AShortStepAfterWhichTheScansDifferIsAJump) {
   Rng rng(5);
   KeyframeGraph graph = drive_past_walls(rng);

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "outrider/core/budget.hpp"
 #include "outrider/jobs/drive/task.hpp"
 #include "outrider/path/plan.hpp"
 #include "outrider/world/collision_map.hpp"
@@ -36,7 +37,8 @@ struct DriveRoute {
 
 /// Plans a route from task.start to the goal for the task's robot and tags.
 Outcome<DriveRoute> plan_route(const DriveTask& task, const CollisionMap& ground, const Pose2& goal,
-                               const std::string& planner, const DriveRouteOptions& options);
+                               const std::string& planner, const DriveRouteOptions& options,
+                               const Budget& budget = {});
 
 /// Removes points of a polyline that lie within `thin_m` of the remaining legs. Keeps the first and the last
 /// point. On no new leg does the disk touch an obstacle. O(n^2).

@@ -23,6 +23,7 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/core/budget.hpp"
 #include "outrider/jobs/explore/blacklist.hpp"
 #include "outrider/jobs/explore/frontier.hpp"
 #include "outrider/motion/robot_model.hpp"
@@ -66,6 +67,7 @@ struct ExploreState {
   Pose2 home;            ///< where the robot returns to in the end
   double time_s = 0.0;
   ExploreChoice before = {};
+  Budget budget = {};  ///< of each path
 };
 
 /// What a decision says.
@@ -117,7 +119,7 @@ struct Decision {
 };
 
 /// Chooses the next goal. Faults: bad_input on an unknown strategy or planner; start_blocked when no known
-/// free ground is within 0.5 m of the robot.
+/// free ground is within 0.5 m of the robot; budget_exhausted when the budget of the path ends first.
 Outcome<Decision> decide(const ExploreState& state, const ExploreOptions& options, Workspace& workspace);
 
 /// Plans a path from the pose of the state to a place over known free cells, and pulls it straight. A robot

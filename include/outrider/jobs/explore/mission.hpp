@@ -22,23 +22,27 @@
 //   left_over something is left over that the robot cannot see; the reason says how much, and why
 //   budget    the limit of time or distance is reached
 //   leak      the map exceeds its largest extent: the world is open
-//   stuck     the robot got stuck too often, or there is no path home
-//   lost      the robot no longer knows its pose, or its map cannot be believed (map_doubt.hpp), or what it
-//   sees
+//   stuck     the robot got stuck too often, there is no path home, it got no nearer to home for 120 s, or its
+//             planner ran out of its budget
+//   lost      the robot no longer knows its pose, its map cannot be believed (map_doubt.hpp), or what it sees
 //             at home is not what it saw there first: it may have been carried away
 //   blind     no usable scan came
 // Thread rule: one at a time. Sources: as in the headers named.
 #pragma once
 
+#include <array>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "outrider/core/planner_outage.hpp"
 #include "outrider/jobs/explore/close_range.hpp"
 #include "outrider/jobs/explore/left_over.hpp"
 #include "outrider/jobs/explore/task.hpp"
 #include "outrider/robot/mission.hpp"
+#include "outrider/slam/repeated_scans.hpp"
 
 namespace outrider {
 
@@ -66,6 +70,8 @@ struct TouchedPoint {
 
 /// The state of the execution.
 struct ExploreMission {
+  static constexpr double no_way_m = std::numeric_limits<double>::infinity();
+
   ExploreMission(LaserSlam mapping, ExploreTask given);
 
   /// Calls perceive(), then respond().
@@ -88,13 +94,12 @@ struct ExploreMission {
   double sighted_s = 0.0;               ///< last time at which that was lately enough to drive
   double range_m = 3.5;                 ///< of the range finder
   double driven_m = 0.0;                ///< distance by odometry
-  std::vector<float> ranges_m;          ///< of the newest scan
   std::optional<LaserScan> first_scan;  ///< first usable scan
   std::optional<LaserScan> last_scan;   ///< newest usable scan
   std::size_t first_step = 0;           ///< their numbers in the trajectory
   std::size_t last_step = 0;
   double home_contradiction = 0.0;  ///< share of the points at home in which these two contradict each other
-  Pose2 odometry_of_ranges;         ///< odometry of the first scan with these ranges
+  RepeatedScans repeated;           ///< scans of a frozen sensor
   std::vector<Vec2> beam_ends;      ///< beam ends of the newest usable scan, in the world frame of that time
   CloseRange close_range;
   bool touching = false;
@@ -114,6 +119,8 @@ struct ExploreMission {
   Decision decision;  ///< newest decision
   std::size_t goal_changes = 0;
   double decided_s = 0.0;
+  PlannerOutage outage;              ///< a fault to try out: a planner without a budget; none by default
+  std::optional<double> planless_s;  ///< time since which its planner has had no budget
   std::optional<PathProgress> path;
   std::int64_t centred_scan = -1;   ///< value of `scans` when the path was last centred; -1: the path is new
   std::optional<PathRoom> room;     ///< set while the path leads through narrow places
@@ -136,10 +143,13 @@ struct ExploreMission {
   std::vector<ExploreEvent> events;
   std::string stop_reason;  ///< set once the robot drives home or has ended
   std::string reason;       ///< the stop reason as a sentence
-  bool on_trail = false;    ///< it drives home along its trail, since the map shows no way
-  bool arriving = false;    ///< the robot was home by its belief; it goes out again twice at most
-  int returns = 0;          ///< how often it found at home that something was left to see, and went out again
-  bool home = false;        ///< the robot is home
+  /// Least way home that was left since the last goal, by plan and on the trail, m.
+  std::array<double, 2> home_left_m = {no_way_m, no_way_m};
+  double nearer_home_s = 0.0;  ///< time at which one of them last became less
+  bool on_trail = false;       ///< it drives home along its trail, since the map shows no way
+  bool arriving = false;       ///< the robot was home by its belief; it goes out again twice at most
+  int returns = 0;    ///< how often it found at home that something was left to see, and went out again
+  bool home = false;  ///< the robot is home
 };
 
 /// Starts a mission. Faults: bad_input on an unknown strategy or planner.

@@ -27,6 +27,7 @@ struct ExploreScenario {
   std::int64_t seed = 1;        ///< of the simulation
   bool perfect_pose = false;    ///< odometry without errors, and no SLAM
   ExplorerSimParams sim;        ///< errors of the simulated robot
+  std::string blocked_place;    ///< x, y in m, of the post of sim.faults; empty: before the robot
   ExploreTask task;             ///< the other settings; load_explore() sets its start
 };
 

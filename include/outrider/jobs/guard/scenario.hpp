@@ -58,6 +58,7 @@ struct GuardScenario {
   ScoutOptions scout;
   ExplorerSimParams sensors;  ///< laser and wheels of a robot that explores an unknown yard
   GuardSimParams faults;      ///< faults of the robot, which the mission does not know
+  std::string blocked_place;  ///< x, y in m, of the post of `faults`; empty: on the way of the robot
   bool regions = false;       ///< log from where each target can be hit
   PddlOptions pddl;
 };

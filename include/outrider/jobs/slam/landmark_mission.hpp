@@ -29,9 +29,14 @@ class LandmarkMission {
   int used = 0;                       ///< sightings, summed over the steps
   int refused = 0;                    ///< sightings
   int removed = 0;                    ///< landmarks
+  int contradicted = 0;               ///< landmarks that were removed because their sightings were refused
+  int misfits = 0;                    ///< longest row of steps at which no sighting of the map fitted
   int lost = 0;                       ///< steps at which the robot was lost
   bool checks_landmarks = false;      ///< set before the first step to have `check` filled
   LandmarkCheck check;                ///< whether landmarks were moved too far
+
+ private:
+  int misfits_now_ = 0;
 };
 
 }  // namespace outrider

@@ -8,6 +8,7 @@
 
 #include "outrider/robot/mission.hpp"
 #include "outrider/slam/laser_slam.hpp"
+#include "outrider/slam/repeated_scans.hpp"
 
 namespace outrider {
 
@@ -24,7 +25,11 @@ struct LaserMission {
   std::size_t scans = 0;                ///< number of scans
   std::size_t matched = 0;              ///< number of scans that SLAM matched
   std::size_t lost = 0;                 ///< number of scans at which the robot was lost
+  std::size_t repeated = 0;             ///< number of scans that only repeat ranges, as of a frozen laser
   std::optional<Fault> fault;           ///< why a scan was refused
+
+ private:
+  RepeatedScans repeats_;
 };
 
 }  // namespace outrider

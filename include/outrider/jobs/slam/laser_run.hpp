@@ -20,6 +20,7 @@ struct LaserRun {
   bool trusts_odometry = false;  ///< no scan was matched, because the odometry is given as right
   std::size_t matched = 0;       ///< steps whose scan was matched
   std::size_t lost = 0;          ///< steps at which the robot was lost
+  std::size_t repeated = 0;      ///< steps whose scan only repeats ranges, as of a frozen laser
   double time_s = 0.0;           ///< total time by the given clock
   double max_step_s = 0.0;       ///< longest step by the given clock
   /// Time from the first scan to the last; nothing if the clock of the log cannot be believed.

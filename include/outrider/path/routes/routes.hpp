@@ -72,9 +72,10 @@ class Routes {
   /// none if there is no route. O(waypoints).
   [[nodiscard]] std::vector<Vec2> waypoints(std::size_t from, std::size_t to) const;
   /// Returns the fastest route on the same graph between points that need not be stops, including the first
-  /// turn. A* that looks at O(nodes) legs and tests only promising ones. Faults: start_blocked, goal_blocked,
-  /// outside_map, bad_input, no_path.
-  [[nodiscard]] Outcome<Route> route(const Pose2& start, Vec2 goal) const;
+  /// turn. A* that looks at O(nodes) legs and tests only promising ones. One expansion is one of these, or a
+  /// label; a free straight line takes none. Faults: start_blocked, goal_blocked, outside_map, bad_input,
+  /// no_path; those of the budget.
+  [[nodiscard]] Outcome<Route> route(const Pose2& start, Vec2 goal, const Budget& budget = {}) const;
 
  private:
   std::shared_ptr<const RouteTable> table_;

@@ -37,6 +37,19 @@ TEST(DriveScenario, AGoalAndAPlannerBecomeWaypoints) {
   EXPECT_NEAR(setup->path_clearance_m, 0.5, 0.06);
 }
 
+TEST(DriveScenario, APlannerWithoutABudgetHasNoWay) {
+  const std::string drive = "start: 0.5,0.5,0\ngoal: 2.5,2,90\nplanner: a_star\nbounds: 0,0,3,3\n";
+  const auto setup = loaded(drive + "faults:\n  planner_fails_from: 0\n");
+  ASSERT_FALSE(setup);
+  EXPECT_EQ(setup.error().code, FaultCode::budget_exhausted);
+  const auto where = [](const std::string& text) {
+    const auto refused = loaded(text);
+    return refused ? "none" : refused.error().where;
+  };
+  EXPECT_EQ(where(drive + "faults:\n  planner_fails_from: 3\n"), "faults.planner_fails_from");
+  EXPECT_EQ(where("waypoints: 1,0,0\nfaults:\n  planner_fails_from: 0\n"), "faults.planner_fails_from");
+}
+
 TEST(DriveScenario, TextOfAllKeysReadsBack) {
   DriveScenario scenario;
   EXPECT_TRUE(scenario_from_text(scenario_text(describe(scenario)), "all.yaml", describe(scenario)));

@@ -1,6 +1,9 @@
 // Explorations with faults that the robot is not told: done only if the map is right and the robot is home.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "box_solid.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/jobs/explore/run.hpp"
@@ -100,6 +103,88 @@ TEST(ExploreFaults, APostThatIsPutInItsWayIsNotTouched) {
     const ExploreRun run = explored(faults);
     EXPECT_GE(metric(run.report, "blocked_s"), 4.0);
     EXPECT_EQ(metric(run.report, "visible_contacts"), 0.0);
+  }
+}
+
+/// Two rooms of 3 x 3 m with a door of 0.9 m between them.
+World rooms_with_a_door() {
+  World world;
+  world.solids = {
+      testing::box("south", {-0.2, -0.2}, {6.4, 0.0}), testing::box("north", {-0.2, 3.0}, {6.4, 3.2}),
+      testing::box("west", {-0.2, 0.0}, {0.0, 3.0}),   testing::box("east", {6.2, 0.0}, {6.4, 3.0}),
+      testing::box("below", {3.0, 0.0}, {3.2, 1.0}),   testing::box("above", {3.0, 1.9}, {3.2, 3.0}),
+      testing::box("chest", {4.6, 0.4}, {5.0, 1.2})};
+  world.bounds = {{-0.2, -0.2}, {6.4, 3.2}};
+  return world;
+}
+constexpr Vec2 middle_of_door{3.1, 1.45};
+
+struct DoorRun {
+  ExploreRun run;
+  double closed_x = 0.0;  ///< where the robot was when the door closed
+};
+
+/// Explores the two rooms from the first; the door closes once the robot is well in the second.
+DoorRun explored_behind_a_door(double closed_for_s) {
+  ExploreTask task;
+  task.start = {{1.0, 1.5}, 0.0};
+  task.rules.most_time_s = 100.0;
+  const auto run_with = [&](const ExplorerFaults& faults, const ScanHook& scanned) {
+    ExplorerSimParams params;
+    params.faults = faults;
+    Log log;
+    auto run = run_explore(rooms_with_a_door(), task, params, 1, log, {}, scanned);
+    EXPECT_TRUE(run) << run.error().sentence;
+    return std::move(*run);
+  };
+  ExplorerFaults faults;
+  faults.walk_ins.blocked_place = middle_of_door;
+  faults.walk_ins.blocked_radius_m = 0.47;
+  faults.walk_ins.blocked_for_s = closed_for_s;
+  run_with({}, [&](const Observation& seen, const ExploreMission&, const SimulatedRobot& robot) {
+    if (robot.pose().position.x > 4.2)
+      faults.walk_ins.blocked_at_s = std::min(faults.walk_ins.blocked_at_s, seen.time_s);
+  });
+  std::optional<double> closed_x;
+  DoorRun done{run_with(faults, [&](const Observation&, const ExploreMission&, const SimulatedRobot& robot) {
+    if (!closed_x && robot.body<TwistBody>().walk_ins().blocked_s()) closed_x = robot.pose().position.x;
+  })};
+  done.closed_x = closed_x.value_or(0.0);
+  EXPECT_GT(done.closed_x, 3.8) << "it is in the second room when the door closes";
+  EXPECT_EQ(metric(done.run.report, "false_complete"), 0.0);
+  return done;
+}
+
+TEST(ExploreFaults, ARobotBehindADoorThatClosesForGoodSaysThatItIsNotHome) {
+  const ExploreRun run = explored_behind_a_door(1e9).run;
+  EXPECT_EQ(run.report.status, "not_done");
+  EXPECT_FALSE(run.report.reason.empty());
+  EXPECT_GT(run.true_pose.position.x, 3.2);
+}
+
+TEST(ExploreFaults, ARobotBehindADoorThatOpensAgainComesHome) {
+  const ExploreRun run = explored_behind_a_door(10.0).run;
+  EXPECT_EQ(run.report.status, "done") << run.report.reason;
+  EXPECT_LT(run.true_pose.position.x, 2.0);
+}
+
+TEST(ExploreFaults, APlannerWithoutABudgetEndsTheMissionWithThatReason) {
+  ExplorerFaults faults;
+  faults.planner.from_s = 3.0;
+  const ExploreRun run = explored(faults);
+  EXPECT_EQ(run.stop_reason, "stuck");
+  EXPECT_NE(run.report.reason.find("the budget ended"), std::string::npos) << run.report.reason;
+  EXPECT_LT(metric(run.report, "time_s"), 100.0);
+}
+
+TEST(ExploreFaults, AfterAPlannerWithoutABudgetItGoesOn) {
+  const double undisturbed_s = metric(explored({}).report, "time_s");
+  for (const PlannerOutage outage : {PlannerOutage{3.0, 3.0}, {12.0, 15.0}}) {
+    ExplorerFaults faults;
+    faults.planner = outage;
+    const ExploreRun run = explored(faults);
+    EXPECT_EQ(run.report.status, "done") << outage.for_s << ": " << run.report.reason;
+    EXPECT_NE(metric(run.report, "time_s"), undisturbed_s) << "it has waited";
   }
 }
 

@@ -152,6 +152,46 @@ TEST(GuardFaults, APostInTheWayIsDrivenAround) {
   }
 }
 
+TEST(GuardFaults, APostAtAPlaceIsMetThere) {
+  for (const bool on_the_move : {false, true}) {
+    GuardSimParams faults;
+    faults.way.blocked_at_s = 0.0;
+    faults.way.blocked_place = Vec2{10.0, 0.0};
+    faults.way.blocked_radius_m = 1.0;
+    const FaultyRun done = guarded(faults, on_the_move, long_street());
+    EXPECT_EQ(done.hit, 3);
+    EXPECT_GE(metric(done.run.report, "post_contacts"), 1.0);
+    faults.way.blocked_place = Vec2{10.0, 3.5};  // beside the way
+    faults.way.blocked_radius_m = 0.1;
+    EXPECT_EQ(metric(guarded(faults, on_the_move, long_street()).run.report, "post_contacts"), 0.0);
+  }
+}
+
+/// A street with a wall across it, so that ways have to be searched.
+GuardProblem walled_street() {
+  GuardProblem problem = long_street();
+  problem.world.solids.push_back({"wall", {{12.0, -0.5, 0.25}, {}}, BoxShape{{0.2, 2.0, 0.25}}});
+  return problem;
+}
+
+TEST(GuardFaults, APlannerWithoutABudgetEndsTheMissionWithThatReason) {
+  GuardSimParams faults;
+  faults.planner.from_s = 0.0;
+  const FaultyRun done = guarded(faults, false, walled_street());
+  EXPECT_LT(done.hit, 3);
+  EXPECT_NE(done.run.report.reason.find("no way can be planned since"), std::string::npos)
+      << done.run.report.reason;
+  EXPECT_LT(metric(done.run.report, "mission_s"), 200.0);
+}
+
+TEST(GuardFaults, AfterAPlannerWithoutABudgetItGoesOn) {
+  GuardSimParams faults;
+  faults.planner = {0.0, 20.0};
+  const FaultyRun done = guarded(faults, false, walled_street());
+  EXPECT_EQ(done.hit, 3);
+  EXPECT_GT(metric(done.run.report, "mission_s"), 20.0);
+}
+
 TEST(GuardFaults, WheelsThatStickForAWhileDelayTheMission) {
   for (const bool on_the_move : {false, true}) {
     GuardSimParams faults;
