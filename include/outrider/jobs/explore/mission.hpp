@@ -22,7 +22,8 @@
 //   left_over something is left over that the robot cannot see; the reason says how much, and why
 //   budget    the limit of time or distance is reached
 //   leak      the map exceeds its largest extent: the world is open
-//   stuck     the robot got stuck too often, there is no path home, it got no nearer to home for 120 s, or its
+//   stuck     the robot got stuck too often, there is no path home, it got no nearer to home for 120 s, or
+//   its
 //             planner ran out of its budget
 //   lost      the robot no longer knows its pose, its map cannot be believed (map_doubt.hpp), or what it sees
 //             at home is not what it saw there first: it may have been carried away
