@@ -22,7 +22,8 @@
 //   left_over something is left over that the robot cannot see; the reason says how much, and why
 //   budget    the limit of time or distance is reached
 //   leak      the map exceeds its largest extent: the world is open
-//   stuck     the robot got stuck too often, there is no path home, it got no nearer to home for 120 s, or its
+//   stuck     the robot got stuck too often, there is no path home, it got no nearer to home for 120 s, or
+//   its
 //             planner ran out of its budget
 //   lost      the robot no longer knows its pose, its map cannot be believed (map_doubt.hpp), or what it sees
 //             at home is not what it saw there first: it may have been carried away
@@ -125,6 +126,7 @@ struct ExploreMission {
   std::int64_t centred_scan = -1;   ///< value of `scans` when the path was last centred; -1: the path is new
   std::optional<PathRoom> room;     ///< set while the path leads through narrow places
   Nearby surfaces;                  ///< of close_range, while `room` is set
+  bool fits = true;                 ///< false: `room` is surely too little, and the robot stands
   int too_narrow = 0;               ///< consecutive scans that left too little room
   std::vector<NarrowPlace> narrow;  ///< places that were found to be too narrow, or tried
   LeftOvers left;                   ///< as of `left_s`
