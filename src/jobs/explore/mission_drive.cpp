@@ -147,16 +147,18 @@ bool leads_through_narrow(const ExploreMission& mission) {
   return false;
 }
 
-/// Looks at narrow places ahead from near: centres the path between the surfaces there, and notes where they
-/// leave too little room.
+/// Looks at narrow places ahead from near, once a scan: centres the path between the surfaces there, and
+/// notes where they leave too little room.
 void look_close(ExploreMission& mission) {
   constexpr double ahead_m = 0.6, roomy_m = 0.06, point_m = 0.0005;
   constexpr double error_m = 0.005;  // of the room; what is nearly wide enough is tried
+  constexpr double largest_error_m = 0.02;
   constexpr int sure = 6;
   constexpr double beside_m = 0.05;  // of the rim: seen from so near, the noise of a corner narrows the gap
   if (mission.centred_scan == mission.scans) return;
   mission.centred_scan = mission.scans;
   mission.room.reset();
+  mission.fits = true;
   if (!mission.path || !leads_through_narrow(mission)) return;
   mission.surfaces = {mission.close_range.surfaces(mission.odometry, mission.pose), point_m};
   const double radius_m = mission.task.robot.radius_m;
@@ -168,6 +170,7 @@ void look_close(ExploreMission& mission) {
       centre_path(*mission.path, mission.pose.position, mission.surfaces, ahead_m, radius_m + roomy_m);
   const bool fits = mission.room->least_m >= radius_m - error_m ||
                     distance(mission.room->narrowest, mission.pose.position) < radius_m + beside_m;
+  mission.fits = mission.room->least_m >= radius_m - largest_error_m;
   mission.too_narrow = fits || mission.stage != ExploreStage::seek ? 0 : mission.too_narrow + 1;
   if (mission.too_narrow >= sure) note_too_narrow(mission, true);
 }
@@ -209,7 +212,7 @@ Twist2 drive(ExploreMission& mission) {
     look_close(mission);
     nearby = surroundings(mission);
   }
-  if (!mission.path) return {};
+  if (!mission.path || !mission.fits) return {};
   const auto [robot, steering] = way_of_driving(mission);
   return steer(*mission.path, mission.pose, mission.twist, nearby, robot, steering);
 }

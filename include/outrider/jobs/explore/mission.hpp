@@ -126,6 +126,7 @@ struct ExploreMission {
   std::int64_t centred_scan = -1;   ///< value of `scans` when the path was last centred; -1: the path is new
   std::optional<PathRoom> room;     ///< set while the path leads through narrow places
   Nearby surfaces;                  ///< of close_range, while `room` is set
+  bool fits = true;                 ///< false: `room` is surely too little, and the robot stands
   int too_narrow = 0;               ///< consecutive scans that left too little room
   std::vector<NarrowPlace> narrow;  ///< places that were found to be too narrow, or tried
   LeftOvers left;                   ///< as of `left_s`
