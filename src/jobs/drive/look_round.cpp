@@ -74,13 +74,14 @@ std::set<int> known_tags(const DriveMission& mission) {
 }
 
 /// Returns the headings at which another tag tells the position, soonest first, each by another tag.
-std::vector<LookRound::View> views_of_another(const DriveMission& mission) {
+std::vector<double> headings_with_another(const DriveMission& mission) {
   const PoseBelief& belief = mission.reckoning.belief;
   const Views views(mission.task, belief);
   const std::set<int> known = known_tags(mission);
   struct Choice {
     double time_s = 0.0;
-    LookRound::View view;
+    int tag = -1;
+    double heading_rad = 0.0;
   };
   std::vector<Choice> choices;
   for (int i = 0; i < headings; ++i) {
@@ -88,13 +89,13 @@ std::vector<LookRound::View> views_of_another(const DriveMission& mission) {
     const double heading_rad = belief.world_T_robot.heading_rad + turn_rad;
     const auto [averaging_s, tag] = views.averaging_s(heading_rad, known);
     const double turning_s = 2.0 * std::abs(turn_rad) / mission.task.follow.turn_rate_radps;
-    if (averaging_s <= most_standing_s) choices.push_back({turning_s + averaging_s, {heading_rad, tag}});
+    if (averaging_s <= most_standing_s) choices.push_back({turning_s + averaging_s, tag, heading_rad});
   }
   std::ranges::stable_sort(choices, {}, &Choice::time_s);
-  std::vector<LookRound::View> best;
+  std::vector<double> best;
   std::set<int> shown;
   for (const Choice& choice : choices) {
-    if (best.size() < most_headings && shown.insert(choice.view.tag).second) best.push_back(choice.view);
+    if (best.size() < most_headings && shown.insert(choice.tag).second) best.push_back(choice.heading_rad);
   }
   return best;
 }
@@ -106,23 +107,23 @@ void end_look_round(DriveMission& mission) {
   begin_leg_anew(mission);
 }
 
-void turn_to(DriveMission& mission, LookRound& round, const LookRound::View& view, double now_s) {
+void turn_to(DriveMission& mission, LookRound& round, double heading_rad, double now_s) {
   round.began_s = now_s;
   round.stands_s.reset();
   mission.stop.reset();
-  round.view = view;
+  round.heading_rad = heading_rad;
 }
 
-void turn_to_next_view(DriveMission& mission, LookRound& round, double now_s) {
-  turn_to(mission, round, round.left.front(), now_s);
-  round.left.erase(round.left.begin());
+void turn_to_next_heading(DriveMission& mission, LookRound& round, double now_s) {
+  turn_to(mission, round, round.left_rad.front(), now_s);
+  round.left_rad.erase(round.left_rad.begin());
 }
 
 /// Turns back to the heading of the stop. The gains of a follower are those of a drive: it takes three times
 /// as long for a turn.
 void turn_back(DriveMission& mission, LookRound& round, double now_s) {
   round.returns = true;
-  turn_to(mission, round, {mission.task.waypoints[mission.follower.next].pose.heading_rad, 0}, now_s);
+  turn_to(mission, round, mission.task.waypoints[mission.follower.next].pose.heading_rad, now_s);
 }
 
 /// Returns the command that turns the robot by what is left.
@@ -135,7 +136,7 @@ Twist2 turning(const FollowOptions& follow, double left_rad) {
 /// Returns true if the robot has waited long enough at the present heading.
 bool is_in_vain(const DriveMission& mission, const LookRound& round, double now_s) {
   if (!round.stands_s) return now_s - round.began_s > most_turning_s;
-  const bool sees_another = mission.stop && mission.stop->corners.contains(round.view.tag);
+  const bool sees_another = mission.votes.votes.size() > round.votes;
   return now_s - *round.stands_s > (sees_another ? most_standing_s : 2.0 * mission.task.rules.settle_s);
 }
 
@@ -146,10 +147,11 @@ bool begin_look_round(DriveMission& mission, double now_s) {
   int& rounds = mission.rounds_at[mission.follower.next];
   if (rounds == most_rounds) return false;
   ++rounds;
-  const auto views = views_of_another(mission);
-  if (views.empty()) return false;
-  turn_to_next_view(mission, mission.look_round.emplace(LookRound{views, {}, now_s, std::nullopt, false}),
-                    now_s);
+  const auto headings_rad = headings_with_another(mission);
+  if (headings_rad.empty()) return false;
+  LookRound& round = mission.look_round.emplace(
+      LookRound{headings_rad, 0.0, 0.0, std::nullopt, mission.votes.votes.size(), false});
+  turn_to_next_heading(mission, round, now_s);
   return true;
 }
 
@@ -157,13 +159,13 @@ Twist2 step_look_round(DriveMission& mission, LookRound& round, const Pose2& bel
   const FollowOptions& follow = mission.task.follow;
   const bool in_vain = is_in_vain(mission, round, now_s);
   if (!round.returns) {
-    if (is_corroborated(mission, well_within) || (in_vain && round.left.empty())) {
+    if (is_corroborated(mission, well_within) || (in_vain && round.left_rad.empty())) {
       turn_back(mission, round, now_s);
     } else if (in_vain) {
-      turn_to_next_view(mission, round, now_s);
+      turn_to_next_heading(mission, round, now_s);
     }
   }
-  const double left_rad = wrap_angle(round.view.heading_rad - believed.heading_rad);
+  const double left_rad = wrap_angle(round.heading_rad - believed.heading_rad);
   if (round.returns) {
     if (std::abs(left_rad) > follow.within_rad && now_s - round.began_s <= most_turning_s)
       return turning(follow, left_rad);

@@ -64,15 +64,11 @@ struct TagSupport {
 
 /// A robot that turns in place at a stop, to see a second tag.
 struct LookRound {
-  /// A heading, and the tag that it is to see there.
-  struct View {
-    double heading_rad = 0.0;
-    int tag = 0;  ///< its id
-  };
-  std::vector<View> left;          ///< that it has not tried yet
-  View view;                       ///< the one that it tries
+  std::vector<double> left_rad;    ///< headings that it has not tried yet
+  double heading_rad = 0.0;        ///< the one that it tries
   double began_s = 0.0;            ///< when it began to turn there
   std::optional<double> stands_s;  ///< since when it stands there
+  std::size_t votes = 0;           ///< tags that it had seen at the stop before
   bool returns = false;            ///< it turns back to the heading of the stop
 };
 
