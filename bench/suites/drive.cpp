@@ -66,7 +66,6 @@ void set_wheel_off(DriveSetup& setup, Rng& rng) {
 /// Hangs the tags of the world elsewhere than on the map of the robot: each is kept, taken away, exchanged
 /// for one that is not on the map, or moved by up to a metre along its wall.
 void change_world(DriveSetup& setup, Rng& rng) {
-  setup.task.rules.tags_move = true;
   TagMap world;
   for (Tag tag : setup.task.tags.tags) {
     const std::uint64_t change = rng.below(4);
@@ -118,7 +117,6 @@ const std::vector<DriveFault>& drive_faults() {
       {"tag moved on the way",
        [](DriveSetup& setup, Rng& rng, std::uint64_t) {
          const auto& tags = setup.task.tags.tags;
-         setup.task.rules.tags_move = true;
          setup.sim.moved_tag = {tags[rng.below(tags.size())].id, rng.uniform(0.1, 0.5) * either_sign(rng),
                                 rng.uniform(2.0, 35.0)};
        }},

@@ -143,7 +143,7 @@ class Drive(ToolTest):
 
     def test_a_goal_and_a_planner(self):
         flags = ["drive", "--bounds", "0,0,3,3", "--start", "0.5,0.5,0", "--goal", "2.5,2,0", "--tags",
-                 "1=2.9,2,180", "--sight", "modelled", "--planner"]
+                 "1=2.9,2.3,180 2=2.9,1.7,180", "--sight", "modelled", "--planner"]
         for planner in ("a_star", "visibility_graph"):
             answer = self.run_json(*flags, planner)
             self.assertGreater(answer["path_m"], 2.49)

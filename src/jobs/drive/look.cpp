@@ -170,8 +170,8 @@ bool look(DriveMission& mission, const Observation& seen) {
   return accepted;
 }
 
-std::optional<std::set<int>> indispensable_tags(const DriveMission& mission) {
-  const double most_m = tolerance_m(mission.task) - mission.task.follow.within_m;
+std::optional<std::set<int>> indispensable_tags(const DriveMission& mission, double part) {
+  const double most_m = part * (tolerance_m(mission.task) - mission.task.follow.within_m);
   std::optional<std::set<int>> common;
   for (const std::set<int>& ids : mission.votes.agreeing(most_m)) {
     if (std::ranges::any_of(ids, [&](int id) { return mission.suspects.contains(id); })) continue;
@@ -181,9 +181,9 @@ std::optional<std::set<int>> indispensable_tags(const DriveMission& mission) {
   return common;
 }
 
-bool is_corroborated(const DriveMission& mission) {
+bool is_corroborated(const DriveMission& mission, double part) {
   if (!is_trusted(mission) || !mission.wide) return is_trusted(mission);
-  const auto needed = indispensable_tags(mission);
+  const auto needed = indispensable_tags(mission, part);
   return needed && needed->empty();
 }
 

@@ -16,13 +16,14 @@ bool is_trusted(const DriveMission& mission);
 /// trusted.
 const TagSupport* lone_support(const DriveMission& mission);
 
-/// Returns the tags without which nothing puts the robot where it believes to stand; nothing if no tags do
-/// that well enough (tag_votes.hpp). An empty set: the stop does not depend on any one tag.
-std::optional<std::set<int>> indispensable_tags(const DriveMission& mission);
+/// Returns the tags without which nothing puts the robot where it believes to stand, to within `part` of the
+/// tolerance; nothing if no tags do that well enough (tag_votes.hpp). An empty set: the stop does not depend
+/// on any one tag.
+std::optional<std::set<int>> indispensable_tags(const DriveMission& mission, double part = 1.0);
 
 /// Returns true if the belief is trusted, and the stop depends on no one tag unless the belief was sharp all
-/// the way since the last stop.
-bool is_corroborated(const DriveMission& mission);
+/// the way since the last stop. `part`: see above.
+bool is_corroborated(const DriveMission& mission, double part = 1.0);
 
 /// Lets the way to the next waypoint begin where the robot believes to be.
 void begin_leg_anew(DriveMission& mission);

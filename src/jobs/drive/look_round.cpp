@@ -18,6 +18,7 @@ constexpr int most_rounds = 3;            ///< at one waypoint
 constexpr double most_turning_s = 10.0;   ///< until the robot stands at the new heading
 constexpr double most_standing_s = 10.0;  ///< while another tag is in view
 constexpr double needed_sigma_m = 0.007;  ///< of the position by one tag alone
+constexpr double well_within = 0.8;       ///< of the tolerance: the belief still changes on the way back
 constexpr double turning_per_s = 2.0;     ///< rate of a turn over the angle that is left
 constexpr std::size_t most_headings = 2;  ///< in one round
 
@@ -99,19 +100,37 @@ std::vector<double> headings_with_another(const DriveMission& mission) {
   return best;
 }
 
-/// The robot goes on to its stop, as after a leg.
+/// The robot goes on to its stop, as after a leg. It faces it already, so the follower has little left to do.
 void end_look_round(DriveMission& mission) {
   mission.look_round.reset();
   mission.stop.reset();
   begin_leg_anew(mission);
 }
 
-void turn_to_next_heading(DriveMission& mission, LookRound& round, double now_s) {
+void turn_to(DriveMission& mission, LookRound& round, double heading_rad, double now_s) {
   round.began_s = now_s;
   round.stands_s.reset();
   mission.stop.reset();
-  round.heading_rad = round.left_rad.front();
+  round.heading_rad = heading_rad;
+}
+
+void turn_to_next_heading(DriveMission& mission, LookRound& round, double now_s) {
+  turn_to(mission, round, round.left_rad.front(), now_s);
   round.left_rad.erase(round.left_rad.begin());
+}
+
+/// Turns back to the heading of the stop. The gains of a follower are those of a drive: it takes three times
+/// as long for a turn.
+void turn_back(DriveMission& mission, LookRound& round, double now_s) {
+  round.returns = true;
+  turn_to(mission, round, mission.task.waypoints[mission.follower.next].pose.heading_rad, now_s);
+}
+
+/// Returns the command that turns the robot by what is left.
+Twist2 turning(const FollowOptions& follow, double left_rad) {
+  const double rate_radps =
+      std::clamp(turning_per_s * std::abs(left_rad), follow.least_turn_rate_radps, follow.turn_rate_radps);
+  return {0.0, 0.0, std::copysign(rate_radps, left_rad)};
 }
 
 /// Returns true if the robot has waited long enough at the present heading.
@@ -130,28 +149,34 @@ bool begin_look_round(DriveMission& mission, double now_s) {
   ++rounds;
   const auto headings_rad = headings_with_another(mission);
   if (headings_rad.empty()) return false;
-  LookRound& round =
-      mission.look_round.emplace(LookRound{headings_rad, 0.0, 0.0, std::nullopt, mission.votes.votes.size()});
+  LookRound& round = mission.look_round.emplace(
+      LookRound{headings_rad, 0.0, 0.0, std::nullopt, mission.votes.votes.size(), false});
   turn_to_next_heading(mission, round, now_s);
   return true;
 }
 
 Twist2 step_look_round(DriveMission& mission, LookRound& round, const Pose2& believed, double now_s) {
-  if (is_corroborated(mission) || (is_in_vain(mission, round, now_s) && round.left_rad.empty())) {
+  const FollowOptions& follow = mission.task.follow;
+  const bool in_vain = is_in_vain(mission, round, now_s);
+  if (!round.returns) {
+    if (is_corroborated(mission, well_within) || (in_vain && round.left_rad.empty())) {
+      turn_back(mission, round, now_s);
+    } else if (in_vain) {
+      turn_to_next_heading(mission, round, now_s);
+    }
+  }
+  const double left_rad = wrap_angle(round.heading_rad - believed.heading_rad);
+  if (round.returns) {
+    if (std::abs(left_rad) > follow.within_rad && now_s - round.began_s <= most_turning_s)
+      return turning(follow, left_rad);
     end_look_round(mission);
     return {};
   }
-  if (is_in_vain(mission, round, now_s)) turn_to_next_heading(mission, round, now_s);
-  const double left_rad = wrap_angle(round.heading_rad - believed.heading_rad);
   if (std::abs(left_rad) <= 0.5 * off_rad && !round.stands_s) {
     round.stands_s = now_s;
     mission.stop = StopCheck::at(now_s);
   }
-  if (round.stands_s) return {};
-  const FollowOptions& follow = mission.task.follow;
-  const double rate_radps =
-      std::clamp(turning_per_s * std::abs(left_rad), follow.least_turn_rate_radps, follow.turn_rate_radps);
-  return {0.0, 0.0, std::copysign(rate_radps, left_rad)};
+  return round.stands_s ? Twist2{} : turning(follow, left_rad);
 }
 
 }  // namespace outrider

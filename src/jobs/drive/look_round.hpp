@@ -15,8 +15,8 @@ namespace outrider {
 /// obstacles).
 bool begin_look_round(DriveMission& mission, double now_s);
 
-/// Returns the next twist of a robot that looks round (`round` is that of the mission). Ends the look, and
-/// lets the robot turn back to its stop, if a second tag agrees, or if none was seen in time.
+/// Returns the next twist of a robot that looks round (`round` is that of the mission). If a second tag
+/// agrees, or none was seen in time, the robot turns back to the heading of its stop, and the look ends.
 Twist2 step_look_round(DriveMission& mission, LookRound& round, const Pose2& believed, double now_s);
 
 }  // namespace outrider

@@ -69,6 +69,7 @@ struct LookRound {
   double began_s = 0.0;            ///< when it began to turn there
   std::optional<double> stands_s;  ///< since when it stands there
   std::size_t votes = 0;           ///< tags that it had seen at the stop before
+  bool returns = false;            ///< it turns back to the heading of the stop
 };
 
 /// How a robot keeps clear of obstacles on the way to a waypoint.

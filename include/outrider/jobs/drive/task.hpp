@@ -38,8 +38,8 @@ struct DriveRules {
       3;                            ///< images at a stop whose tags are accepted before it counts as reached
   double settle_sigma_m = 0.006;    ///< largest standard deviation of the position at a stop
   double settle_sigma_rad = 0.006;  ///< the same for the heading
-  bool tags_move = false;           ///< tags may be moved during the drive: one alone confirms no stop if the
-                           ///< belief was too wide to contradict it; the robot looks for a second one
+  bool tags_move = true;            ///< tags may be moved during the drive: one alone confirms no stop if the
+                          ///< belief was too wide to contradict it; the robot looks for a second one
   double patience_s = 120.0;      ///< longest time for one waypoint
   std::int64_t hold_refused = 3;  ///< images in a row with impossible tags after which the robot stands still
   std::int64_t relocalise = 5;    ///< images that have to agree on where it is then
