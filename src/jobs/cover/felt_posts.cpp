@@ -31,7 +31,8 @@ FeltPost& FeltPosts::touch(Vec2 contact, Vec2 towards) {
   for (FeltPost& post : posts_) {
     const double through_m = radius_through(post, contact);
     const bool same_place = distance(contact, post.contact) <= same_contact * robot_m_;
-    if (!same_place && !(through_m > 0.0 && through_m <= most_radii * robot_m_)) continue;
+    const bool may_be_it = through_m > 0.0 && through_m <= most_radii * robot_m_;
+    if (!same_place && !may_be_it) continue;
     if (post.stands && (same_place || through_m <= post.radius_m * 1.01)) post.margin_m *= 2.0;
     if (!same_place) post.radius_m = std::max(post.radius_m, through_m);
     post.stands = true;
@@ -51,6 +52,7 @@ Outcome<std::shared_ptr<const PolygonGround>> FeltPosts::without_posts(
   for (const FeltPost& post : posts_) {
     if (!post.stands) continue;
     std::vector<Vec2> outline;
+    outline.reserve(post_corners);
     for (int i = 0; i < post_corners; ++i)
       outline.push_back(post.centre() + corner_radius_m(post) * direction(2.0 * pi * i / post_corners));
     auto smaller = ground->with_obstacle(outline);

@@ -56,7 +56,7 @@ FaultyDrive drive_with_faults(const CoverTrack& track, const CoverProblem& probl
                               const std::function<void(const PieceDrive&, const CoverRecovery&)>& look) {
   SimulatedRobot robot(
       PieceBody(track.start, problem.pace, problem.tracking_error_m, *ground, Rng(seed), faults));
-  const PieceBody& body = robot.body<PieceBody>();
+  const auto& body = robot.body<PieceBody>();
   Budget budget;
   budget.stop = watch.stop;
   FaultyDrive done{{}, CoverRecovery(track, problem, ground, budget)};

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "outrider/core/budget.hpp"
 #include "outrider/jobs/cover/problem.hpp"
 #include "outrider/search/workspace.hpp"
 

@@ -158,8 +158,10 @@ void decide_anew(ExploreMission& mission) {
   if (arrived && mission.frontiers.frontiers().contains(goal))
     mission.blacklist.add(mission.decision.choice.place, mission.time_s);
   auto decision = decide_with_tries(mission);
-  if (!decision && decision.error().code == FaultCode::budget_exhausted)
-    return go_without_planner(mission, decision.error());
+  if (!decision && decision.error().code == FaultCode::budget_exhausted) {
+    go_without_planner(mission, decision.error());
+    return;
+  }
   mission.planless_s.reset();
   if (!decision) return turn_home(mission, "stuck", decision.error().sentence);
   take(mission, std::move(*decision));

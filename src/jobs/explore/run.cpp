@@ -131,19 +131,19 @@ struct Truth {
 };
 
 /// Returns the truth at the end. A post that closes a door then hides what nobody can see any more.
-Truth truth_at_end(const World& world, const ExplorationReference& before, const SimulatedRobot& robot,
-                   const ExploreMission& mission, double climbs_m) {
-  const RangeFinder& finder = robot.devices().laser->finder();
-  const auto post = robot.body<TwistBody>().walk_ins().post();
-  if (!post) return {before, finder};
+Truth truth_at_end(const World& world, const ExplorationReference& before, const TwistBody& body,
+                   const ExploreTask& task, const ExplorerSimParams& params) {
+  const auto post = body.walk_ins().post();
+  if (!post) return {before, RangeFinder(world, params.laser)};
   constexpr double height_m = 2.0;
   const Vec2 at = post->core.front();
   const World after =
       world.with({"post", {{at.x, at.y, 0.5 * height_m}, {}}, CylinderShape{post->radius_m, 0.5 * height_m}});
-  const RangeFinder sees_post(after, finder.model());
-  auto reference = exploration_reference(sees_post, OpenGround(after, mission.task.robot, climbs_m),
-                                         mission.task.start.position);
-  return {reference ? std::move(*reference) : before, sees_post};
+  Truth truth{before, RangeFinder(after, params.laser)};
+  auto reference = exploration_reference(truth.finder, OpenGround(after, task.robot, params.wheels.climbs_m),
+                                         task.start.position);
+  if (reference) truth.reference = std::move(*reference);
+  return truth;
 }
 
 void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& robot, const Truth& at_end,
@@ -242,7 +242,7 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
   run.pose = mission.pose;
   run.true_pose = robot.pose();
   run.report.world_name = world.name;
-  close(run, timed, robot, truth_at_end(world, *reference, robot, mission, params.wheels.climbs_m),
+  close(run, timed, robot, truth_at_end(world, *reference, robot.body<TwistBody>(), mission.task, params),
         contacts.visible());
   run.touched = mission.touched;
   if (!finished) mark_cancelled(run.report, log, robot.time_s());

@@ -50,7 +50,7 @@ TEST(GuardScenario, TakesThePartOfALargeYardThatIsNearAndSaysSo) {
       "2000 2000</size></plane></geometry></collision></link></model></world></sdf>";
   GuardScenario scenario;
   scenario.world = folder.write("w.sdf", ocean);
-  scenario.targets = folder.write("t.txt", "type=1 x=30 y=950\ntype=1 x=1300 y=0\n");
+  scenario.targets = folder.write("t.txt", "type=1 x=30 y=950\ntype=1 x=5000 y=0\n");
   scenario.start = "20,940,0";
   const auto loaded = load_problem(scenario);
   ASSERT_TRUE(loaded) << to_string(loaded.error());
