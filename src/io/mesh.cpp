@@ -18,6 +18,11 @@ bool is_corner_near(Vec3 p) {  // false for NaN too
   return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest && std::abs(p.z) <= farthest;
 }
 
+/// Returns true for a triangle of which nothing can matter, as broken transforms of exporters leave them.
+bool is_far_away(const Triangle& t) {
+  return std::ranges::all_of(t, [](Vec3 p) { return std::isfinite(norm(p)) && !is_corner_near(p); });
+}
+
 bool has_area(const Triangle& t) { return squared_norm(cross(t[1] - t[0], t[2] - t[0])) > 0.0; }
 
 /// Returns the name in lower case, without .gz.
@@ -46,9 +51,10 @@ tl::unexpected<Fault> too_many_triangles(const std::string& name) {
 Outcome<std::vector<Triangle>> mesh_from_bytes(std::string_view bytes, const std::string& name) {
   auto triangles = read_format(bytes, name);
   if (!triangles) return triangles;
+  std::erase_if(*triangles, is_far_away);
   for (const Triangle& triangle : *triangles) {
     if (std::ranges::all_of(triangle, is_corner_near)) continue;
-    return bad_input("a corner lies beyond 1e6, or is no number; scale the mesh", name);
+    return bad_input("a triangle reaches beyond 1e6, or a corner is no number; scale the mesh", name);
   }
   std::erase_if(*triangles, [](const Triangle& triangle) { return !has_area(triangle); });
   if (triangles->empty()) return bad_input("it has no triangles", name);

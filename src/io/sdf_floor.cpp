@@ -27,6 +27,37 @@ bool is_slab(const Solid& solid) {
          box->half_size.z <= 0.1 * std::min(box->half_size.x, box->half_size.y);
 }
 
+/// Returns the corners of the convex hull of all that stands, from above.
+std::vector<Vec2> hull_of_all(const World& world) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  std::vector<Vec2> corners;
+  for (const Solid& solid : world.solids) {
+    if (!bounded(solid)) continue;
+    for (const RoundedPolygon& piece : footprint(solid, -inf, inf)) {
+      for (const Vec2 corner : piece.core) {
+        for (const Vec2 aside : {Vec2{-1, -1}, Vec2{-1, 1}, Vec2{1, -1}, Vec2{1, 1}})
+          corners.push_back(corner + piece.radius_m * aside);
+      }
+    }
+  }
+  return convex_hull(std::move(corners));
+}
+
+/// Returns the area of the smallest turned rectangle around all that stands, m2. One of its sides lies on a
+/// side of the convex hull (Freeman and Shapira, Communications of the ACM 18 (1975) 409-413). O(n log n +
+/// h^2).
+double area_of_all(const World& world) {
+  const std::vector<Vec2> hull = hull_of_all(world);
+  double least_m2 = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const double turn_rad = heading_of(hull[(i + 1) % hull.size()] - hull[i]);
+    Box2 box;
+    for (const Vec2 corner : hull) box.include(rotated(-turn_rad, corner));
+    least_m2 = std::min(least_m2, box.size().x * box.size().y);
+  }
+  return hull.empty() ? 0.0 : least_m2;
+}
+
 Box2 box_of_all(const World& world) {
   Box2 all;
   for (const Solid& solid : world.solids) {
@@ -66,7 +97,7 @@ std::optional<Box3> slab_floor(const World& world, const Box2& all) {
 /// Returns the height of the floor that lies on a ground, such as asphalt, mats or the mesh of a street: what
 /// covers three quarters of everything, with no room below it. If there is none, that of the ground.
 double floor_on(double ground_m, const World& world, const Box2& all) {
-  const double least_m2 = std::max(least_floor_m2, 0.75 * all.size().x * all.size().y);
+  const double least_m2 = std::max(least_floor_m2, 0.75 * area_of_all(world));
   double floor_m = ground_m;
   for (const Layer& layer : level_layers(world, all, least_m2)) {
     if (layer.height_m > floor_m && layer.height_m <= floor_m + lowest_room_m) floor_m = layer.height_m;
@@ -96,8 +127,7 @@ Status set_floor_and_bounds(World& world, const std::vector<FloorPlane>& planes,
     world.floor_z_m = floor_on(slab->high.z, world, all);
     floor_box = slab->ground();
   } else {
-    const double half_m2 = 0.5 * all.size().x * all.size().y;
-    const auto layers = level_layers(world, all, std::max(least_floor_m2, half_m2));
+    const auto layers = level_layers(world, all, std::max(least_floor_m2, 0.5 * area_of_all(world)));
     if (layers.empty()) {
       return bad_input(
           "the world has no floor; add a model with a <plane> collision, or a box or a mesh that lies level "

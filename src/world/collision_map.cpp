@@ -196,7 +196,8 @@ double CollisionMap::edge_distance(Vec2 p) const {
 double CollisionMap::clearance(Vec2 p, double most_m) const {
   double nearest = std::min(most_m, edge_distance(p));
   any_along({p, p}, most_m, [&](const RoundedPolygon& obstacle) {
-    nearest = std::min(nearest, signed_distance(p, obstacle));
+    const double to_box_m = boxes_[static_cast<std::size_t>(&obstacle - obstacles_.data())].distance_to(p);
+    if (to_box_m == 0.0 || to_box_m < nearest) nearest = std::min(nearest, signed_distance(p, obstacle));
     return false;
   });
   return nearest;

@@ -78,13 +78,13 @@ void set_bounds(const GuardScenario& scenario, const Pose2& start, const std::ve
                 World& world, std::vector<std::string>& warnings) {
   std::vector<Pose2> starts = scenario.other_starts;
   starts.insert(starts.begin(), start);
-  const Box2 all = with_room(world.bounds, starts, scenario.problem.robot.radius_m, targets);
+  const Box2 all = world.terrain ? world.bounds
+                                 : with_room(world.bounds, starts, scenario.problem.robot.radius_m, targets);
   world.bounds = near_part(all, starts, targets);
   if (world.bounds.size() == all.size()) return;
   warnings.push_back(
       fmt::format("the yard is {:.0f} m by {:.0f} m; {:.0f} m by {:.0f} m of it, within 100 m of the starts "
-                  "and the targets, are "
-                  "used; give bounds for more",
+                  "and the targets, are used; give bounds for more",
                   all.size().x, all.size().y, world.bounds.size().x, world.bounds.size().y));
 }
 
@@ -250,8 +250,7 @@ Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
   if (!world) return pass_on(world);
   auto targets = load_targets(scenario.targets, *world);
   if (!targets) return pass_on(targets);
-  if (scenario.bounds.empty() && !world->terrain)
-    set_bounds(scenario, *start, *targets, *world, loaded->warnings);
+  if (scenario.bounds.empty()) set_bounds(scenario, *start, *targets, *world, loaded->warnings);
 
   scenario.problem.start = {start->position, wrap_angle(start->heading_rad)};
   scenario.problem.world = std::move(*world);

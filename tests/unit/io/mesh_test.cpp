@@ -93,6 +93,17 @@ TEST(Mesh, ColladaWithoutASceneIsTakenAsItIs) {
   expect_near(mesh->front()[2], {1, 1, 0});
 }
 
+TEST(Mesh, TrianglesThatAreFarAwayAsAWholeAreLeftOut) {
+  const std::string far = "vertex 1e18 0 0\nvertex 1e18 5 0\nvertex 1e18 0 5\n";
+  const auto mesh = mesh_from_bytes(text_stl + far, "a.stl");
+  ASSERT_TRUE(mesh) << to_string(mesh.error());
+  EXPECT_EQ(mesh->size(), 1U);
+  const auto long_one =
+      mesh_from_bytes(text_stl + "vertex 0 0 0\nvertex 1e18 5 0\nvertex 1e18 0 5\n", "a.stl");
+  ASSERT_FALSE(long_one);
+  EXPECT_NE(long_one.error().sentence.find("beyond 1e6"), std::string::npos);
+}
+
 TEST(Mesh, FlatTrianglesAreLeftOut) {
   const auto mesh = mesh_from_bytes(text_stl + "vertex 0 0 0\nvertex 1 1 1\nvertex 2 2 2\n", "a.stl");
   ASSERT_TRUE(mesh);

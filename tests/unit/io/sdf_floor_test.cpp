@@ -37,6 +37,12 @@ TEST(SdfFloor, AFloorMayLieOnTheGround) {
   EXPECT_DOUBLE_EQ(load(world_of(ground + house + asphalt("3 3"))).world.floor_z_m, 0.0);
 }
 
+TEST(SdfFloor, AFloorMayBeTurned) {
+  const std::string mats = model("mats", "0 0 0 0 0 0.7", "<box><size>10 10 0.04</size></box>");
+  const std::string wall = model("wall", "0 2 0.5 0 0 0.7", "<box><size>4 0.1 1</size></box>");
+  EXPECT_DOUBLE_EQ(load(world_of(ground + mats + wall)).world.floor_z_m, 0.02);
+}
+
 TEST(SdfFloor, TheFloorMayBeTheMeshOfAHouse) {
   const test::Folder folder;  // the ground floor lies 0.2 m thick at z = 1, the ceiling at 3.5
   folder.write("house.obj",
