@@ -168,7 +168,8 @@ Status check_start(const GuardProblem& problem, const CollisionMap& ground) {
   const double radius = problem.robot.radius_m;
   if (!problem.world.bounds.contains(p)) {
     return fault(FaultCode::outside_map,
-                 fmt::format("({:g}, {:g}) is outside the yard, which spans ({:g}, {:g}) to ({:g}, {:g})",
+                 fmt::format("({:g}, {:g}) is outside the yard, which spans ({:g}, {:g}) to ({:g}, {:g}); "
+                             "start inside, or give bounds that contain it",
                              p.x, p.y, problem.world.bounds.low.x, problem.world.bounds.low.y,
                              problem.world.bounds.high.x, problem.world.bounds.high.y),
                  "start");

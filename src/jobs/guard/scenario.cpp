@@ -198,7 +198,7 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
          &scenario.robot_starts},
         {"bounds", "", 0, 0,
          "low x,low y,high x,high y of the yard, m; empty: the box of its walls, with 2 m around a start or "
-         "a target outside",
+         "a target outside, and of a large one the part near them",
          &scenario.bounds},
         {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed},
         {"sim", "", 0, 0, "what carries the plan out: kinematic, or physics (rigid bodies)", &scenario.sim},
