@@ -78,11 +78,12 @@ void doubt_jumps(Doubts& doubts, const std::vector<Jump>& jumps) {
   if (jumps.empty()) return;
   for (const Jump& one : jumps) doubts.add("jump", one.after, one.shared);
   const Jump& first = jumps.front();
-  const std::string why =
-      first.pause_s > 0.0 ? fmt::format("after {:.0f} s without a scan ", first.pause_s)
-      : first.odometry_sd_m > 0.0
-          ? fmt::format("on a way that odometry alone measures, to {:.2f} m, ", first.odometry_sd_m)
-          : "";
+  std::string why;
+  if (first.pause_s > 0.0) {
+    why = fmt::format("after {:.0f} s without a scan ", first.pause_s);
+  } else if (first.odometry_sd_m > 0.0) {
+    why = fmt::format("on a way that odometry alone measures, to {:.2f} m, ", first.odometry_sd_m);
+  }
   doubts.add_reason(fmt::format(
       "the path jumps {} at {:.1f} s: {}it moves by {}, odometry counted {}, and the scans before and "
       "after show only {:.0f} % of their surfaces in common",
