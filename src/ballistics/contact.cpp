@@ -48,21 +48,23 @@ struct Approach {
   double distance_m;  ///< least so far
   double time_s;
 
-  void visit(double t) {
+  /// Returns the distance at that time.
+  double visit(double t) {
     const double d = distance_to(flight.position(t));
     if (d < distance_m) {
       distance_m = d;
       time_s = t;
     }
+    return d;
   }
   /// Refines [t0, t1] while it may hold a smaller distance than the best known.
   void search(double t0, double t1) {
     double speed = std::max(norm(flight.velocity(t0)), norm(flight.velocity(t1)));
     if (flight.in_air) speed += 0.5 * flight.most_acceleration() * (t1 - t0);  // no convex function of time
     const double middle = 0.5 * (t0 + t1);
-    visit(middle);
+    const double here_m = visit(middle);
     const double reach = 0.5 * speed * (t1 - t0);
-    if (distance_to(flight.position(middle)) - reach >= distance_m - clearance_tolerance_m) return;
+    if (here_m - reach >= distance_m - clearance_tolerance_m) return;
     search(t0, middle);
     search(middle, t1);
   }
