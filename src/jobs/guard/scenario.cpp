@@ -197,8 +197,8 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
          "first",
          &scenario.robot_starts},
         {"bounds", "", 0, 0,
-         "low x,low y,high x,high y of the yard, m; empty: the box of its walls, with 2 m around a start or "
-         "a target outside, and of a large one the part near them",
+         "low x,low y,high x,high y of the yard, m; empty: the box of its walls, or the part near starts and "
+         "targets",
          &scenario.bounds},
         {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed},
         {"sim", "", 0, 0, "what carries the plan out: kinematic, or physics (rigid bodies)", &scenario.sim},
