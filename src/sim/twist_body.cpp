@@ -12,6 +12,7 @@ constexpr double step_s = 0.005;
 constexpr double instant_s = 1e-9;    ///< times closer than this are one
 constexpr double apart_m = 1e-3;      ///< a robot so far from everything touches it no more
 constexpr double at_rest_mps = 0.02;  ///< no faster, the robot does not drive
+constexpr double hand_m = 0.1;        ///< who puts a robot down leaves so much room around it
 constexpr int halvings = 20;          ///< with which the place of a contact is found
 
 double nearer_by(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
@@ -51,10 +52,12 @@ void TwistBody::run_until(double time_s) {
 }
 
 void TwistBody::put(const Pose2& pose) {
-  Vec2 by = pose.position - pose_.position;
-  for (int i = 0; i < halvings && ground_.gap_m(pose_.position + by) < 0.0; ++i) by = 0.5 * by;
-  if (ground_.gap_m(pose_.position + by) >= 0.0) pose_.position = pose_.position + by;
-  pose_.heading_rad = pose.heading_rad;
+  const Vec2 whole = pose.position - pose_.position;
+  double part = 1.0;
+  for (int i = 0; i < halvings && ground_.gap_m(pose_.position + part * whole) < hand_m; ++i) part *= 0.5;
+  const Vec2 there = pose_.position + part * whole;
+  pose_ = {ground_.gap_m(there) < hand_m ? pose_.position : there, pose.heading_rad};
+  twist_ = {};
 }
 
 bool TwistBody::take_touch() {

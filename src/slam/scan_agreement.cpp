@@ -11,7 +11,6 @@
 namespace outrider {
 namespace {
 
-constexpr double off_m = 0.3;
 constexpr double off_rad = 0.02;
 constexpr std::size_t most_points = 180;
 constexpr long most_neighbours = 16;  // beams looked at around a point
@@ -69,7 +68,7 @@ class Beams {
 }  // namespace
 
 Agreement agreement(const LaserScan& of, const Pose2& world_T_of, const LaserScan& by,
-                    const Pose2& world_T_by) {
+                    const Pose2& world_T_by, double off_m) {
   const Pose2 by_T_of = relative_pose(world_T_by, world_T_of);
   const Beams beams(by);
   Agreement result;
@@ -93,7 +92,8 @@ Agreement agreement(const LaserScan& of, const Pose2& world_T_of, const LaserSca
 
 double contradiction(const LaserScan& a, const Pose2& world_T_a, const LaserScan& b, const Pose2& world_T_b) {
   constexpr std::size_t least_points = 40;
-  const Agreement both = mutual_agreement(a, world_T_a, b, world_T_b);
+  constexpr double off_m = 0.15;
+  const Agreement both = mutual_agreement(a, world_T_a, b, world_T_b, off_m);
   return both.seen() < least_points ? 0.0 : both.contradiction();
 }
 

@@ -30,17 +30,17 @@ struct Agreement {
   }
 };
 
-/// Asks `by` about the points of `of`. A point may be off by 0.3 m and by 0.02 rad without being
+/// Asks `by` about the points of `of`. A point may be off by `off_m` and by 0.02 rad without being
 /// contradicted, so thin things that moved do not count. Asks about 180 to 359 points of a scan with more
 /// beams. Expects scans that check() accepts. O(beams of both).
 Agreement agreement(const LaserScan& of, const Pose2& world_T_of, const LaserScan& by,
-                    const Pose2& world_T_by);
+                    const Pose2& world_T_by, double off_m = 0.3);
 
 /// Asks both scans about each other.
 inline Agreement mutual_agreement(const LaserScan& a, const Pose2& world_T_a, const LaserScan& b,
-                                  const Pose2& world_T_b) {
-  Agreement sum = agreement(a, world_T_a, b, world_T_b);
-  sum += agreement(b, world_T_b, a, world_T_a);
+                                  const Pose2& world_T_b, double off_m = 0.3) {
+  Agreement sum = agreement(a, world_T_a, b, world_T_b, off_m);
+  sum += agreement(b, world_T_b, a, world_T_a, off_m);
   return sum;
 }
 

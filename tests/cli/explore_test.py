@@ -66,6 +66,15 @@ class Explore(ToolTest):
         self.assertEqual(answer["status"], "not_done")
         self.assertTrue(answer["returned_home"])
 
+    def test_a_robot_that_cannot_go_back_goes_to_where_there_is_room(self):
+        # It was carried across a table that its laser does not see, so the way back leads into that.
+        result = self.run_tool("explore", SOURCE / "scenarios/explore/low_table.yaml", "--seed", "867653137154408",
+                               "--faults-kidnapped-at", "3.345665585940909", "--faults-kidnapped-by=-0.46382828862714276",
+                               "--faults-kidnapped-turn", "7.930452663849437", "--json")
+        answer = flat(self.json_of(result))
+        self.assertEqual((answer["status"], answer["reason"]), ("done", ""))
+        self.assertGreater(answer["stuck"], 5)
+
     def test_slices_whose_outer_wall_has_a_gap(self):
         self.write("gap.csv", "0,0,6,0\n6,0,6,1.5\n6,2.5,6,4\n6,4,0,4\n0,4,0,0\n2,0,2,2.5\n")
         result = self.run_tool("explore", "gap.csv", "--start=1,1,0", "--json", timeout=60)

@@ -29,8 +29,8 @@ class TwistBody {
   /// Begins a DriveTwist and returns its end time; other commands end at once.
   double begin(const Command& command);
   void run_until(double time_s);
-  /// Moves the robot to another pose at once (kidnapping), or less far if it would stand in an obstacle
-  /// there.
+  /// Moves the robot to another pose at once (kidnapping), where it stands. Moves it less far if it would
+  /// be nearer than 0.1 m to an obstacle there.
   void put(const Pose2& pose);
   /// Returns true if the bumper was pressed since the previous call.
   bool take_touch();

@@ -43,8 +43,43 @@ bool time_to_decide(const ExploreMission& mission, const Nearby& nearby) {
   return remaining_m(*mission.path) < arrived_m || blocked(mission, nearby);
 }
 
-/// Goes back along the way it came, and leaves the goal out for a while.
-void back_off(ExploreMission& mission) {
+/// Returns the way back along which it came, `length_m` long.
+std::vector<Vec2> way_back(const ExploreMission& mission, double length_m) {
+  std::vector<Vec2> way = {mission.pose.position};
+  const std::vector<Pose2> came = mission.slam.trajectory();
+  double length = 0.0;
+  for (auto pose = came.rbegin(); pose != came.rend() && length < length_m; ++pose) {
+    const double leg = distance(way.back(), pose->position);
+    if (leg < 0.02) continue;
+    length += leg;
+    way.push_back(pose->position);
+  }
+  return way;
+}
+
+/// Returns the straight way of that length at whose end there is most room, among those that come no nearer
+/// to anything; no way, if there is none.
+std::vector<Vec2> freest_way(const ExploreMission& mission, const Nearby& nearby, double length_m) {
+  constexpr int directions = 32;
+  constexpr double error_m = 1e-3;
+  const Vec2 here = mission.pose.position;
+  const double least_m = nearby.clearance(here) - error_m;
+  std::vector<Vec2> way;
+  double most_m = 0.0;
+  for (int i = 0; i < directions; ++i) {
+    const double turn_rad = 2.0 * pi * i / directions;
+    const Vec2 there = here + length_m * direction(mission.pose.heading_rad + turn_rad);
+    const double room_m = nearby.clearance(there);
+    if (room_m <= most_m || nearby.clearance(Segment{here, there}) < least_m) continue;
+    most_m = room_m;
+    way = {here, there};
+  }
+  return way;
+}
+
+/// Goes back along the way it came, and leaves the goal out for a while. If it has just tried that here, goes
+/// to where there is most room.
+void back_off(ExploreMission& mission, const Nearby& nearby) {
   if (mission.driven_m - mission.stuck_m > elsewhere_m) mission.stuck_here = 0;
   mission.stuck_m = mission.driven_m;
   ++mission.stuck;
@@ -60,27 +95,29 @@ void back_off(ExploreMission& mission) {
     note_too_narrow(mission, false);
   else if (mission.stage == ExploreStage::seek && mission.path && !mission.touching)
     mission.blacklist.add(mission.decision.choice.place, mission.time_s);
-  std::vector<Vec2> way = {mission.pose.position};
-  const std::vector<Pose2> came = mission.slam.trajectory();
-  double length = 0.0;
-  for (auto pose = came.rbegin(); pose != came.rend() && length < mission.task.rules.back_off_m; ++pose) {
-    const double leg = distance(way.back(), pose->position);
-    if (leg < 0.02) continue;
-    length += leg;
-    way.push_back(pose->position);
-  }
+  std::vector<Vec2> way;
+  if (mission.stuck_here % 2 == 0 && mission.stuck_here > 0)
+    way = freest_way(mission, nearby, mission.task.rules.back_off_m);
+  mission.backwards = way.empty();
+  if (mission.backwards) way = way_back(mission, mission.task.rules.back_off_m);
   mission.stage = ExploreStage::back_off;
   follow(mission, std::move(way));
   moved_on(mission);
+}
+
+/// Returns the twist at half the speed.
+Twist2 steer_slowly(const ExploreMission& mission, const Pose2& pose, const Twist2& now,
+                    const Nearby& nearby) {
+  RobotModel slow = mission.task.robot;
+  slow.speed_mps *= 0.5;
+  return steer(*mission.path, pose, now, nearby, slow, mission.task.steer);
 }
 
 /// Returns the twist for a robot that drives backwards.
 Twist2 steer_back(const ExploreMission& mission, const Nearby& nearby) {
   const Pose2 turned{mission.pose.position, mission.pose.heading_rad + pi};
   const Twist2 now{-mission.twist.ahead_mps, 0.0, mission.twist.turn_radps};
-  RobotModel slow = mission.task.robot;
-  slow.speed_mps *= 0.5;
-  const Twist2 back = steer(*mission.path, turned, now, nearby, slow, mission.task.steer);
+  const Twist2 back = steer_slowly(mission, turned, now, nearby);
   return {-back.ahead_mps, 0.0, back.turn_radps};
 }
 
@@ -199,11 +236,12 @@ Twist2 drive(ExploreMission& mission) {
   Nearby nearby = surroundings(mission);
   if (mission.stage == ExploreStage::back_off) {
     const bool goes_back = mission.path && remaining_m(*mission.path) >= arrived_m && !stands_still(mission);
-    if (goes_back) return steer_back(mission, nearby);
+    if (goes_back && mission.backwards) return steer_back(mission, nearby);
+    if (goes_back) return steer_slowly(mission, mission.pose, mission.twist, nearby);
     mission.stage = ExploreStage::seek;
     mission.path.reset();
   } else if (mission.touching || (mission.path && stands_still(mission))) {
-    back_off(mission);
+    back_off(mission, nearby);
     return {};
   }
   if (mission.wants_settling) return {};

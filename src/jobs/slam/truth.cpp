@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "outrider/world/occupancy.hpp"
+
 namespace outrider {
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include "outrider/io/carmen_log.hpp"
 #include "outrider/report/report.hpp"
-#include "outrider/world/occupancy.hpp"
+#include "outrider/world/grid.hpp"
 
 namespace outrider {
 

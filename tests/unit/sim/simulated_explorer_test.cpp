@@ -55,6 +55,37 @@ TEST(SimulatedExplorer, AWallStopsItWhereItTouches) {
   EXPECT_EQ(it.body<TwistBody>().contacts(), 2);
 }
 
+/// Who carries a robot puts it down beside a wall, not against it, and it stands there.
+TEST(SimulatedExplorer, AKidnappedRobotStandsWithRoomAroundIt) {
+  const RobotModel robot = burger();
+  ExplorerSimParams params = faultless();
+  params.faults.kidnapping = {1.0, 1.0, 0.5};
+  const auto gap_m = [&](const SimulatedRobot& it, double wall_m) {
+    return std::abs(wall_m - it.pose().position.y) - robot.radius_m;
+  };
+  for (const double wall_m : {0.0, 0.7, 1.0, 1.15, 1.25}) {
+    SCOPED_TRACE(wall_m);
+    const double side =
+        wall_m == 0.0 ? -0.5 : wall_m;  // without a wall on the way: it stands where it is put
+    SimulatedRobot it = simulated_explorer(walls({{{-2.0, side}, {4.0, side}}}), {}, robot, params, 1);
+    drive(it, ahead, 1.0);
+    EXPECT_EQ(it.body<TwistBody>().twist(), Twist2{});
+    EXPECT_GE(gap_m(it, side), 0.1);
+    EXPECT_NEAR(it.pose().heading_rad, 0.5, 1e-9);
+    if (side < 0.0) {
+      EXPECT_NEAR(it.pose().position.y, 1.0, 1e-9);
+    }
+    drive(it, ahead, 0.2);
+    EXPECT_EQ(it.body<TwistBody>().contacts(), 0);
+  }
+  // A robot that stands too near already, and would where it is put, is turned where it is.
+  params.faults.kidnapping.by_m = 0.02;
+  SimulatedRobot near = simulated_explorer(walls({{{-2.0, 0.15}, {4.0, 0.15}}}), {}, robot, params, 1);
+  drive(near, ahead, 1.0);
+  EXPECT_EQ(near.pose().position.y, 0.0);
+  EXPECT_NEAR(near.pose().heading_rad, 0.5, 1e-9);
+}
+
 TEST(SimulatedExplorer, NeverDrivesIntoAnything) {
   Rng rng(7);
   for (int i = 0; i < cases(4); ++i) {

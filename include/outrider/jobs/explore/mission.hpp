@@ -6,13 +6,14 @@
 // (control/steer.hpp). It decides again when the pursued frontier has dissolved, when the path is blocked,
 // when the robot has arrived, and periodically; so the robot seldom drives all the way to a frontier.
 //
-// A robot that makes no progress, or touches something, backs off along its path; where it touched nothing it
-// bans the goal for a while. Where it touched something the ground stays blocked, also if the laser sees
-// nothing there. Where it has driven, the ground stays open, whatever noise does to the map. If it gets stuck
-// repeatedly, it trusts the newest scan more than the map. Unusable scans are skipped, as are those that
-// repeat the ranges of before after a motion, which a sensor does that is frozen. A scan belongs to where the
-// robot was when it was measured, so one that comes late is matched there. Without any usable scan that is
-// younger than `blind_s` the robot stops; it does not drive by what it saw longer ago.
+// A robot that makes no progress, or touches something, backs off along its path, and if that does not help
+// to where there is most room; where it touched nothing it bans the goal for a while. Where it touched
+// something the ground stays blocked, also if the laser sees nothing there. Where it has driven, the ground
+// stays open, whatever noise does to the map. If it gets stuck repeatedly, it trusts the newest scan more
+// than the map. Unusable scans are skipped, as are those that repeat the ranges of before after a motion,
+// which a sensor does that is frozen. A scan belongs to where the robot was when it was measured, so one that
+// comes late is matched there. Without any usable scan that is younger than `blind_s` the robot stops; it
+// does not drive by what it saw longer ago.
 //
 // Where nothing is left to see on ground that the map calls wide enough, the robot tries the ways on which it
 // may fit all the same: it drives up to them, measures the gap (close_range.hpp), and passes through its
@@ -138,6 +139,7 @@ struct ExploreMission {
   std::int64_t stuck = 0;       ///< how often the robot got stuck
   std::int64_t stuck_here = 0;  ///< how often recently
   double stuck_m = 0.0;         ///< driven_m at the last time
+  bool backwards = false;       ///< it drives backwards while it backs off
   std::int64_t scans = 0;
   std::int64_t bad_scans = 0;                ///< unusable scans
   std::int64_t range_finder_asked_at = 250;  ///< value of `scans` at which the range finder is checked
