@@ -251,5 +251,15 @@ TEST(PursueBehindTopics, ATeamIsNotOneRobot) {
   EXPECT_EQ(PursueMissionNode::check(scenario, pursuit_task()).error().where, "clock");
 }
 
+TEST(MissionNodes, FaultsOfASimulationAreRefused) {
+  PursuitScenario pursuit;
+  EXPECT_TRUE(PursueMissionNode::check(pursuit, pursuit_task()));
+  pursuit.faults.stuck_from_s = 3.0;
+  EXPECT_EQ(PursueMissionNode::check(pursuit, pursuit_task()).error().where, "faults");
+  CoverScenario cover;
+  cover.faults.slip = 0.1;
+  EXPECT_EQ(CoverMissionNode::check(cover).error().where, "faults");
+}
+
 }  // namespace
 }  // namespace outrider
