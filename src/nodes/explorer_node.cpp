@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/core/text.hpp"
 #include "outrider/io/values.hpp"
 #include "outrider/jobs/explore/task.hpp"
 #include "outrider/log/conversions.hpp"
@@ -14,6 +15,8 @@ namespace outrider {
 namespace {
 
 constexpr double goal_every_s = 1.0;
+constexpr double verdict_s =
+    4.0;  // the mapper judges its map 1 s after the robot stands, and repeats its status
 constexpr std::int32_t sphere_list = 7;  // of visualization_msgs/Marker
 constexpr double at_goal_m = 0.08;
 constexpr int looked_at = 1000;                     // tries of a narrow place: no more are made
@@ -60,6 +63,8 @@ ExplorerNode::ExplorerNode(ExplorerNodeOptions options)
                                   [this](const auto& map) { return take_map(map); });
   listen<sensor_msgs::LaserScan>("scan", Delivery::sensor,
                                  [this](const auto& scan) { return take_scan(scan); });
+  listen<diagnostic_msgs::DiagnosticStatus>("mapper/status", Delivery::latched,
+                                            [this](const auto& mapper) { return take_verdict(mapper); });
   listen_to_transforms(frames_);
   goal_output_ = add_output<geometry_msgs::PoseStamped>("goal_pose", Delivery::reliable);
   frontier_output_ = add_output<visualization_msgs::MarkerArray>("frontiers", Delivery::reliable);
@@ -94,6 +99,14 @@ Status ExplorerNode::take_scan(const sensor_msgs::LaserScan& scan) {
   return scan_.take(scan, frames_, now_s());
 }
 
+Status ExplorerNode::take_verdict(const diagnostic_msgs::DiagnosticStatus& mapper) {
+  const bool doubts = std::ranges::any_of(mapper.values, [](const diagnostic_msgs::KeyValue& value) {
+    return value.key == "state" && value.value == "doubtful";
+  });
+  doubt_ = doubts ? printable(mapper.message) : "";
+  return {};
+}
+
 ExploreState ExplorerNode::state() {
   return {frontiers_, blacklist_, options_.robot, options_.range_m,
           pose_,      *home_,     now_s(),        decision_ ? decision_->choice : ExploreChoice{}};
@@ -124,12 +137,26 @@ void ExplorerNode::go_home(std::string state, std::string sentence) {
   send_goal();
 }
 
+/// Ends, or first waits for what the mapper says of its map once the robot stands.
 void ExplorerNode::end() {
+  const bool explored = end_state_ == "complete" || end_state_ == "left_over";
+  if (!explored || !doubt_) return end_as_judged();
+  asked_s_ = now_s();
+  set_status(NodeLevel::info, "asking", "it waits for what the mapper says of its map");
+}
+
+void ExplorerNode::end_as_judged() {
   over_ = true;
   const bool home = distance(pose_.position, home_->position) <= options_.home_within_m;
+  if (asked_s_ && doubt_ && !doubt_->empty()) {
+    end_state_ = "lost";
+    end_sentence_ = "the mapper doubts its map: " + *doubt_;
+  } else if (!doubt_) {
+    end_sentence_ += "; no mapper says whether its map can be believed";
+  }
   const bool good = end_state_ == "complete" && (home || !options_.return_home);
   set_status(good ? NodeLevel::info : NodeLevel::error, end_state_,
-             home ? end_sentence_ + "; the robot is home" : end_sentence_);
+             home && end_state_ != "lost" ? end_sentence_ + "; the robot is home" : end_sentence_);
 }
 
 /// Looks at the narrow ways from near, one after the other, then goes home.
@@ -286,6 +313,10 @@ void ExplorerNode::act() {
   }
   pose_ = *pose;
   if (!home_) home_ = pose_;
+  if (asked_s_) {
+    if (now_s() - *asked_s_ >= verdict_s) end_as_judged();
+    return;
+  }
   if (std::exchange(new_map_, false)) {
     decide_anew();
     send_frontiers();

@@ -2,15 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "outrider/core/text.hpp"
 #include "outrider/io/scan_mount.hpp"
+#include "outrider/jobs/explore/map_doubt.hpp"
 #include "outrider/jobs/explore/task.hpp"
 #include "outrider/log/conversions.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr std::size_t most_waiting = 10;  // scans
+constexpr std::size_t most_waiting = 10;              // scans
+constexpr double drove_m = 0.003, turned_rad = 0.01;  // between two scans; less is noise
 
 }  // namespace
 
@@ -166,6 +171,10 @@ Status MapperNode::map(const Waiting& waiting) {
   map_T_odom_ = wrap_heading(compose(step->pose, inverse(odometry_)));
   mapped_s_ = now_s();
   map_changed_ = true;
+  if (norm(motion.position) > drove_m || std::abs(motion.heading_rad) > turned_rad) {
+    drove_s_ = now_s();
+    judged_ = false;
+  }
   if (step->closed_loop) {
     tell(NodeLevel::info, "a place was recognised, and the map was redrawn");
     if (kept_ && !kept_->scans.empty()) kept_->occupancy = Grid<std::uint8_t>();
@@ -203,6 +212,18 @@ void MapperNode::send_map() {
     tell(NodeLevel::warning, "the map was not kept: " + to_string(ok.error()));
 }
 
+/// Asks whether the map can be believed. O(keyframes^2 + beams of the keyframes).
+void MapperNode::judge() {
+  constexpr double stands_s = 1.0;
+  constexpr std::size_t least_steps = 250;
+  const bool stands = now_s() - drove_s_ >= stands_s;
+  const bool grown = steps_ >= std::max(least_steps, judged_steps_ + judged_steps_ / 2);
+  if (judged_ || !(stands || grown)) return;
+  doubt_ = map_doubt(*slam_);
+  judged_ = stands;
+  judged_steps_ = steps_;
+}
+
 void MapperNode::act() {
   if (!mapped_s_) {
     if (!waiting_.empty()) set_status(NodeLevel::warning, "waiting", "a scan waits for its odometry");
@@ -214,7 +235,11 @@ void MapperNode::act() {
                fmt::format("no scan with odometry has come for {:g} s", options_.patience_s));
     return;
   }
-  set_status(NodeLevel::info, "mapping", "scans are mapped");
+  judge();
+  if (doubt_.empty())
+    set_status(NodeLevel::info, "mapping", "scans are mapped");
+  else
+    set_status(NodeLevel::warning, "doubtful", doubt_);
   tf2_msgs::TFMessage transforms;
   transforms.transforms.push_back(
       transform_of(now_s(), map_T_odom_, options_.frames.map, options_.frames.odom));

@@ -3,6 +3,7 @@
 //   map             nav_msgs/OccupancyGrid    ->   goal_pose       geometry_msgs/PoseStamped
 //   scan            sensor_msgs/LaserScan          frontiers       visualization_msgs/MarkerArray
 //   /tf, /tf_static                                explore/status  what it does, and why it ended
+//   mapper/status   diagnostic_msgs/DiagnosticStatus
 //
 // Goals are those of jobs/explore/decide.hpp, chosen again with every map. A goal at which the robot stood
 // without seeing what it was to see there, or to which it makes no way for `patience`, is left alone for a
@@ -13,9 +14,10 @@
 // The exploration is complete if nothing is left over (jobs/explore/left_over.hpp) but what the robot sees
 // from nowhere: it lies behind gaps that were measured to be too narrow for the robot with its clearance, the
 // radius and `explore.margin` on each side, or that are so on the map though its walls may be drawn too
-// thick. Without scans no gap is measured. States: exploring, going_home, complete, left_over, leak, stuck,
-// map_lost. The sentence of an end says what is left over or out of sight, or why. A goal is sent again every
-// second, since messages get lost.
+// thick. Without scans no gap is measured. It is not called complete if the mapper doubts its map, for which
+// it is asked in the end; the sentence says if no mapper answers. States: exploring, going_home, asking,
+// complete, left_over, lost, leak, stuck, map_lost. The sentence of an end says what is left over or out of
+// sight, or why. A goal is sent again every second, since messages get lost.
 #pragma once
 
 #include <optional>
@@ -56,6 +58,7 @@ class ExplorerNode final : public Node {
  private:
   Status take_map(const nav_msgs::OccupancyGrid& map);
   Status take_scan(const sensor_msgs::LaserScan& scan);
+  Status take_verdict(const diagnostic_msgs::DiagnosticStatus& mapper);
   void act() override;
   void decide_anew();
   void decide_where(const Decision& decision);
@@ -67,6 +70,7 @@ class ExplorerNode final : public Node {
   void moved_on();
   void go_home(std::string state, std::string sentence);
   void end();
+  void end_as_judged();
   void send_goal();
   void send_frontiers();
   [[nodiscard]] ExploreState state();
@@ -94,6 +98,8 @@ class ExplorerNode final : public Node {
   std::vector<NarrowPlace> narrow_;       ///< narrow places that it has looked at
   std::optional<NarrowWay> narrow_way_;   ///< that it goes to look at
   std::string end_state_, end_sentence_;  ///< set once it goes home
+  std::optional<std::string> doubt_;      ///< of the mapper about its map, once it has said anything
+  std::optional<double> asked_s_;         ///< when it began to wait for the verdict of the mapper
   bool over_ = false;
   std::size_t goal_output_, frontier_output_;
 };

@@ -9,6 +9,10 @@
 // the laser stands on the robot comes from /tf and /tf_static; the scans wait for it, and for the odometry of
 // their time. While no scan comes, map -> odom is not sent, so that others notice.
 //
+// Each time the robot stands after it drove, and when the scans have become half as many again, the mapper
+// asks whether its map can be believed (jobs/explore/map_doubt.hpp); as long as it cannot, its status is
+// doubtful.
+//
 // With `keep` the map is kept in files, and a mapper that is started anew goes on with it, with the same load
 // time, if its first scan fits where the odometry says that the robot is (nodes/kept_map.hpp): so if the
 // robot and its odometry went on meanwhile. Otherwise it begins another map and says so. It maps the scans
@@ -18,6 +22,7 @@
 
 #include <deque>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -66,6 +71,7 @@ class MapperNode final : public Node {
   Status map(const Waiting& waiting);
   void send_pose(double time_s);
   void send_map();
+  void judge();
   Status begin(const Pose2& odometry, const LaserScan& scan, double time_s);
   Status go_on(const Pose2& place, const Pose2& odometry);
   Outcome<LaserSlamStep> advance(const Pose2& motion, const LaserScan& scan);
@@ -86,6 +92,10 @@ class MapperNode final : public Node {
   std::size_t steps_ = 0;                                     ///< of the SLAM
   std::vector<std::pair<std::size_t, LaserScan>> keyframes_;  ///< steps and scans, if the map is kept
   bool map_changed_ = false;
+  double drove_s_ = 0.0;          ///< when a scan was mapped from elsewhere than the one before
+  bool judged_ = true;            ///< the robot has not driven since the map was judged
+  std::size_t judged_steps_ = 0;  ///< of the SLAM, at that time
+  std::string doubt_;             ///< why the map cannot be believed
   std::size_t map_output_, pose_output_, transform_output_;
 };
 

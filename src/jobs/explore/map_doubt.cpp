@@ -1,4 +1,4 @@
-#include "map_doubt.hpp"
+#include "outrider/jobs/explore/map_doubt.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ constexpr double most_contradicted = 0.1;  ///< share of the scans; people and n
 
 std::string range_finder_doubt(const LaserSlam& slam) {
   const std::string why = why_not_believed(slam.check_range_finder());
-  return why.empty() ? why : "lost: " + why + ", so its map cannot be right";
+  return why.empty() ? why : why + ", so its map cannot be right";
 }
 
 std::string map_doubt(const LaserSlam& slam) {
@@ -29,26 +29,26 @@ std::string map_doubt(const LaserSlam& slam) {
   };
   if (!gaps.empty()) {
     return fmt::format(
-        "lost: at {} the scans matched nothing, and odometry alone joins the map before and after; "
+        "at {} the scans matched nothing, and odometry alone joins the map before and after; "
         "was the robot moved?",
         at(gaps.front()));
   }
   if (!check.jumps.empty()) {
     const Jump& jump = check.jumps.front();
     return fmt::format(
-        "lost: at {} its scans jump by {:.2f} m and {:.0f} degrees against odometry; was the robot "
+        "at {} its scans jump by {:.2f} m and {:.0f} degrees against odometry; was the robot "
         "moved, or does a wheel slip?",
         at(jump.after), distance(jump.by_map.position, jump.by_odometry.position),
         degrees(std::abs(wrap_angle(jump.by_map.heading_rad - jump.by_odometry.heading_rad))));
   }
   if (!check.crossings.empty()) {
     return fmt::format(
-        "lost: at {} its path leads through what its map shows as occupied; was the robot moved to a place "
+        "at {} its path leads through what its map shows as occupied; was the robot moved to a place "
         "that "
         "looks alike?",
         at(check.crossings.front()));
   }
-  return fmt::format("lost: {} of {} scans contradict others about what is free, so the map cannot be right",
+  return fmt::format("{} of {} scans contradict others about what is free, so the map cannot be right",
                      check.contradicted, check.scans);
 }
 

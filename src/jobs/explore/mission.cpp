@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "map_doubt.hpp"
 #include "mission_parts.hpp"
 #include "outrider/jobs/explore/catalog.hpp"
 #include "outrider/jobs/explore/view.hpp"
@@ -188,9 +187,9 @@ void judge_what_is_left(ExploreMission& mission) {
   mission.left = left_over(state, options, mission.decision.refused, true, mission.narrow);
   const bool explored = mission.stop_reason == "complete" || mission.stop_reason == "left_over";
   if (!explored) return;
-  if (std::string doubt = map_doubt(mission.slam); !doubt.empty()) {
+  if (const std::string doubt = map_doubt(mission.slam); !doubt.empty()) {
     mission.stop_reason = "lost";
-    mission.reason = std::move(doubt);
+    mission.reason = "lost: " + doubt;
     return;
   }
   if (std::string doubt = home_doubt(mission); !doubt.empty()) {
@@ -281,9 +280,9 @@ void perceive(ExploreMission& mission, const Observation& seen) {
 bool believes_range_finder(ExploreMission& mission) {
   if (mission.scans < mission.range_finder_asked_at) return true;
   mission.range_finder_asked_at *= 2;
-  std::string doubt = range_finder_doubt(mission.slam);
+  const std::string doubt = range_finder_doubt(mission.slam);
   if (doubt.empty()) return true;
-  end(mission, "lost", std::move(doubt));
+  end(mission, "lost", "lost: " + doubt);
   return false;
 }
 

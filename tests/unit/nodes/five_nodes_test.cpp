@@ -23,13 +23,15 @@ using testing::NodeBus;
 
 class Office {
  public:
-  explicit Office(const MessageFaults& faults, std::uint64_t of_seed = 1) : seed(of_seed), bus(faults) {
+  explicit Office(const MessageFaults& faults, std::uint64_t of_seed = 1, const ExplorerFaults& of_robot = {})
+      : seed(of_seed), bus(faults) {
     ExploreScenario scenario;
     scenario.world.world = OUTRIDER_SOURCE_DIR "/scenarios/explore/office.sdf";
     scenario.start = "0.8,3,0";
     auto loaded = load_explore(scenario);
     EXPECT_TRUE(loaded) << to_string(loaded.error());
     setup = std::move(*loaded);
+    setup.sim.faults = of_robot;
 
     for (const char* name : {"sim", "mapper", "planner", "explorer", "follower"}) start(name);
     bus.look = [this](const std::string& topic, const std::string& bytes) { look(topic, bytes); };
@@ -68,7 +70,8 @@ class Office {
   bool explored() {
     return bus.run(bus.time_s() + 1500.0, [this] {
       const std::string& state = bus.status("explorer").state;
-      return state == "complete" || state == "left_over" || state == "stuck" || state == "leak";
+      return state == "complete" || state == "left_over" || state == "lost" || state == "stuck" ||
+             state == "leak";
     });
   }
 
@@ -103,9 +106,16 @@ void expect_home(const Office& office) {
   EXPECT_LT(distance(office.sim().pose().position, office.setup.task.start.position), 0.3);
 }
 
-void expect_mapped(const Office& office) {
+/// Returns true if nothing is left over but what lies behind gaps that are too narrow.
+bool only_narrow(const NodeStatus& end) {
+  return end.state == "left_over" && end.sentence.find("because: too narrow (") != std::string::npos &&
+         end.sentence.find(';') == end.sentence.rfind(';');
+}
+
+void expect_mapped(const Office& office, bool may_leave_narrow = false) {
   const NodeStatus& end = office.bus.status("explorer");
-  EXPECT_EQ(end.state, "complete") << end.sentence;
+  EXPECT_TRUE(end.state == "complete" || (may_leave_narrow && only_narrow(end)))
+      << end.state << ": " << end.sentence;
   expect_home(office);
   const MapQuality quality = office.quality();
   EXPECT_GT(quality.explored_fraction, 0.99);
@@ -122,6 +132,27 @@ TEST(FiveNodes, MapTheOfficeAndComeHome) {
 TEST(FiveNodes, MapTheOfficeThoughMessagesAreLostAndLate) {
   Office office({.loss = 0.01, .delay_s = 0.1});
   ASSERT_TRUE(office.explored());
+  expect_mapped(office);
+}
+
+/// The explorer knows nothing but the map; the mapper finds out that its ranges are off.
+TEST(FiveNodes, AMapThatTheMapperDoubtsIsNotCalledComplete) {
+  ExplorerFaults off;
+  off.bias_m = 0.08;
+  Office office({}, 1, off);
+  ASSERT_TRUE(office.explored());
+  EXPECT_EQ(office.bus.status("mapper").state, "doubtful");
+  const NodeStatus& end = office.bus.status("explorer");
+  EXPECT_EQ(end.state, "lost");
+  EXPECT_NE(end.sentence.find("all ranges were 0.08 m too long"), std::string::npos) << end.sentence;
+}
+
+TEST(FiveNodes, ARobotThatWasCarriedAndFoundItsPlaceAgainIsBelieved) {
+  ExplorerFaults carried;
+  carried.kidnapping = {15.0, 1.0, 1.5};
+  Office office({}, 1, carried);
+  ASSERT_TRUE(office.explored());
+  EXPECT_GT(office.bus.time_s(), carried.kidnapping.at_s);
   expect_mapped(office);
 }
 
@@ -178,7 +209,7 @@ TEST_P(OneIsKilled, AndStartedAnew) {
   office.start(name);
   if (name == "mapper") return expect_rest(office);
   ASSERT_TRUE(office.explored());
-  expect_mapped(office);
+  expect_mapped(office, name == "planner");  // a gap that it cannot reach meanwhile is not measured
 }
 
 /// Returns how many constraints of its graph join a keyframe of the kept map to one after.
@@ -282,10 +313,7 @@ TEST(ExploreMissionNode, MapsTheOfficeAndComesHome) {
   ASSERT_TRUE(office.bus.run(1500.0, over));
   // The job counts what lies behind gaps that are too narrow as left over.
   const NodeStatus& end = office.bus.status("explore");
-  const bool only_narrow = end.state == "left_over" &&
-                           end.sentence.find("because: too narrow (") != std::string::npos &&
-                           end.sentence.find(';') == end.sentence.rfind(';');
-  EXPECT_TRUE(end.state == "complete" || only_narrow) << end.state << ": " << end.sentence;
+  EXPECT_TRUE(end.state == "complete" || only_narrow(end)) << end.state << ": " << end.sentence;
   expect_home(office);
   EXPECT_GT(office.quality().explored_fraction, 0.99);
 }

@@ -1,4 +1,4 @@
-// Why an explorer does not believe its own map.
+// Why the map of an exploration cannot be believed.
 //
 // A robot that was carried away goes on mapping where odometry puts it. If it is recognised later, the map is
 // right; if it is not, parts of the map lie beside or over each other, and neither the map nor the pose of
