@@ -75,15 +75,16 @@ check-ros2:  ## build with ROS 2 over Cyclone DDS, and run the tests of its node
 	@ninja -C build-ros2 -j $(JOBS) outrider unit_nodes unit_ros2 fastdds_test
 	@ctest --preset ros2 -R '$(call tests_of,nodes ros2)|^FastDds|^ros2[.]' && 	  echo "Every test of ROS 2 passed." || { echo "Some tests of ROS 2 failed; the list above names them."; exit 1; }
 
-# Units that use threads: the server, the tool, and what computes in parallel.
-THREADED = core path tour jobs_guard server
+# Scripts of the tool in which threads meet: the server, sweeps, and runs that are stopped or watched.
+THREADED = serve serve_plan serve_yard serve_live serve_safety serve_confinement sweep cancel progress
 
-tsan:  ## run the tests of what uses threads, costly ones in part, under the thread sanitizer
+# UNITS="core server" runs only the tests of these units.
+tsan:  ## run the test programs, costly tests in part, and the tool where its threads meet, under the thread sanitizer
 	$(INSTALL) build test cbc
 	$(CONFIGURE) tsan build-tsan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=4
-	@ninja -C build-tsan -j $(JOBS) outrider $(THREADED:%=unit_%)
+	@ninja -C build-tsan -j $(JOBS) outrider $(or $(UNITS:%=unit_%),test_programs)
 	@OUTRIDER_CASES=0.1 ctest --preset tsan -j $(JOBS) \
-	    -R "$(call tests_of,$(THREADED))|^cli[.]serve(_plan|_yard|_live|_safety|_confinement)?$$" && \
+	    -R "$(if $(UNITS),$(call tests_of,$(UNITS)),^unit_)|^cli[.]($(subst $(space),|,$(THREADED)))$$" && \
 	  echo "No race was found." || { echo "Some tests failed under the thread sanitizer; the list above names them."; exit 1; }
 
 docs:  ## write docs/options.md and docs/scenario.schema.json anew

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "outrider/core/units.hpp"
+#include "surface_map.hpp"
 
 namespace outrider {
 namespace {
@@ -31,6 +32,21 @@ bool is_guess(const Pose2& by_map, const Keyframe& key, double shared) {
   const double sd_m = key.odometry_noise.position_m;
   const bool is_off = distance(by_map.position, key.odometry.position) > sd_m;
   return (sd_m > unsure_sd_m && is_off) || (sd_m > guess_sd_m && shared < least_shared_sure);
+}
+
+/// Returns true if the scans of two keyframes fit each other best at another pose than that of the map:
+/// between what odometry and what the scans say, a map can be wrong although most surfaces still lie near
+/// each other.
+bool fits_elsewhere(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t a,
+                    std::uint32_t b) {
+  constexpr double off_m = 0.1, off_rad = 0.05;
+  constexpr double held = 10.0;  // 1/m^2, 1/rad^2: holds the pose where the scans do not say
+  const Pose2 by_map = relative_pose(graph.keyframes[a].pose, graph.keyframes[b].pose);
+  const SurfaceMap::Part part{&surfaces.of(graph, a), {}};
+  const SurfaceMap map({&part, 1});
+  const Fit fit = map.refine(surfaces.of(graph, b), by_map, {by_map, held * Eigen::Matrix3d::Identity()});
+  return distance(fit.pose.position, by_map.position) > off_m ||
+         std::abs(wrap_angle(fit.pose.heading_rad - by_map.heading_rad)) > off_rad;
 }
 
 }  // namespace
@@ -78,7 +94,9 @@ std::vector<Jump> find_jumps(const KeyframeGraph& graph, KeyframeSurfaces& surfa
     if (!(is_near && differs) && !is_after_pause && !odometry_differs && !may_be_guess) continue;
     const bool is_measured = !(is_near && differs) && before.has_scan() && key.has_scan();
     const double shared = is_measured ? shared_surface(graph, surfaces, i - 1, i) : key.shared_before;
-    const bool is_jump = (is_near && differs) || (odometry_differs && shared < least_shared);
+    const bool is_confirmed =
+        shared >= least_shared && !(is_measured && fits_elsewhere(graph, surfaces, i - 1, i));
+    const bool is_jump = (is_near && differs) || (odometry_differs && !is_confirmed);
     const bool is_unconfirmed = is_guess(by_map, key, shared);
     if (!is_jump && !is_after_pause && !is_unconfirmed) continue;
     jumps.push_back({i - 1, i, by_map, key.odometry, shared, is_jump || is_unconfirmed ? 0.0 : key.pause_s,

@@ -1,13 +1,14 @@
 // Is each step of a path confirmed by what was measured?
 //
 // A step from one keyframe to the next is confirmed by the odometry, if the two agree within the error of the
-// odometry, or by the scans, if those of both keyframes show the same surfaces. Two scans from nearly the
-// same pose must show the same, so a short step needs both. A robot that was carried, or whose odometry stood
-// still meanwhile, may be recognised at another place; then neither confirms the step, and a building with
-// two places that look alike is folded without any scan that contradicts another one. Nor does odometry
-// confirm a step after a minute without a scan, because nobody knows what it missed, or a step whose error
-// is so large that several places within it may look like the one that was matched. The overlap is computed
-// from the points themselves and not by the map with which scans are matched.
+// odometry, or by the scans, if those of both keyframes show the same surfaces and fit each other best where
+// the map has them, within 0.1 m and 0.05 rad. Two scans from nearly the same pose must show the same, so a
+// short step needs both. A robot that was carried, or whose odometry stood still meanwhile, may be recognised
+// at another place; then neither confirms the step, and a building with two places that look alike is folded
+// without any scan that contradicts another one. Nor does odometry confirm a step after a minute without a
+// scan, because nobody knows what it missed, or a step whose error is so large that several places within it
+// may look like the one that was matched. The overlap is computed from the points themselves and not by the
+// map with which scans are matched.
 #pragma once
 
 #include <vector>

@@ -82,6 +82,25 @@ TEST(PathCheck, OdometryThatIsWrongIsNoJumpWhereTheScansOverlap) {
   EXPECT_TRUE(find_jumps(graph, surfaces).empty());
 }
 
+/// A robot is turned by hand, and the map has it half-way between what odometry and what the scans say.
+TEST(PathCheck, AMapBetweenOdometryAndScansIsAJump) {
+  Rng rng(8);
+  KeyframeGraph graph = drive_past_walls(rng);
+  KeyframeSurfaces surfaces({}, 30.0);
+  Keyframe& turned = graph.keyframes[7];
+  Pose2 truth = turned.pose;
+  truth.heading_rad += 0.24;
+  turned.scan = half_turn_scan(truth, rng);
+  turned.odometry_noise = {0.02, 0.02};
+  turned.pose.heading_rad += 0.12;
+  ASSERT_GT(shared_surface(graph, surfaces, 6, 7), 0.5) << "most surfaces still lie near each other";
+  const std::vector<Jump> jumps = find_jumps(graph, surfaces);
+  ASSERT_EQ(jumps.size(), 1U);
+  EXPECT_EQ(jumps[0].after, 7U);
+  turned.pose = truth;
+  EXPECT_TRUE(find_jumps(graph, surfaces).empty()) << "the scans confirm it";
+}
+
 TEST(PathCheck, WhatNeitherOdometryNorScansConfirmIsAJump) {
   Rng rng(3);
   KeyframeGraph graph = drive_past_walls(rng);
