@@ -7,6 +7,7 @@
 
 #include "mission_parts.hpp"
 #include "outrider/jobs/explore/catalog.hpp"
+#include "outrider/jobs/explore/map_doubt.hpp"
 #include "outrider/jobs/explore/view.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/slam/scan_contradiction.hpp"

@@ -106,18 +106,18 @@ void back_off(ExploreMission& mission, const Nearby& nearby) {
 }
 
 /// Returns the twist at half the speed.
-Twist2 steer_slowly(const ExploreMission& mission, const Pose2& pose, const Twist2& now,
-                    const Nearby& nearby) {
+Twist2 steer_slowly(const ExploreMission& mission, const PathProgress& path, const Pose2& pose,
+                    const Twist2& now, const Nearby& nearby) {
   RobotModel slow = mission.task.robot;
   slow.speed_mps *= 0.5;
-  return steer(*mission.path, pose, now, nearby, slow, mission.task.steer);
+  return steer(path, pose, now, nearby, slow, mission.task.steer);
 }
 
 /// Returns the twist for a robot that drives backwards.
-Twist2 steer_back(const ExploreMission& mission, const Nearby& nearby) {
+Twist2 steer_back(const ExploreMission& mission, const PathProgress& path, const Nearby& nearby) {
   const Pose2 turned{mission.pose.position, mission.pose.heading_rad + pi};
   const Twist2 now{-mission.twist.ahead_mps, 0.0, mission.twist.turn_radps};
-  const Twist2 back = steer_slowly(mission, turned, now, nearby);
+  const Twist2 back = steer_slowly(mission, path, turned, now, nearby);
   return {-back.ahead_mps, 0.0, back.turn_radps};
 }
 
@@ -235,9 +235,11 @@ Twist2 drive(ExploreMission& mission) {
   look_close(mission);
   Nearby nearby = surroundings(mission);
   if (mission.stage == ExploreStage::back_off) {
-    const bool goes_back = mission.path && remaining_m(*mission.path) >= arrived_m && !stands_still(mission);
-    if (goes_back && mission.backwards) return steer_back(mission, nearby);
-    if (goes_back) return steer_slowly(mission, mission.pose, mission.twist, nearby);
+    if (mission.path && remaining_m(*mission.path) >= arrived_m && !stands_still(mission)) {
+      const PathProgress& path = *mission.path;
+      return mission.backwards ? steer_back(mission, path, nearby)
+                               : steer_slowly(mission, path, mission.pose, mission.twist, nearby);
+    }
     mission.stage = ExploreStage::seek;
     mission.path.reset();
   } else if (mission.touching || (mission.path && stands_still(mission))) {

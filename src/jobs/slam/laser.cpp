@@ -171,7 +171,7 @@ Outcome<std::vector<NamedContent>> files_of(const std::vector<double>& recorded_
 }
 
 /// Returns the pose of the map of the log on the map that was made.
-Pose2 map_T_reference(const LaserRun& run, const std::vector<Pose2>& reference) {
+Pose2 reference_on_map(const LaserRun& run, const std::vector<Pose2>& reference) {
   const std::vector<Pose2> poses = run.slam.trajectory();
   std::vector<Vec2> path, known_path;
   for (std::size_t i = 0; i < std::min(reference.size(), run.steps); ++i) {
@@ -226,7 +226,7 @@ Status map_laser_log(const SlamJob& job, const LaserLog& log, const LaserLog& re
     auto mapped = run_laser_log(log, job.scenario.laser, mapping, processor_s);
     if (mapped && !recorded.reference.empty()) {
       map_error_m = wall_error_m(mapped->slam.map().occupancy(), recorded,
-                                 map_T_reference(*mapped, log.reference), job.scenario.laser.robot_T_laser);
+                                 reference_on_map(*mapped, log.reference), job.scenario.laser.robot_T_laser);
     }
     return mapped;
   });

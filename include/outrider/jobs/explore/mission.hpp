@@ -106,6 +106,7 @@ struct ExploreMission {
   CloseRange close_range;
   bool touching = false;
   bool new_touch = false;             ///< it has just touched something that was not touched before
+  bool backwards = false;             ///< it drives backwards while it backs off
   std::vector<Vec2> contacts;         ///< where it touched something, in the world of that time
   std::vector<TouchedPoint> touches;  ///< the obstacles that it takes to be there
   std::vector<Vec2> touched;          ///< the same in the world, by the newest estimate
@@ -139,7 +140,6 @@ struct ExploreMission {
   std::int64_t stuck = 0;       ///< how often the robot got stuck
   std::int64_t stuck_here = 0;  ///< how often recently
   double stuck_m = 0.0;         ///< driven_m at the last time
-  bool backwards = false;       ///< it drives backwards while it backs off
   std::int64_t scans = 0;
   std::int64_t bad_scans = 0;                ///< unusable scans
   std::int64_t range_finder_asked_at = 250;  ///< value of `scans` at which the range finder is checked
