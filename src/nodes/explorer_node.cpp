@@ -15,8 +15,7 @@ namespace outrider {
 namespace {
 
 constexpr double goal_every_s = 1.0;
-constexpr double verdict_s =
-    4.0;  // the mapper judges its map 1 s after the robot stands, and repeats its status
+constexpr double verdict_s = 4.0;        // the mapper judges its map 1 s after the robot stands
 constexpr std::int32_t sphere_list = 7;  // of visualization_msgs/Marker
 constexpr double at_goal_m = 0.08;
 constexpr int looked_at = 1000;                     // tries of a narrow place: no more are made
@@ -137,10 +136,11 @@ void ExplorerNode::go_home(std::string state, std::string sentence) {
   send_goal();
 }
 
+bool ExplorerNode::has_explored() const { return end_state_ == "complete" || end_state_ == "left_over"; }
+
 /// Ends, or first waits for what the mapper says of its map once the robot stands.
 void ExplorerNode::end() {
-  const bool explored = end_state_ == "complete" || end_state_ == "left_over";
-  if (!explored || !doubt_) return end_as_judged();
+  if (!has_explored() || !doubt_) return end_as_judged();
   asked_s_ = now_s();
   set_status(NodeLevel::info, "asking", "it waits for what the mapper says of its map");
 }
@@ -151,7 +151,7 @@ void ExplorerNode::end_as_judged() {
   if (asked_s_ && doubt_ && !doubt_->empty()) {
     end_state_ = "lost";
     end_sentence_ = "the mapper doubts its map: " + *doubt_;
-  } else if (!doubt_) {
+  } else if (!doubt_ && has_explored()) {
     end_sentence_ += "; no mapper says whether its map can be believed";
   }
   const bool good = end_state_ == "complete" && (home || !options_.return_home);

@@ -71,6 +71,7 @@ class ExplorerNode final : public Node {
   void go_home(std::string state, std::string sentence);
   void end();
   void end_as_judged();
+  [[nodiscard]] bool has_explored() const;
   void send_goal();
   void send_frontiers();
   [[nodiscard]] ExploreState state();
