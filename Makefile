@@ -75,8 +75,8 @@ check-ros2:  ## build with ROS 2 over Cyclone DDS, and run the tests of its node
 	@ninja -C build-ros2 -j $(JOBS) outrider unit_nodes unit_ros2 fastdds_test
 	@ctest --preset ros2 -R '$(call tests_of,nodes ros2)|^FastDds|^ros2[.]' && 	  echo "Every test of ROS 2 passed." || { echo "Some tests of ROS 2 failed; the list above names them."; exit 1; }
 
-# Scripts of the tool in which threads meet: the server, sweeps, and runs that are stopped or watched.
-THREADED = serve serve_plan serve_yard serve_live serve_safety serve_confinement sweep cancel progress
+# Scripts of the tool in which threads meet: those of the server, and sweeps.
+THREADED = serve serve_plan serve_yard serve_live serve_safety serve_confinement sweep
 
 # UNITS="core server" runs only the tests of these units.
 tsan:  ## run the test programs, costly tests in part, and the tool where its threads meet, under the thread sanitizer

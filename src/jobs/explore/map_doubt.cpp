@@ -43,8 +43,8 @@ std::string map_doubt(const LaserSlam& slam) {
   }
   if (!check.crossings.empty()) {
     return fmt::format(
-        "at {} its path leads through what its map shows as occupied; was the robot moved to a place "
-        "that looks alike?",
+        "at {} its path leads through what its map shows as occupied; did a door close there, or was the "
+        "robot moved to a place that looks alike?",
         at(check.crossings.front()));
   }
   return fmt::format("{} of {} scans contradict others about what is free, so the map cannot be right",
