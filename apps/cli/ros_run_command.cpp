@@ -57,17 +57,13 @@ std::vector<OptionGroup> describe_mission(MissionRequest& request) {
 
 using MadeNode = Outcome<std::unique_ptr<Node>>;
 
-/// `outrider ros sim` has the other faults of a scenario; this one is the mission's own.
-Status check_no_outage(const PlannerOutage& outage) {
-  if (!outage.any()) return {};
-  return bad_input("a planner runs out of its budget on purpose only in `outrider run`; leave the key out",
-                   "faults.planner_fails_from");
-}
+/// The key of a fault of the mission itself; `outrider ros sim` has those of its robot.
+constexpr const char* outage_key = "faults.planner_fails_from";
 
 MadeNode make_explorer(const MissionRequest& request) {
   ExploreJob job;
   if (auto ok = read_scenario(job, request.file); !ok) return pass_on(ok);
-  if (auto ok = check_no_outage(job.scenario.sim.faults.planner); !ok) return pass_on(ok);
+  if (auto ok = check_no_faults(job.scenario.sim.faults.planner.any(), outage_key); !ok) return pass_on(ok);
   ExploreMissionNodeOptions options;
   options.node = request.node;
   options.task = job.scenario.task;
@@ -106,7 +102,7 @@ MadeNode make_pursuer(const MissionRequest& request) {
 MadeNode make_guard(const MissionRequest& request) {
   GuardJob job;
   if (auto ok = read_scenario(job, request.file); !ok) return pass_on(ok);
-  if (auto ok = check_no_outage(job.scenario.faults.planner); !ok) return pass_on(ok);
+  if (auto ok = check_no_faults(job.scenario.faults.planner.any(), outage_key); !ok) return pass_on(ok);
   auto warnings = job.load();
   if (!warnings) return pass_on(warnings);
   warn(*warnings);

@@ -49,12 +49,7 @@ struct CoverMissionNode::Work {
 };
 
 Status CoverMissionNode::check(const CoverScenario& scenario) {
-  if (scenario.faults.any()) {
-    return bad_input(
-        "the robot behind topics is not simulated, so nothing goes wrong with it on purpose; leave the "
-        "section out",
-        "faults");
-  }
+  if (auto ok = check_no_faults(scenario.faults.any()); !ok) return ok;
   auto task = load_task(scenario);
   if (!task) return pass_on(task);
   if (!task->frame.degrees) return {};

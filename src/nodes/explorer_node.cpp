@@ -148,11 +148,10 @@ void ExplorerNode::end() {
 void ExplorerNode::end_as_judged() {
   over_ = true;
   const bool home = distance(pose_.position, home_->position) <= options_.home_within_m;
-  if (asked_s_ && doubt_ && !doubt_->empty()) {
+  if (has_explored() && !doubt_) end_sentence_ += "; no mapper says whether its map can be believed";
+  if (has_explored() && doubt_ && !doubt_->empty()) {
     end_state_ = "lost";
     end_sentence_ = "the mapper doubts its map: " + *doubt_;
-  } else if (!doubt_ && has_explored()) {
-    end_sentence_ += "; no mapper says whether its map can be believed";
   }
   const bool good = end_state_ == "complete" && (home || !options_.return_home);
   set_status(good ? NodeLevel::info : NodeLevel::error, end_state_,

@@ -34,6 +34,11 @@ constexpr double drove_on_m = 0.1;
 
 }  // namespace
 
+Status check_no_faults(bool are_asked, const std::string& key) {
+  if (!are_asked) return {};
+  return bad_input("with a robot behind topics nothing goes wrong on purpose; leave this out", key);
+}
+
 /// Sends what is logged.
 class MissionNode::Topics final : public LogSink {
  public:

@@ -49,12 +49,7 @@ std::vector<OptionGroup> describe(PursueMissionNodeOptions& options) {
 }
 
 Status PursueMissionNode::check(const PursuitScenario& scenario, const PursuitTask& task) {
-  if (scenario.faults.any()) {
-    return bad_input(
-        "the robot behind topics is not simulated, so nothing goes wrong with it on purpose; leave the "
-        "section out",
-        "faults");
-  }
+  if (auto ok = check_no_faults(scenario.faults.any()); !ok) return ok;
   if (task.robots.size() > 1) return bad_input("a node is one robot; give one pursuer", "pursuers");
   if (scenario.clock == "wall")
     return bad_input("behind topics time passes by itself; give the clock virtual", "clock");

@@ -43,7 +43,7 @@ bool fits_elsewhere(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, std:
   constexpr double held = 10.0;  // 1/m^2, 1/rad^2: holds the pose where the scans do not say
   const Pose2 by_map = relative_pose(graph.keyframes[a].pose, graph.keyframes[b].pose);
   const SurfaceMap::Part part{&surfaces.of(graph, a), {}};
-  const SurfaceMap map({&part, 1});
+  const SurfaceMap map({&part, 1}, 1);  // it is not searched, so it needs no pyramid
   const Fit fit = map.refine(surfaces.of(graph, b), by_map, {by_map, held * Eigen::Matrix3d::Identity()});
   return distance(fit.pose.position, by_map.position) > off_m ||
          std::abs(wrap_angle(fit.pose.heading_rad - by_map.heading_rad)) > off_rad;

@@ -27,6 +27,9 @@ struct MissionNodeOptions {
 };
 std::vector<Option> describe(MissionNodeOptions& options);
 
+/// Returns a fault, at the key, if a scenario asks for what goes wrong with a simulated robot.
+Status check_no_faults(bool are_asked, const std::string& key = "faults");
+
 class MissionNode : public Node {
  public:
   ~MissionNode() override;

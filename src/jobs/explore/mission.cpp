@@ -173,7 +173,7 @@ std::string home_doubt(ExploreMission& mission) {
                                              *mission.last_scan, laser_at(mission.last_step));
   if (mission.home_contradiction <= most_contradicted) return {};
   return fmt::format(
-      "lost: it should be home, but {:.0f} % of what it sees there contradicts what it saw there first; was "
+      "it should be home, but {:.0f} % of what it sees there contradicts what it saw there first; was "
       "it moved?",
       100.0 * mission.home_contradiction);
 }
@@ -188,14 +188,11 @@ void judge_what_is_left(ExploreMission& mission) {
   mission.left = left_over(state, options, mission.decision.refused, true, mission.narrow);
   const bool explored = mission.stop_reason == "complete" || mission.stop_reason == "left_over";
   if (!explored) return;
-  if (const std::string doubt = map_doubt(mission.slam); !doubt.empty()) {
+  std::string doubt = map_doubt(mission.slam);
+  if (doubt.empty()) doubt = home_doubt(mission);
+  if (!doubt.empty()) {
     mission.stop_reason = "lost";
     mission.reason = "lost: " + doubt;
-    return;
-  }
-  if (std::string doubt = home_doubt(mission); !doubt.empty()) {
-    mission.stop_reason = "lost";
-    mission.reason = std::move(doubt);
     return;
   }
   const bool complete = mission.left.places.empty();

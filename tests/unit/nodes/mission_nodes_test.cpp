@@ -259,6 +259,8 @@ TEST(MissionNodes, FaultsOfASimulationAreRefused) {
   CoverScenario cover;
   cover.faults.slip = 0.1;
   EXPECT_EQ(CoverMissionNode::check(cover).error().where, "faults");
+  EXPECT_TRUE(check_no_faults(false));
+  EXPECT_EQ(check_no_faults(true, "faults.planner_fails_from").error().where, "faults.planner_fails_from");
 }
 
 }  // namespace
