@@ -179,7 +179,7 @@ void ExplorerNode::nothing_to_reach(const Decision& decision) {
                                       one.place.y, one.area_m2, one.sentence));
   }
   if (!left.places.empty()) {
-    go_home("left_over", left.sentence(options_.robot.radius_m));
+    go_home("left_over", left.sentence(wanted_width_m(options_.robot, options_.explore)));
     return;
   }
   go_home("complete",

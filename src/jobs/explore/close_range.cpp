@@ -1,5 +1,6 @@
 #include "outrider/jobs/explore/close_range.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -76,8 +77,16 @@ Line line_through(const Moments& m) {
   return {mean, direction(0.5 * std::atan2(2.0 * b, a - c))};
 }
 
-/// Puts each point on the line through its neighbours; drops those that have too few. This rounds corners off
-/// by up to a centimetre.
+/// Returns the height at 0 of the parabola that fits best to the heights v over u. A straight line would
+/// round corners off by a centimetre, this does by a third of it.
+double height_at_zero(const Eigen::Matrix3d& squares, const Eigen::Vector3d& heights) {
+  constexpr double nothing = 1e-9;  // of the unit in which u is given, which is about the largest one
+  const Eigen::Matrix3d kept = squares + nothing * Eigen::Matrix3d::Identity();
+  return kept.ldlt().solve(heights).x();
+}
+
+/// Puts each point on the parabola through its neighbours, across the line through them; drops those that
+/// have too few.
 std::vector<Vec2> smoothed(const std::vector<Vec2>& points) {
   const Binned binned(points);
   std::vector<Vec2> smooth;
@@ -85,8 +94,16 @@ std::vector<Vec2> smoothed(const std::vector<Vec2>& points) {
     Moments near;
     binned.for_each_near(p, [&](Vec2 q) { near.add(q - p); });
     if (near.count < least_neighbours) continue;
-    const Line line = line_through(near);
-    smooth.push_back(p + line.mean - dot(line.mean, line.along) * line.along);
+    const Vec2 along = line_through(near).along, across = perpendicular(along);
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d heights = Eigen::Vector3d::Zero();
+    binned.for_each_near(p, [&](Vec2 q) {
+      const double u = dot(q - p, along) / near_m;
+      const Eigen::Vector3d powers(1.0, u, u * u);
+      squares += powers * powers.transpose();
+      heights += dot(q - p, across) * powers;
+    });
+    smooth.push_back(p + height_at_zero(squares, heights) * across);
   }
   return smooth;
 }
@@ -165,6 +182,15 @@ std::vector<Vec2> CloseRange::surfaces(const Pose2& odometry, const Pose2& pose)
   return thinned(smoothed(points));
 }
 
+void GapLooks::add(const PathRoom& room) {
+  constexpr double same_m = 0.5;
+  constexpr int most_count = 8;
+  if (count == 0 || distance(place, room.narrowest) > same_m) *this = {};
+  ++count;
+  place = room.narrowest;
+  room_m += (room.least_m - room_m) / std::min(count, most_count);
+}
+
 PathRoom centre_path(PathProgress& path, Vec2 position, const Nearby& surfaces, double ahead_m,
                      double wanted_m) {
   const double to_m = std::min(path.along_m + ahead_m, length_of(path.points));
@@ -178,13 +204,18 @@ PathRoom centre_path(PathProgress& path, Vec2 position, const Nearby& surfaces, 
     offsets.push_back(roomy ? 0.0 : best_offset(samples[i], aside[i], surfaces, wanted_m));
   }
   approach_straight(samples, offsets);
+  constexpr double about_m = 0.005;
   PathRoom room{std::numeric_limits<double>::infinity(), position};
   std::vector<Vec2> points{position};
+  double there_m = room.least_m;  // at room.narrowest
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double before = offsets[i > 0 ? i - 1 : i], after = offsets[std::min(i + 1, offsets.size() - 1)];
     points.push_back(samples[i] + (0.25 * before + 0.5 * offsets[i] + 0.25 * after) * aside[i]);
     const double here_m = surfaces.clearance(points.back());
-    if (here_m < room.least_m) room = {here_m, points.back()};
+    room.least_m = std::min(room.least_m, here_m);
+    if (here_m >= there_m - about_m) continue;
+    there_m = here_m;
+    room.narrowest = points.back();
   }
   double before = 0.0;
   for (std::size_t i = 1; i < path.points.size(); ++i) {

@@ -129,6 +129,8 @@ std::vector<Option> describe(ExploreOptions& options) {
        &options.momentum_s},
       {"most_extent", "m", 1.0, 1e5, "a map wider or higher than this is a world that leaks",
        &options.most_extent_m},
+      {"gap_margin", "m", 0.0, 1.0, "room to either side of the robot without which it enters no gap",
+       &options.gap_margin_m},
       {"ban", "s", 0.0, 1e6, "for how long a goal is left alone after it failed", &options.ban_s},
       {"most_views", "", 1.0, 1000.0, "nearest frontiers that are weighed", &options.most_views}};
   for (Option& option : describe(options.frontier)) all.push_back(std::move(option));

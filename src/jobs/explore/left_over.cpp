@@ -160,8 +160,9 @@ class Judge {
                              left.width_m, left.narrowest.x, left.narrowest.y));
     } else {
       set_reason(left, LeftReason::narrow,
-                 fmt::format("too narrow: {:.2f} m wide at ({:.2f}, {:.2f}) for a robot of {:.2f} m",
-                             left.width_m, left.narrowest.x, left.narrowest.y, 2.0 * state_.robot.radius_m));
+                 fmt::format("too narrow: {:.3f} m wide at ({:.2f}, {:.2f}) where the robot wants {:.3f} m",
+                             left.width_m, left.narrowest.x, left.narrowest.y,
+                             wanted_width_m(state_.robot, options_)));
     }
   }
 
@@ -189,7 +190,7 @@ double LeftOvers::area_m2() const {
   return sum;
 }
 
-std::string LeftOvers::sentence(double robot_radius_m) const {
+std::string LeftOvers::sentence(double wanted_m) const {
   if (places.empty()) return "nothing is left over";
   std::string because;
   for (std::size_t i = 0; i < reasons.size(); ++i) {
@@ -202,10 +203,14 @@ std::string LeftOvers::sentence(double robot_radius_m) const {
     because += fmt::format(
         "{}{} ({} place{}{})", because.empty() ? "" : "; ", reasons[i], count, count == 1 ? "" : "s",
         reason == LeftReason::narrow
-            ? fmt::format(", at most {:.2f} m wide for a robot of {:.2f} m", widest_m, 2.0 * robot_radius_m)
+            ? fmt::format(", at most {:.3f} m wide where the robot wants {:.3f} m", widest_m, wanted_m)
             : std::string());
   }
   return fmt::format("left over: up to {:.1f} m2, because: {}", area_m2(), because);
+}
+
+double wanted_width_m(const RobotModel& robot, const ExploreOptions& options) {
+  return 2.0 * (robot.radius_m + options.gap_margin_m);
 }
 
 LeftOvers left_over(const ExploreState& state, const ExploreOptions& options,

@@ -197,7 +197,8 @@ void judge_what_is_left(ExploreMission& mission) {
   }
   const bool complete = mission.left.places.empty();
   mission.stop_reason = complete ? "complete" : "left_over";
-  if (!complete) mission.reason = mission.left.sentence(mission.task.robot.radius_m);
+  if (!complete)
+    mission.reason = mission.left.sentence(wanted_width_m(mission.task.robot, mission.task.explore));
 }
 
 void end(ExploreMission& mission, std::string stop_reason, std::string reason) {

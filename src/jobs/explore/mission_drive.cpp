@@ -185,18 +185,22 @@ bool leads_through_narrow(const ExploreMission& mission) {
 }
 
 /// Looks at narrow places ahead from near, once a scan: centres the path between the surfaces there, and
-/// notes where they leave too little room.
+/// notes where they leave too little room. That is told before the robot is in the gap: next to the rim, the
+/// noise of a corner narrows it, and the robot drives on unless that is too much.
 void look_close(ExploreMission& mission) {
   constexpr double ahead_m = 0.6, roomy_m = 0.06, point_m = 0.0005;
-  constexpr double error_m = 0.005;  // of the room; what is nearly wide enough is tried
   constexpr double largest_error_m = 0.02;
+  constexpr double early_error_m = 0.01;  // farther off it is seen less well
+  constexpr double beside_m = 0.05;       // of the rim
   constexpr int sure = 6;
-  constexpr double beside_m = 0.05;  // of the rim: seen from so near, the noise of a corner narrows the gap
   if (mission.centred_scan == mission.scans) return;
   mission.centred_scan = mission.scans;
   mission.room.reset();
   mission.fits = true;
-  if (!mission.path || !leads_through_narrow(mission)) return;
+  if (!mission.path || !leads_through_narrow(mission)) {
+    mission.looks = {};
+    return;
+  }
   mission.surfaces = {mission.close_range.surfaces(mission.odometry, mission.pose), point_m};
   const double radius_m = mission.task.robot.radius_m;
   if (mission.stage == ExploreStage::back_off) {
@@ -205,11 +209,18 @@ void look_close(ExploreMission& mission) {
   }
   mission.room =
       centre_path(*mission.path, mission.pose.position, mission.surfaces, ahead_m, radius_m + roomy_m);
-  const bool fits = mission.room->least_m >= radius_m - error_m ||
-                    distance(mission.room->narrowest, mission.pose.position) < radius_m + beside_m;
   mission.fits = mission.room->least_m >= radius_m - largest_error_m;
-  mission.too_narrow = fits || mission.stage != ExploreStage::seek ? 0 : mission.too_narrow + 1;
-  if (mission.too_narrow >= sure) note_too_narrow(mission, true);
+  if (mission.stage != ExploreStage::seek || !std::isfinite(mission.room->least_m)) return;
+  const double rim_m = distance(mission.room->narrowest, mission.pose.position) - radius_m;
+  if (rim_m >= beside_m || mission.looks.count < sure) mission.looks.add(*mission.room);
+  const double error_m = rim_m < 2.0 * beside_m ? 0.0 : early_error_m;
+  const double wanted_m = radius_m + mission.task.explore.gap_margin_m - error_m;
+  if (mission.looks.count < sure) {
+    mission.fits = mission.fits && rim_m >= 2.0 * beside_m;  // it stands before the gap until it is sure
+  } else if (mission.looks.room_m < wanted_m) {
+    mission.room->least_m = mission.looks.room_m;
+    note_too_narrow(mission, true);
+  }
 }
 
 /// Returns the way of driving and the speed for the room that there is.
@@ -220,8 +231,7 @@ std::pair<RobotModel, SteerOptions> way_of_driving(const ExploreMission& mission
   constexpr double careful_m = 0.03, lookahead_m = 0.2;
   const double play_m = std::max(0.0, mission.room->least_m - robot.radius_m);
   if (play_m < careful_m) robot.speed_mps *= 0.5;
-  steering.gap_m = std::min(steering.gap_m, 0.7 * play_m);
-  steering.least_gap_m = std::min(steering.least_gap_m, 0.4 * play_m);
+  steering.least_gap_m = std::min(steering.least_gap_m, 0.7 * play_m);
   steering.lookahead_m = std::min(steering.lookahead_m, lookahead_m);
   return driving;
 }

@@ -63,7 +63,8 @@ void turn_home(ExploreMission& mission, const std::string& stop_reason, const st
 void nothing_to_reach(ExploreMission& mission) {
   if (!settled(mission)) return;
   if (mission.left.places.empty()) return turn_home(mission, "complete", mission.decision.sentence);
-  turn_home(mission, "left_over", mission.left.sentence(mission.task.robot.radius_m));
+  turn_home(mission, "left_over",
+            mission.left.sentence(wanted_width_m(mission.task.robot, mission.task.explore)));
 }
 
 void take(ExploreMission& mission, Decision decision) {

@@ -115,16 +115,17 @@ bool open_narrow_way(ExploreMission& mission, const LeftOvers& left) {
 
 void note_too_narrow(ExploreMission& mission, bool measured) {
   const PathRoom room = *mission.room;
-  mission.too_narrow = 0;
+  mission.looks = {};
   if (driven_through(mission, room.narrowest)) return;
   NarrowPlace& place = narrow_at(mission, room.narrowest);
+  if (measured && place.measured) return;  // it is sent here all the same, as along its trail
   place.place = room.narrowest;
   place.tries += measured ? 0 : 1;
   place.measured = place.measured || measured;
   if (std::isfinite(room.least_m)) place.width_m = std::max(place.width_m, 2.0 * room.least_m);
   if (measured) {
     add_event(mission, "narrow",
-              fmt::format("the gap at ({:.2f}, {:.2f}) is {:.2f} m wide, too narrow for it", place.place.x,
+              fmt::format("the gap at ({:.2f}, {:.2f}) is {:.3f} m wide, too narrow for it", place.place.x,
                           place.place.y, place.width_m));
   }
   mission.marks_moved = true;

@@ -1,7 +1,7 @@
 // CloseRange: the surfaces right around a robot, finer than the cells of its map.
 //
 // It keeps the beam ends of the last scans and carries them along by odometry, which errs little over so
-// short a way. surfaces() puts each of them on the straight line through its neighbours, which averages the
+// short a way. surfaces() puts each of them on a parabola through its neighbours, which averages the
 // noise, and drops those without neighbours. So the width of a gap is known to a few millimetres, where the
 // map knows it to two cells. centre_path() moves a path to the middle of narrow places between these points.
 // Pure functions of their arguments. Thread rule: const members may be called concurrently.
@@ -37,7 +37,16 @@ class CloseRange {
 /// The room that a path leaves.
 struct PathRoom {
   double least_m = 0.0;  ///< least clearance of the part looked at; infinite where there are no surfaces
-  Vec2 narrowest;        ///< the place of that clearance
+  Vec2 narrowest;        ///< the first place of about that clearance
+};
+
+/// Looks at one narrow place from a distance, one after the other.
+struct GapLooks {
+  int count = 0;        ///< looks since another place was the narrowest
+  Vec2 place;           ///< the place by the last look
+  double room_m = 0.0;  ///< clearance there: the mean of the looks, of which the last eight count most
+
+  void add(const PathRoom& room);
 };
 
 /// Moves the next `ahead_m` of the path sideways to the middle between the surfaces where they are nearer

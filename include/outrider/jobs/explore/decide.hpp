@@ -41,6 +41,7 @@ struct ExploreOptions {
   double least_gain_m2 = 0.05;    ///< frontiers with less unknown area are refused
   double least_left_m2 = 0.25;    ///< less unknown area in sight of a frontier that cannot be seen is nothing
   double least_opening_m = 0.2;   ///< a narrower frontier is a gap in a wall, which noise leaves
+  double gap_margin_m = 0.015;    ///< room to either side of the robot without which it enters no gap
   double momentum_s = 4.0;        ///< bonus of the previous choice
   double most_extent_m = 500.0;   ///< a wider or higher map counts as an open world
   double ban_s = 30.0;            ///< duration of the first ban of a failed goal; see Blacklist

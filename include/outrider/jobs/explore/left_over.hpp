@@ -59,8 +59,12 @@ struct LeftOvers {
 
   [[nodiscard]] double area_m2() const;
   /// Returns a sentence: "left over: up to 12.3 m2, because: ...", with how many places each reason holds of.
-  [[nodiscard]] std::string sentence(double robot_radius_m) const;
+  /// The robot enters a gap that is `wanted_m` wide.
+  [[nodiscard]] std::string sentence(double wanted_m) const;
 };
+
+/// Returns the width of the narrowest gap that the robot enters.
+double wanted_width_m(const RobotModel& robot, const ExploreOptions& options);
 
 /// Judges the frontiers that a decision has refused; `others` have not been tried. `narrow` are the places
 /// that the robot knows to be too narrow. O(cells log cells).

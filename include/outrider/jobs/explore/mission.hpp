@@ -129,7 +129,7 @@ struct ExploreMission {
   std::optional<PathRoom> room;     ///< set while the path leads through narrow places
   Nearby surfaces;                  ///< of close_range, while `room` is set
   bool fits = true;                 ///< false: `room` is surely too little, and the robot stands
-  int too_narrow = 0;               ///< consecutive scans that left too little room
+  GapLooks looks;                   ///< at the narrowest place ahead, from a distance
   std::vector<NarrowPlace> narrow;  ///< places that were found to be too narrow, or tried
   LeftOvers left;                   ///< as of `left_s`
   double left_s = -1.0;

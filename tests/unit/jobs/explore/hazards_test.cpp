@@ -57,8 +57,8 @@ TEST(ExploreHazards, PassesACorridorThatIsWideEnoughWhereverItLiesOnTheMap) {
   Rng rng(1);
   for (int n = 0; n < testing::costly_cases(1); ++n) {
     const World world = rooms(0.4, 1.0 + rng.uniform(-0.05, 0.05));
-    ASSERT_TRUE(reaches(world, 0.19, {4.0, 1.0}));
-    const auto run = explored(world, 0.19, 1 + static_cast<std::uint64_t>(n));
+    ASSERT_TRUE(reaches(world, 0.17, {4.0, 1.0}));
+    const auto run = explored(world, 0.17, 1 + static_cast<std::uint64_t>(n));
     ASSERT_TRUE(run);
     EXPECT_EQ(run->stop_reason, "complete") << n << ' ' << run->report.reason;
     EXPECT_GE(metric(run->report, "explored_fraction"), 0.99) << n;
@@ -109,6 +109,36 @@ TEST(ExploreHazards, NeverSaysCompleteWhereTheRobotCouldHaveSeenMore) {
   if (!testing::in_full()) return;
   EXPECT_GE(complete, 1);
   EXPECT_GE(left_over, 1);
+}
+
+/// A room of 2.5 m x 2 m in which a wall ends beside a sofa: between the two is a gap of 0.6 m length, which
+/// a robot enters around both corners.
+World room_with_gap(double gap_m) {
+  World world;
+  world.solids = {
+      testing::box("south", {-0.1, -0.1}, {2.6, 0.0}), testing::box("north", {-0.1, 2.0}, {2.6, 2.1}),
+      testing::box("west", {-0.1, 0.0}, {0.0, 2.0}),   testing::box("east", {2.5, 0.0}, {2.6, 2.0}),
+      testing::box("wall", {1.1, 0.0}, {1.2, 1.2}),    testing::box("sofa", {1.2 + gap_m, 0.4}, {2.5, 1.0})};
+  world.bounds = {{-0.1, -0.1}, {2.6, 2.1}};
+  return world;
+}
+
+TEST(ExploreHazards, LooksAtAGapThatIsHardlyWideEnoughAndDoesNotTouchItsSides) {
+  ExploreTask task;
+  task.start = {{0.5, 1.6}, 0.0};
+  int narrow = 0, passed = 0;
+  for (int n = 0; n < testing::costly_cases(8); ++n) {
+    const double gap_m = n % 2 == 0 ? 0.20 + 0.02 * (n % 8) / 8.0 : 0.3;  // the robot is 0.21 m wide
+    Log log;
+    const auto run = run_explore(room_with_gap(gap_m), task, {}, 1 + static_cast<std::uint64_t>(n), log);
+    ASSERT_TRUE(run) << run.error().sentence;
+    EXPECT_EQ(metric(run->report, "visible_contacts"), 0.0) << gap_m << " m, seed " << n + 1;
+    narrow += metric(run->report, "left_narrow") > 0.0 ? 1 : 0;
+    passed += run->report.status == "done" && n % 2 == 1 ? 1 : 0;
+  }
+  if (!testing::in_full()) return;
+  EXPECT_GE(narrow, 1);
+  EXPECT_GE(passed, 3);
 }
 
 /// A pane in a corridor that the robot cannot turn in once it has touched it: it gets wedged.
