@@ -184,15 +184,31 @@ bool leads_through_narrow(const ExploreMission& mission) {
   return false;
 }
 
+/// Judges the narrowest place ahead by the looks at it. That is done before the robot is in the gap: next to
+/// the rim, the noise of a corner narrows it. Until it is sure, the robot stands before the gap.
+void judge_gap(ExploreMission& mission) {
+  constexpr double beside_m = 0.05;       // of the rim
+  constexpr double early_error_m = 0.01;  // farther off it is seen less well
+  constexpr int sure = 6;
+  const double radius_m = mission.task.robot.radius_m;
+  const double rim_m = distance(mission.room->narrowest, mission.pose.position) - radius_m;
+  const bool is_before = rim_m < 2.0 * beside_m;
+  if (rim_m >= beside_m || mission.looks.count < sure) mission.looks.add(*mission.room);
+  if (mission.looks.count < sure) {
+    mission.fits = mission.fits && !is_before;
+    return;
+  }
+  const double wanted_m = radius_m + mission.task.explore.gap_margin_m - (is_before ? 0.0 : early_error_m);
+  if (mission.looks.room_m >= wanted_m) return;
+  mission.room->least_m = mission.looks.room_m;
+  note_too_narrow(mission, true);
+}
+
 /// Looks at narrow places ahead from near, once a scan: centres the path between the surfaces there, and
-/// notes where they leave too little room. That is told before the robot is in the gap: next to the rim, the
-/// noise of a corner narrows it, and the robot drives on unless that is too much.
+/// notes where they leave too little room.
 void look_close(ExploreMission& mission) {
   constexpr double ahead_m = 0.6, roomy_m = 0.06, point_m = 0.0005;
   constexpr double largest_error_m = 0.02;
-  constexpr double early_error_m = 0.01;  // farther off it is seen less well
-  constexpr double beside_m = 0.05;       // of the rim
-  constexpr int sure = 6;
   if (mission.centred_scan == mission.scans) return;
   mission.centred_scan = mission.scans;
   mission.room.reset();
@@ -210,17 +226,7 @@ void look_close(ExploreMission& mission) {
   mission.room =
       centre_path(*mission.path, mission.pose.position, mission.surfaces, ahead_m, radius_m + roomy_m);
   mission.fits = mission.room->least_m >= radius_m - largest_error_m;
-  if (mission.stage != ExploreStage::seek || !std::isfinite(mission.room->least_m)) return;
-  const double rim_m = distance(mission.room->narrowest, mission.pose.position) - radius_m;
-  if (rim_m >= beside_m || mission.looks.count < sure) mission.looks.add(*mission.room);
-  const double error_m = rim_m < 2.0 * beside_m ? 0.0 : early_error_m;
-  const double wanted_m = radius_m + mission.task.explore.gap_margin_m - error_m;
-  if (mission.looks.count < sure) {
-    mission.fits = mission.fits && rim_m >= 2.0 * beside_m;  // it stands before the gap until it is sure
-  } else if (mission.looks.room_m < wanted_m) {
-    mission.room->least_m = mission.looks.room_m;
-    note_too_narrow(mission, true);
-  }
+  if (mission.stage == ExploreStage::seek && std::isfinite(mission.room->least_m)) judge_gap(mission);
 }
 
 /// Returns the way of driving and the speed for the room that there is.
