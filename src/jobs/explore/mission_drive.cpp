@@ -184,23 +184,24 @@ bool leads_through_narrow(const ExploreMission& mission) {
   return false;
 }
 
-/// Judges the narrowest place ahead by the looks at it. That is done before the robot is in the gap: next to
-/// the rim, the noise of a corner narrows it. Until it is sure, the robot stands before the gap.
-void judge_gap(ExploreMission& mission) {
+/// Judges the narrowest place ahead, mission.room, by the looks at it. That is done before the robot is in
+/// the gap: next to the rim, the noise of a corner narrows it. Until it is sure, the robot stands before the
+/// gap.
+void judge_gap(ExploreMission& mission, PathRoom& room) {
   constexpr double beside_m = 0.05;       // of the rim
   constexpr double early_error_m = 0.01;  // farther off it is seen less well
   constexpr int sure = 6;
   const double radius_m = mission.task.robot.radius_m;
-  const double rim_m = distance(mission.room->narrowest, mission.pose.position) - radius_m;
+  const double rim_m = distance(room.narrowest, mission.pose.position) - radius_m;
   const bool is_before = rim_m < 2.0 * beside_m;
-  if (rim_m >= beside_m || mission.looks.count < sure) mission.looks.add(*mission.room);
+  if (rim_m >= beside_m || mission.looks.count < sure) mission.looks.add(room);
   if (mission.looks.count < sure) {
     mission.fits = mission.fits && !is_before;
     return;
   }
   const double wanted_m = radius_m + mission.task.explore.gap_margin_m - (is_before ? 0.0 : early_error_m);
   if (mission.looks.room_m >= wanted_m) return;
-  mission.room->least_m = mission.looks.room_m;
+  room.least_m = mission.looks.room_m;
   note_too_narrow(mission, true);
 }
 
@@ -223,10 +224,10 @@ void look_close(ExploreMission& mission) {
     mission.room = PathRoom{mission.surfaces.clearance(mission.pose.position), mission.pose.position};
     return;
   }
-  mission.room =
-      centre_path(*mission.path, mission.pose.position, mission.surfaces, ahead_m, radius_m + roomy_m);
-  mission.fits = mission.room->least_m >= radius_m - largest_error_m;
-  if (mission.stage == ExploreStage::seek && std::isfinite(mission.room->least_m)) judge_gap(mission);
+  PathRoom& room = mission.room.emplace(
+      centre_path(*mission.path, mission.pose.position, mission.surfaces, ahead_m, radius_m + roomy_m));
+  mission.fits = room.least_m >= radius_m - largest_error_m;
+  if (mission.stage == ExploreStage::seek && std::isfinite(room.least_m)) judge_gap(mission, room);
 }
 
 /// Returns the way of driving and the speed for the room that there is.
