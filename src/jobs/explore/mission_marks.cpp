@@ -115,10 +115,10 @@ bool open_narrow_way(ExploreMission& mission, const LeftOvers& left) {
 
 void note_too_narrow(ExploreMission& mission, bool measured) {
   const PathRoom room = *mission.room;
-  mission.looks = {};
   if (driven_through(mission, room.narrowest)) return;
   NarrowPlace& place = narrow_at(mission, room.narrowest);
   if (measured && place.measured) return;  // it is sent here all the same, as along its trail
+  mission.looks = {};
   place.place = room.narrowest;
   place.tries += measured ? 0 : 1;
   place.measured = place.measured || measured;
