@@ -39,9 +39,12 @@ ExplorerSimParams exact_wheels() {
   return params;
 }
 
-Outcome<ExploreRun> explored(const World& world, double radius_m, std::uint64_t seed) {
+Outcome<ExploreRun> explored(const World& world, double radius_m, std::uint64_t seed,
+                             double gap_margin_m = ExploreOptions{}.gap_margin_m) {
   Log log;
-  return run_explore(world, task_at({{0.7, 1.0}, 0.0}, radius_m), exact_wheels(), seed, log);
+  ExploreTask task = task_at({{0.7, 1.0}, 0.0}, radius_m);
+  task.explore.gap_margin_m = gap_margin_m;
+  return run_explore(world, task, exact_wheels(), seed, log);
 }
 
 /// Returns true if the disk can be swept to the place: the reference floods the true world exactly.
@@ -57,8 +60,8 @@ TEST(ExploreHazards, PassesACorridorThatIsWideEnoughWhereverItLiesOnTheMap) {
   Rng rng(1);
   for (int n = 0; n < testing::costly_cases(1); ++n) {
     const World world = rooms(0.4, 1.0 + rng.uniform(-0.05, 0.05));
-    ASSERT_TRUE(reaches(world, 0.17, {4.0, 1.0}));
-    const auto run = explored(world, 0.17, 1 + static_cast<std::uint64_t>(n));
+    ASSERT_TRUE(reaches(world, 0.19, {4.0, 1.0}));
+    const auto run = explored(world, 0.19, 1 + static_cast<std::uint64_t>(n), 0.0);
     ASSERT_TRUE(run);
     EXPECT_EQ(run->stop_reason, "complete") << n << ' ' << run->report.reason;
     EXPECT_GE(metric(run->report, "explored_fraction"), 0.99) << n;
