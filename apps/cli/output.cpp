@@ -13,14 +13,9 @@
 
 namespace outrider::cli {
 
-bool is_answer(const Fault& fault) {
-  return fault.code == FaultCode::no_path || fault.code == FaultCode::no_shot ||
-         fault.code == FaultCode::budget_exhausted || fault.code == FaultCode::cancelled;
-}
-
 ExitStatus exit_status(const Fault& fault) {
   if (fault.code == FaultCode::cannot_write) return not_written;
-  return is_answer(fault) ? job_not_done : refused;
+  return is_answer(fault) || fault.code == FaultCode::cancelled ? job_not_done : refused;
 }
 
 nlohmann::ordered_json fault_json(const Fault& fault) {

@@ -13,9 +13,6 @@ namespace outrider::cli {
 
 enum ExitStatus { job_done = 0, job_not_done = 1, refused = 2, not_written = 3 };
 
-/// Returns true if the fault answers a valid request, such as "no_path": the job was not done.
-bool is_answer(const Fault& fault);
-
 /// Returns the exit status of the tool: 1 for an answer, 3 if the system failed to write, else 2.
 ExitStatus exit_status(const Fault& fault);
 

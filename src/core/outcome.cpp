@@ -17,6 +17,11 @@ std::string_view to_string(FaultCode code) {
   return "unknown";
 }
 
+bool is_answer(const Fault& fault) {
+  return fault.code == FaultCode::no_path || fault.code == FaultCode::no_shot ||
+         fault.code == FaultCode::budget_exhausted;
+}
+
 std::string to_string(const Fault& fault) {
   return fault.where.empty() ? fault.sentence : fault.where + ": " + fault.sentence;
 }

@@ -11,11 +11,12 @@ constexpr double at_rest_radps = 1e-3;  ///< slower wheels stand
 
 }  // namespace
 
-WheelBody::WheelBody(Chassis chassis, const WheelFaults& faults, const LinkFaults& link, const Pose2& start,
-                     const Rng& rng)
+WheelBody::WheelBody(Chassis chassis, const WheelFaults& faults, const LinkFaults& link, double patience_s,
+                     const Pose2& start, const Rng& rng)
     : chassis_(std::move(chassis)),
       faults_(faults),
       link_(link, rng.child("link")),
+      patience_s_(patience_s),
       wheel_rng_(rng.child("wheels")),
       pose_(start) {}
 
@@ -65,7 +66,11 @@ double WheelBody::turn_wheel(std::size_t wheel, double duration_s) {
 }
 
 void WheelBody::pass(double duration_s) {
-  while (const auto wheels = link_.take(time_s_)) commanded_ = *wheels;
+  while (const auto wheels = link_.take(time_s_)) {
+    commanded_ = *wheels;
+    arrived_s_ = time_s_;
+  }
+  if (time_s_ - arrived_s_ > patience_s_) commanded_ = {};
   WheelSpeeds4 speeds{};
   for (std::size_t i = 0; i < chassis_.wheels.size(); ++i) speeds[i] = turn_wheel(i, duration_s);
   twist_ = twist_of(chassis_, speeds);

@@ -269,30 +269,35 @@ bool LoopSearch::bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double
                         std::uint32_t gap) {
   constexpr double reach_m = 4.0;
   constexpr std::uint32_t most_keyframes = 16;
+  if (!bridging.is_due()) return false;
   const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
   const KeyframeRange before{gap > most_keyframes ? gap - most_keyframes : 0, gap};
   const auto fit = recognise_place(map_of(graph, surfaces, before), last_surface(graph, surfaces, gap),
                                    {graph.keyframes.back().pose, reach_m, std::numbers::pi});
-  if (!fit || !is_plausible(graph, fit->pose, reach_sd) ||
-      is_contradicted(graph, surfaces.robot_T_laser(), before, gap, fit->pose) ||
-      !add_loop(graph, loop_constraint(graph, gap - 1, *fit)))
-    return false;
-  bridged.emplace_back(gap - 1, last);
-  return true;
+  const bool joined = fit && is_plausible(graph, fit->pose, reach_sd) &&
+                      !is_contradicted(graph, surfaces.robot_T_laser(), before, gap, fit->pose) &&
+                      add_loop(graph, loop_constraint(graph, gap - 1, *fit));
+  bridging.note(joined);
+  if (joined) bridged.emplace_back(gap - 1, last);
+  return joined;
 }
 
 bool LoopSearch::rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd,
                         std::uint32_t gap) {
   if (!is_search_due(graph, gap)) return false;
   const MatchWindow window = whole_window(graph, gap);
-  if (window.reach_m > widest_m) return false;
+  if (window.reach_m > widest_m || !rejoining.is_due()) return false;
   std::vector<std::uint32_t> before(gap);
   std::iota(before.begin(), before.end(), 0U);
   const auto place = recognise_far(graph, surfaces, before, gap, window);
-  if (!place || !is_plausible(graph, place->fit.pose, reach_sd)) return false;
-  KeyframeRange visit = visit_of(graph, place->keyframe);
-  visit.end = std::min(visit.end, gap);
-  if (!believe(graph, surfaces.robot_T_laser(), *place, visit, gap)) return false;
+  const auto is_believed = [&] {
+    KeyframeRange visit = visit_of(graph, place->keyframe);
+    visit.end = std::min(visit.end, gap);
+    return believe(graph, surfaces.robot_T_laser(), *place, visit, gap);
+  };
+  const bool joined = place && is_plausible(graph, place->fit.pose, reach_sd) && is_believed();
+  rejoining.note(joined);
+  if (!joined) return false;
   bridged.emplace_back(place->keyframe, static_cast<std::uint32_t>(graph.keyframes.size() - 1));
   return true;
 }

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <span>
+#include "back_off.hpp"
 #include "loop_review.hpp"
 #include "place_recognition.hpp"
 
@@ -25,11 +26,12 @@ struct LoopSearch {
   std::vector<KeyframePair> undone;        ///< were closed, and turned out to be wrong
   std::vector<KeyframeConstraint> rivals;  ///< the last places recognised that the graph contradicts
   std::size_t rivals_found = 0;
-  std::size_t rivals_due = 1;  ///< number of rivals found at which they are weighed; doubles
-  std::size_t refused = 0;     ///< places that were recognised and not believed
-  double tried_at_m = 0.0;     ///< distance driven at the last search
-  double far_due_at_m = 0.0;   ///< distance driven at which older visits are searched again
-  double far_every_m = 0.0;    ///< distance between two such searches; grows while they find nothing
+  std::size_t rivals_due = 1;   ///< number of rivals found at which they are weighed; doubles
+  std::size_t refused = 0;      ///< places that were recognised and not believed
+  BackOff bridging, rejoining;  ///< of gaps that are not bridged, one after the other
+  double tried_at_m = 0.0;      ///< distance driven at the last search
+  double far_due_at_m = 0.0;    ///< distance driven at which older visits are searched again
+  double far_every_m = 0.0;     ///< distance between two such searches; grows while they find nothing
 
   /// Adds constraints between the last keyframe and earlier visits and optimises the graph; returns true if
   /// it added any. Rejects a match farther than `reach_sd` standard deviations from the believed pose. Uses

@@ -53,6 +53,7 @@ struct LaserSlam::State {
   std::size_t part = 0;   ///< the first keyframe since the robot was last lost
   std::vector<Gap> gaps;  ///< keyframes that odometry alone joins to the ones before
   OdometryBias bias;
+  BackOff wide_matches;  ///< of scans that match nothing nearby
   Driven unmatched;    ///< since the last match
   Driven unkept;       ///< since the last keyframe
   Pose2 counted;       ///< motion since the last keyframe, by odometry
@@ -267,7 +268,7 @@ void LaserSlam::State::take_scan(const LaserScan& scan, const Surface& surface, 
   const MatchWindow about = odometry_window(pose, unmatched, options);
   const bool begun = local.map() != nullptr;
   const auto contradicted = [&](const Pose2& at) { return contradiction(scan, at); };
-  const auto fit = begun ? match_scan(*local.map(), surface, about, contradicted) : std::nullopt;
+  const auto fit = begun ? match_scan(*local.map(), surface, about, contradicted, wide_matches) : std::nullopt;
   step.matched = fit.has_value();
   const bool is_carried = begun && !fit && contradiction(scan, pose) > most_contradiction;
   step.lost = begun && !fit && (about.reach_m > most_correction_m || is_carried);

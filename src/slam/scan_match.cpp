@@ -79,19 +79,20 @@ std::optional<Fit> match_nearby(const SurfaceMap& map, const Surface& surface, c
 }
 
 std::optional<Fit> match_scan(const SurfaceMap& map, const Surface& surface, const MatchWindow& window,
-                              const std::function<double(const Pose2&)>& contradiction) {
+                              const std::function<double(const Pose2&)>& contradiction, BackOff& wide) {
   constexpr double widest_m = 4.0;
   const bool is_wide = window.reach_m > most_correction_m;
   if (!is_wide) {
     if (auto fit = match_nearby(map, surface, window, contradiction)) return fit;
     if (contradiction(window.centre) <= most_at_right_pose) return std::nullopt;
   }
-  if (surface.size() < telling_points) return std::nullopt;
+  if (surface.size() < telling_points || !wide.is_due()) return std::nullopt;
   const auto fit = recognise_place(map, surface,
                                    is_wide ? window : MatchWindow{window.centre, widest_m, std::numbers::pi});
-  if (!fit || fit->share < alone_share || contradiction(fit->pose) > most_contradiction_alone)
-    return std::nullopt;
-  return fit;
+  const bool found =
+      fit && fit->share >= alone_share && contradiction(fit->pose) <= most_contradiction_alone;
+  wide.note(found);
+  return found ? fit : std::nullopt;
 }
 
 }  // namespace outrider

@@ -12,6 +12,7 @@
 #include <functional>
 #include <optional>
 
+#include "back_off.hpp"
 #include "motion_noise.hpp"
 #include "surface_map.hpp"
 
@@ -35,7 +36,8 @@ std::optional<Fit> match_nearby(const SurfaceMap& map, const Surface& surface, c
 /// Returns the pose of a surface in or around a window whose centre and deviations are those of the odometry;
 /// nothing if too few points match. `contradiction` returns the share of the points that another scan looked
 /// through at a pose; a pose with a large share is not returned. The fewer points match, the less is large.
+/// `wide` tells whether a search of a wide window is due.
 std::optional<Fit> match_scan(const SurfaceMap& map, const Surface& surface, const MatchWindow& window,
-                              const std::function<double(const Pose2&)>& contradiction);
+                              const std::function<double(const Pose2&)>& contradiction, BackOff& wide);
 
 }  // namespace outrider

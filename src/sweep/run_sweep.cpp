@@ -51,11 +51,9 @@ Status keep(Run& run, const std::string& folder, const std::string& scenario) {
 }
 
 SweepResult refusal(SweepRun run, const Fault& fault) {
-  const bool answer = fault.code == FaultCode::no_path || fault.code == FaultCode::no_shot ||
-                      fault.code == FaultCode::budget_exhausted;
   const bool cancelled = fault.code == FaultCode::cancelled;
   return {.run = std::move(run),
-          .status = answer      ? "not_done"
+          .status = is_answer(fault) ? "not_done"
                     : cancelled ? "cancelled"
                                 : "refused",
           .reason = to_string(fault)};

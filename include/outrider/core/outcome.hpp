@@ -32,6 +32,9 @@ struct Fault {
   std::string where;     ///< file:line, scenario key or flag; empty if the sentence says enough
 };
 
+/// Returns true if it answers what was asked: there is no path or no shot, or the search had no more budget.
+[[nodiscard]] bool is_answer(const Fault& fault);
+
 /// Returns "where: sentence", the form in which a fault is shown.
 std::string to_string(const Fault& fault);
 

@@ -33,6 +33,7 @@ struct MovedTag {
 struct DriveSimParams {
   WheelFaults wheels;          ///< errors between commanded and true wheel speeds
   LinkFaults link;             ///< faults of the link that carries the commands
+  double patience_s = 0.5;     ///< without a command after which the wheels are told to stop
   TagSightFaults sight;        ///< faults of the camera
   Kidnapping kidnapping;       ///< none by default
   ClockFaults clock;           ///< none by default
@@ -45,7 +46,7 @@ struct DriveSimParams {
 TagMap true_tags(const TagMap& map, const DriveSimParams& params);
 TagMap true_tags_later(const TagMap& map, const DriveSimParams& params);
 
-/// Returns the options of all members except the link and the tags.
+/// Returns the options of all members except the link, the patience and the tags.
 std::vector<Option> describe(DriveSimParams& params);
 
 }  // namespace outrider

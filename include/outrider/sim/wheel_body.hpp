@@ -16,8 +16,9 @@ namespace outrider {
 
 class WheelBody {
  public:
-  WheelBody(Chassis chassis, const WheelFaults& faults, const LinkFaults& link, const Pose2& start,
-            const Rng& rng);
+  /// The wheels stop if no command has arrived for `patience_s`, as the bases of real robots do.
+  WheelBody(Chassis chassis, const WheelFaults& faults, const LinkFaults& link, double patience_s,
+            const Pose2& start, const Rng& rng);
 
   /// Sends a command over the link at the present time.
   void send(const WheelSpeeds4& wheels);
@@ -41,6 +42,8 @@ class WheelBody {
   Chassis chassis_;
   WheelFaults faults_;
   SimulatedLink<WheelSpeeds4> link_;
+  double patience_s_;
+  double arrived_s_ = 0.0;  // the newest message
   Rng wheel_rng_;
   double time_s_ = 0.0;
   Pose2 pose_;

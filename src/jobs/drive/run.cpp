@@ -274,7 +274,7 @@ SimulatedRobot simulated_driver(const DriveTask& task, const DriveSimParams& par
   camera.expect_sizes(task.tags);
   if (params.moved_tag.at_s > 0.0)
     camera.change_tags(params.moved_tag.at_s, true_tags_later(task.tags, params));
-  return SimulatedRobot(WheelBody(task.chassis, params.wheels, params.link, task.start, rng),
+  return SimulatedRobot(WheelBody(task.chassis, params.wheels, params.link, params.patience_s, task.start, rng),
                         {.camera = std::move(camera)}, params.kidnapping, params.clock);
 }
 
@@ -297,7 +297,7 @@ Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rende
 
 std::vector<CalibrationRun> record_runs(const DriveTask& task, const DriveSimParams& params, int repeats,
                                         double sigma_m, double sigma_rad, std::uint64_t seed) {
-  constexpr double coast_s = 2.0;
+  constexpr double coast_s = 2.0, held_s = 1e9;  // a command is sent once
   constexpr double times_s[] = {1.0, 2.0, 3.0, 4.0, 5.0};
   const double speed = task.follow.speed_mps, turn_rate = task.follow.turn_rate_radps;
   std::vector<Twist2> commands = {{speed, 0.0, 0.0},  {-speed, 0.0, 0.0},    {0.0, speed, 0.0},
@@ -310,7 +310,7 @@ std::vector<CalibrationRun> record_runs(const DriveTask& task, const DriveSimPar
   for (const Twist2& command : commands) {
     for (const double time_s : times_s) {
       for (int i = 0; i < repeats; ++i) {
-        WheelBody motion(task.chassis, params.wheels, params.link, {}, rng.child(runs.size()));
+        WheelBody motion(task.chassis, params.wheels, params.link, held_s, {}, rng.child(runs.size()));
         motion.send({});  // what the link loses
         motion.run_until(coast_s);
         motion.send(wheel_speeds(task.chassis, command));

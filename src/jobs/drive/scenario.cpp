@@ -166,6 +166,9 @@ Outcome<DriveTask> robot_from(const DriveScenario& scenario) {
 
 std::vector<OptionGroup> describe(DriveScenario& scenario) {
   DriveTask& task = scenario.task;
+  std::vector<Option> link = describe(scenario.sim.link);
+  link.push_back(
+      {"patience", "s", 0.05, 1e9, "without a command after which the wheels stop", &scenario.sim.patience_s});
   return {
       {"",
        "the drive",
@@ -208,7 +211,7 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
       {"route", "how a planner's path becomes waypoints", describe(scenario.route)},
       {"faults", "what the wheels of the simulated robot do wrong, and what befalls it",
        describe(scenario.sim)},
-      {"link", "how commands travel to the simulated robot", describe(scenario.sim.link)},
+      {"link", "how commands travel to the simulated robot", link},
   };
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 const Chassis chassis = mecanum_chassis(0.03, 0.1225);
 
-WheelBody wheels(const Pose2& start = {}) { return {chassis, {}, {}, start, Rng(1)}; }
+WheelBody wheels(const Pose2& start = {}) { return {chassis, {}, {}, 1e9, start, Rng(1)}; }
 
 SimulatedTagCamera camera(const TagSightFaults& faults) {
   TagScene scene{{}, {{upright_tag(1, {2, 0, 0.2}, pi)}}};

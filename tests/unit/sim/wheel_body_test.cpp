@@ -10,10 +10,11 @@ namespace outrider {
 namespace {
 
 const Chassis chassis = mecanum_chassis(0.03, 0.1225);
+constexpr double held_s = 1e9;  // a command is held until the next one
 
 /// Where the robot is after that command was held for so long and it has come to rest.
 Pose2 after(const Twist2& command, double time_s, const WheelFaults& faults, const LinkFaults& link = {}) {
-  WheelBody motion(chassis, faults, link, {}, Rng(1));
+  WheelBody motion(chassis, faults, link, held_s, {}, Rng(1));
   motion.send({});
   motion.run_until(1.0);
   motion.send(wheel_speeds(chassis, command));
@@ -62,14 +63,14 @@ TEST(WheelBody, EachFaultDoesItsHarm) {
 
 TEST(WheelBody, TheLinkLosesTheFirstMessageAndDelays) {
   const WheelSpeeds4 speeds = wheel_speeds(chassis, {0.2, 0.0, 0.0});
-  WheelBody lossy(chassis, {}, {1, 0.0, 0.0}, {}, Rng(1));
+  WheelBody lossy(chassis, {}, {1, 0.0, 0.0}, held_s, {}, Rng(1));
   lossy.send(speeds);
   lossy.run_until(1.0);
   EXPECT_EQ(lossy.driven_m(), 0.0);
   lossy.send(speeds);
   lossy.run_until(2.0);
   EXPECT_NEAR(lossy.driven_m(), 0.2, 1e-9);
-  WheelBody late(chassis, {}, {0, 0.25, 0.0}, {}, Rng(1));
+  WheelBody late(chassis, {}, {0, 0.25, 0.0}, held_s, {}, Rng(1));
   late.send(speeds);
   late.run_until(1.0);
   EXPECT_NEAR(late.driven_m(), 0.2 * 0.75, 1e-3);
@@ -78,7 +79,7 @@ TEST(WheelBody, TheLinkLosesTheFirstMessageAndDelays) {
 TEST(WheelBody, MessagesKeepTheirOrder) {
   Rng rng(3);
   for (int round = 0; round < testing::cases(20); ++round) {
-    WheelBody motion(chassis, {}, {0, 0.05, 0.2}, {}, rng.child(static_cast<std::uint64_t>(round)));
+    WheelBody motion(chassis, {}, {0, 0.05, 0.2}, held_s, {}, rng.child(static_cast<std::uint64_t>(round)));
     for (int i = 0; i < 10; ++i) {
       motion.send(wheel_speeds(chassis, {0.1, 0.0, 0.0}));
       motion.run_until(0.02 * (i + 1));
@@ -89,13 +90,26 @@ TEST(WheelBody, MessagesKeepTheirOrder) {
   }
 }
 
+TEST(WheelBody, StopsWhenNoCommandComes) {
+  LinkFaults link;
+  link.down_from_s = 1.0;
+  for (const double patience_s : {0.2, 0.5, held_s}) {
+    WheelBody motion(chassis, {}, link, patience_s, {}, Rng(1));
+    for (int i = 0; i < 30; ++i) {
+      motion.send(wheel_speeds(chassis, {0.2, 0.0, 0.0}));
+      motion.run_until(0.1 * (i + 1));
+    }
+    EXPECT_NEAR(motion.driven_m(), 0.2 * std::min(3.0, 0.9 + patience_s), 0.002);
+  }
+}
+
 TEST(WheelBody, NoiseHasItsDeviation) {
   WheelFaults faults;
   faults.noise = 0.05;
   double square = 0.0;
   const int count = testing::cases(200);
   for (int k = 0; k < count; ++k) {
-    WheelBody motion(chassis, faults, {}, {}, Rng(static_cast<std::uint64_t>(k)));
+    WheelBody motion(chassis, faults, {}, held_s, {}, Rng(static_cast<std::uint64_t>(k)));
     motion.send(wheel_speeds(chassis, {0.2, 0.0, 0.0}));
     motion.run_until(2.0);
     const double off = motion.twist().ahead_mps / 0.2 - 1.0;

@@ -72,6 +72,19 @@ TEST_F(RunSweep, ALineIsARun) {
   EXPECT_EQ(statuses, (std::set<std::string>{"bug", "done", "not_done", "refused"}));
 }
 
+/// A planner that has no answer makes runs that are not done, even if it has none in any of them.
+TEST_F(RunSweep, RunsWithoutAPathAreNotDone) {
+  std::string text = table(sweep({.runs = 3, .seed = 5, .vary = {"x=0"}}), "out");
+  std::string_view rest = text;
+  EXPECT_EQ(take_line(rest), "run,seed,x,status,reason");
+  for (int i = 0; i < 3; ++i) {
+    const auto fields = csv_fields(take_line(rest));
+    ASSERT_EQ(fields.size(), 5U);
+    EXPECT_EQ(fields[3], "not_done");
+    EXPECT_EQ(fields[4], "there is no path to 0");
+  }
+}
+
 TEST_F(RunSweep, ASweepThatWasStoppedIsContinued) {
   const Sweep all = sweep(toy_request());
   const std::string once = table(all, "once");

@@ -18,6 +18,7 @@ namespace outrider::testing {
 struct SweepTask final : JobTask {
   SweepTask() : JobTask("toy") {}
   Outcome<Warnings> load() override {
+    if (x == 0.0) return fault(FaultCode::no_path, "there is no path to 0");
     if (file.empty()) return Warnings{};
     const auto text = read_file(file);
     if (!text) return tl::unexpected<Fault>(text.error());

@@ -1,0 +1,24 @@
+// Costly searches that find nothing become rarer, so that a log in which nothing fits any more does not cost a
+// search for each of its scans: of n occasions about the root of 8 n are searched. The first four in a row are.
+#pragma once
+
+#include <cstddef>
+
+namespace outrider {
+
+class BackOff {
+ public:
+  /// Counts an occasion to search. Returns true if it is to be taken, and its result to be noted.
+  [[nodiscard]] bool is_due() { return ++passed_ > failures_ / occasions_per_failure; }
+  void note(bool found) {
+    failures_ = found ? 0 : failures_ + 1;
+    passed_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t occasions_per_failure = 4;
+  std::size_t failures_ = 0;  ///< in a row
+  std::size_t passed_ = 0;    ///< occasions since the last search
+};
+
+}  // namespace outrider
