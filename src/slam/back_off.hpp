@@ -1,5 +1,6 @@
-// Costly searches that find nothing become rarer, so that a log in which nothing fits any more does not cost a
-// search for each of its scans: of n occasions about the root of 8 n are searched. The first four in a row are.
+// Costly searches that find nothing become rarer, so that a log in which nothing fits any more does not cost
+// a search for each of its scans: of n occasions that all fail about the root of 8 n are searched, the first
+// four of them. A search that finds something halves the wait.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,7 @@ class BackOff {
   /// Counts an occasion to search. Returns true if it is to be taken, and its result to be noted.
   [[nodiscard]] bool is_due() { return ++passed_ > failures_ / occasions_per_failure; }
   void note(bool found) {
-    failures_ = found ? 0 : failures_ + 1;
+    failures_ = found ? failures_ / 2 : failures_ + 1;
     passed_ = 0;
   }
 

@@ -20,7 +20,7 @@ namespace outrider {
 namespace {
 
 constexpr double most_side_m = 500.0;    // of a map: its surfaces take a byte for each 5 cm by 5 cm
-constexpr int levels = 8;                // of the pyramid: the widest blocks are 3.2 m
+constexpr int levels = 7;                // of the pyramid: the widest blocks are 3.2 m
 constexpr double search_reach_m = 15.0;  // farther readings are not used to search the whole map
 constexpr std::size_t least_points = 10;
 constexpr std::int64_t most_blocks = 40'000'000;

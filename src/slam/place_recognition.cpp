@@ -92,7 +92,7 @@ std::optional<KnownPlace> recognise_far(const KeyframeGraph& graph, KeyframeSurf
                                         std::span<const std::uint32_t> among, std::uint32_t first,
                                         const MatchWindow& window) {
   constexpr double clear_score = 0.8, least_score = 0.65;  // a high one is found sooner
-  constexpr int levels = 8;
+  constexpr int levels = 7;
   const Surface query = joined_surface(graph, surfaces, first_of_last(graph, first, far_query_keyframes));
   const SurfaceMap map = map_of(graph, surfaces, among, levels);
   auto fit = recognise_place(map, query, window, clear_score);

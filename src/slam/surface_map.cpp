@@ -47,6 +47,46 @@ GridFrame frame_about(const Box2& box, double side_m, int low, int high) {
   return {{x * side_m, y * side_m}, side_m, cell(box.high.x) + 1 + high - x, cell(box.high.y) + 1 + high - y};
 }
 
+/// Returns the maxima over squares of 2 by 2 cells.
+Grid<std::uint8_t> halved(const Grid<std::uint8_t>& field) {
+  const auto smaller = [](int n) { return (n + 1) / 2; };
+  GridFrame frame = field.frame;
+  frame.resolution_m *= 2.0;
+  frame.width = smaller(frame.width);
+  frame.height = smaller(frame.height);
+  Grid<std::uint8_t> half(frame);
+  for (int y = 0; y < field.frame.height; ++y) {
+    const std::uint8_t* from = &field[{0, y}];
+    std::uint8_t* to = &half[{0, y / 2}];
+    for (int x = 0; x + 1 < field.frame.width; x += 2)
+      to[x / 2] = std::max(to[x / 2], std::max(from[x], from[x + 1]));
+    if (const int x = field.frame.width - 1; x % 2 == 0) to[x / 2] = std::max(to[x / 2], from[x]);
+  }
+  return half;
+}
+
+/// Returns in each cell the maximum over so many cells to the right and up, itself included.
+Grid<std::uint8_t> widened(const Grid<std::uint8_t>& field, int cells) {
+  const int width = field.frame.width, height = field.frame.height;
+  Grid<std::uint8_t> right = field;
+  for (int y = 0; y < height; ++y) {
+    std::uint8_t* to = &right[{0, y}];
+    for (int off = 1; off < cells; ++off) {
+      const std::uint8_t* from = &field[{0, y}] + off;
+      for (int x = 0; x + off < width; ++x) to[x] = std::max(to[x], from[x]);
+    }
+  }
+  Grid<std::uint8_t> wide = right;
+  for (int y = 0; y < height; ++y) {
+    std::uint8_t* to = &wide[{0, y}];
+    for (int up = y + 1; up < std::min(y + cells, height); ++up) {
+      const std::uint8_t* from = &right[{0, up}];
+      for (int x = 0; x < width; ++x) to[x] = std::max(to[x], from[x]);
+    }
+  }
+  return wide;
+}
+
 }  // namespace
 
 SurfaceMap::SurfaceMap(std::span<const Part> parts, int levels) {
@@ -62,7 +102,7 @@ SurfaceMap::SurfaceMap(std::span<const Part> parts, int levels) {
     }
   }
   if (points.empty()) box = {{0.0, 0.0}, {0.0, 0.0}};
-  const int low_margin = (1 << (levels - 1)) + splat_cells + 1;  // a window of the top level is empty there
+  const int low_margin = (1 << levels) + splat_cells + 1;  // a window of the top level is empty there
   levels_.emplace_back(frame_about(box, cell_m, low_margin, high_margin));
   bucket_frame_ = frame_about(box, bucket_m, 1, 1);
   first_.assign(bucket_frame_.size(), -1);
@@ -106,38 +146,14 @@ void SurfaceMap::splat(Vec2 position) {
   }
 }
 
+/// Level 0 is the field. The cell x, y of a higher one holds the maximum over the squares of side 2^(level +
+/// 1) that begin in the square of side 2^(level - 1) at x, y: over 4 such squares in each direction on level
+/// 1, over 5 above it.
 void SurfaceMap::build_pyramid(int levels) {
-  Grid<std::uint8_t> pooled = levels_.front();
-  const auto smaller = [](int n) { return (n + 1) / 2; };
+  Grid<std::uint8_t> pooled = levels_.front();  // by squares of side 2^(level - 1)
   for (int level = 1; level < levels; ++level) {
-    GridFrame frame = pooled.frame;
-    frame.resolution_m *= 2.0;
-    frame.width = smaller(frame.width);
-    frame.height = smaller(frame.height);
-    Grid<std::uint8_t> next(frame);
-    for (int y = 0; y < pooled.frame.height; ++y) {
-      const std::uint8_t* from = &pooled[{0, y}];
-      std::uint8_t* to = &next[{0, y / 2}];
-      for (int x = 0; x + 1 < pooled.frame.width; x += 2) {
-        to[x / 2] = std::max(to[x / 2], std::max(from[x], from[x + 1]));
-      }
-      if (pooled.frame.width % 2 != 0) {
-        const int x = pooled.frame.width - 1;
-        to[x / 2] = std::max(to[x / 2], from[x]);
-      }
-    }
-    Grid<std::uint8_t> wide = next;
-    for (int y = 0; y < frame.height; ++y) {
-      const std::uint8_t* here = &next[{0, y}];
-      const std::uint8_t* above = y + 1 < frame.height ? &next[{0, y + 1}] : here;
-      std::uint8_t* to = &wide[{0, y}];
-      for (int x = 0; x + 1 < frame.width; ++x) {
-        to[x] = std::max(std::max(here[x], here[x + 1]), std::max(above[x], above[x + 1]));
-      }
-      to[frame.width - 1] = std::max(here[frame.width - 1], above[frame.width - 1]);
-    }
-    levels_.push_back(std::move(wide));
-    pooled = std::move(next);
+    if (level > 1) pooled = halved(pooled);
+    levels_.push_back(widened(pooled, level == 1 ? 4 : 5));
   }
 }
 

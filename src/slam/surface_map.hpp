@@ -83,7 +83,7 @@ class SurfaceMap {
   };
   static constexpr int all_groups = -1;
 
-  static constexpr int few_levels = 6;
+  static constexpr int few_levels = 5;
 
   /// `levels` is the height of the pyramid: a map that is searched whole needs more of them.
   explicit SurfaceMap(std::span<const Part> parts, int levels = few_levels);
@@ -120,7 +120,7 @@ class SurfaceMap {
   void sort_elements();
   [[nodiscard]] std::optional<Line> line_at(Vec2 position, Vec2 normal, int group) const;
 
-  std::vector<Grid<std::uint8_t>> levels_;  ///< maxima over windows of 2^level + 1 cells at least
+  std::vector<Grid<std::uint8_t>> levels_;  ///< of the pyramid of the field; see build_pyramid()
   GridFrame bucket_frame_;
   std::vector<std::int32_t> first_;  ///< element, by bucket; of the last bucket also the end
   std::vector<Element> elements_;    ///< bucket by bucket

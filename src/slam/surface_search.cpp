@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <tuple>
 
 #include "outrider/core/units.hpp"
@@ -64,7 +66,7 @@ class Search {
   bool run() {
     if (cells_.front().empty()) return true;
     int level = 0;  // bounds are those of the level above
-    while (level + 2 < static_cast<int>(levels_.size()) && (2 << level) <= 2 * reach_ + 1) ++level;
+    while (level + 1 < static_cast<int>(levels_.size()) && (2 << level) <= 2 * reach_ + 1) ++level;
     const int side = 1 << level;
     std::vector<std::pair<Range, Range>> ranges;
     std::int64_t blocks = 0;
@@ -76,9 +78,9 @@ class Search {
     std::vector<Block> roots;
     for (std::size_t i = 0; i < ranges.size(); ++i) {
       const auto& [across, up] = ranges[i];
-      for (int y = up.low; y <= up.high; y += side) {
-        for (int x = across.low; x <= across.high; x += side)
-          add(roots, {static_cast<int>(i) * side, {x, y}, 0.0}, level);
+      for (int y = up.low; y <= up.high; y += 2 * side) {
+        for (int x = across.low; x <= across.high; x += 2 * side)
+          add_four(roots, static_cast<int>(i) * side, {x, y}, {across.high, up.high}, level);
       }
     }
     descend(roots, level);
@@ -121,35 +123,80 @@ class Search {
                                 turn * turn / (window_.heading_sd_rad * window_.heading_sd_rad));
   }
 
-  /// Returns a bound of the mean of the field over the points, exact on level 0; 0 if it is not above
-  /// `least`. The cell of a point at all poses of the block lies within a square of side 2^(level + 1).
-  [[nodiscard]] double mean(const Block& block, int level, double least) const {
-    constexpr std::size_t checked = 32;  // points between two checks
-    const int above = level == 0 ? 0 : level + 1;
-    const Grid<std::uint8_t>& field = levels_[static_cast<std::size_t>(above)];
-    const std::vector<Cell>& cells = cells_at(block.angle, level);
-    const Cell low{block.offset.x - spread(level), block.offset.y - spread(level)};
+  /// Adds up to each of four sums, `apart` cells of the field apart in x and y, the values of the field at
+  /// the cells of some points; beyond the field they are 0.
+  static void add_values(const Grid<std::uint8_t>& field, std::span<const Cell> cells, Cell low, int shift,
+                         unsigned apart, std::array<int, 4>& sums) {
     const auto width = static_cast<unsigned>(field.frame.width);
     const auto height = static_cast<unsigned>(field.frame.height);
-    const double full = 255.0 * static_cast<double>(cells.size());
-    const double missing = (1.0 - least) * full;  // what all points may lack together
-    int lacking = 0;
-    for (std::size_t i = 0; i < cells.size();) {
-      for (const std::size_t end = std::min(i + checked, cells.size()); i < end; ++i) {
-        const auto x = static_cast<unsigned>((cells[i].x + low.x) >> above);
-        const auto y = static_cast<unsigned>((cells[i].y + low.y) >> above);
-        lacking += 255 - (x < width && y < height ? field.cells[std::size_t{y} * width + x] : 0);
+    const auto value = [&](unsigned x, unsigned y) {
+      return x < width && y < height ? int{field.cells[std::size_t{y} * width + x]} : 0;
+    };
+    auto [a, b, c, d] = sums;
+    for (const Cell& cell : cells) {
+      const auto x = static_cast<unsigned>((cell.x + low.x) >> shift);
+      const auto y = static_cast<unsigned>((cell.y + low.y) >> shift);
+      if (x < width - apart && y < height - apart) [[likely]] {
+        const std::uint8_t* const lower = &field.cells[std::size_t{y} * width + x];
+        const std::uint8_t* const upper = lower + std::size_t{apart} * width;
+        a += lower[0];
+        b += lower[apart];
+        c += upper[0];
+        d += upper[apart];
+      } else {
+        a += value(x, y);
+        b += value(x + apart, y);
+        c += value(x, y + apart);
+        d += value(x + apart, y + apart);
       }
-      if (lacking >= missing) return 0.0;
     }
-    return (full - lacking) / full;
+    sums = {a, b, c, d};
   }
 
-  void add(std::vector<Block>& blocks, Block block, int level) {
-    const double most = 1.0 - cost(block, level);
-    if (most <= best_.score || ++tried_ > window_.most_blocks) return;
-    block.bound = mean(block, level, best_.score + (1.0 - most)) - (1.0 - most);
-    if (block.bound > best_.score) blocks.push_back(block);
+  /// Returns bounds of the mean of the field over the points in four neighbouring blocks, exact on level 0; 0
+  /// where it is not above `least`. The cell of a point at all poses of a block lies within a square of side
+  /// 2^(level + 1).
+  [[nodiscard]] std::array<double, 4> means(int angle, Cell offset, int level,
+                                            const std::array<double, 4>& least) const {
+    constexpr std::size_t checked = 32;  // points between two checks
+    const std::vector<Cell>& cells = cells_at(angle, level);
+    const Cell low{offset.x - spread(level), offset.y - spread(level)};
+    const double full = 255.0 * static_cast<double>(cells.size());
+    std::array<int, 4> sums{};
+    const auto may_exceed = [&](std::size_t i, std::size_t seen) {  // if all other points are on a surface
+      return 255.0 * static_cast<double>(seen) - sums[i] < (1.0 - least[i]) * full;
+    };
+    for (std::size_t begin = 0; begin < cells.size(); begin += checked) {
+      const std::size_t end = std::min(begin + checked, cells.size());
+      add_values(levels_[static_cast<std::size_t>(level)], std::span(cells).subspan(begin, end - begin), low,
+                 std::max(0, level - 1), level == 0 ? 1 : 2, sums);
+      if (!may_exceed(0, end) && !may_exceed(1, end) && !may_exceed(2, end) && !may_exceed(3, end)) return {};
+    }
+    std::array<double, 4> result{};
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = may_exceed(i, cells.size()) ? sums[i] / full : 0.0;
+    return result;
+  }
+
+  /// Adds those of the four blocks from an offset on that begin at `most` at the latest and may hold a better
+  /// pose than the best one.
+  void add_four(std::vector<Block>& blocks, int angle, Cell offset, Cell most, int level) {
+    constexpr double never = 2.0;
+    const int side = 1 << level;
+    std::array<Block, 4> four;
+    std::array<double, 4> highest{}, least{};
+    for (std::size_t i = 0; i < four.size(); ++i) {
+      four[i] = {angle, {offset.x + (i % 2 == 0 ? 0 : side), offset.y + (i < 2 ? 0 : side)}, 0.0};
+      highest[i] = 1.0 - cost(four[i], level);
+      const bool is_tried = four[i].offset.x <= most.x && four[i].offset.y <= most.y &&
+                            highest[i] > best_.score && ++tried_ <= window_.most_blocks;
+      least[i] = is_tried ? best_.score + (1.0 - highest[i]) : never;
+    }
+    const std::array<double, 4> mean = means(angle, offset, level, least);
+    for (std::size_t i = 0; i < four.size(); ++i) {
+      four[i].bound = mean[i] - (1.0 - highest[i]);
+      if (least[i] < never && four[i].bound > best_.score) blocks.push_back(four[i]);
+    }
   }
 
   void descend(std::vector<Block>& blocks, int level) {
@@ -163,13 +210,8 @@ class Search {
       std::vector<Block> parts;
       const int half = 1 << (level - 1);
       for (const int turn : {0, half}) {
-        if (block.angle + turn >= static_cast<int>(cells_.size())) continue;
-        for (const auto& [dx, dy] :
-             {std::pair(0, 0), std::pair(half, 0), std::pair(0, half), std::pair(half, half)}) {
-          const Cell offset{block.offset.x + dx, block.offset.y + dy};
-          if (offset.x <= reach_ && offset.y <= reach_)
-            add(parts, {block.angle + turn, offset, 0.0}, level - 1);
-        }
+        if (block.angle + turn < static_cast<int>(cells_.size()))
+          add_four(parts, block.angle + turn, block.offset, {reach_, reach_}, level - 1);
       }
       descend(parts, level - 1);
     }

@@ -43,6 +43,7 @@ class ScanMatch : public ::testing::Test {
   Rng rng{1};
   std::vector<testing::Wall> walls = testing::furnished_room();
   SurfaceMap map = map_from(walls, rng);
+  BackOff wide;
 };
 
 TEST_F(ScanMatch, WithinTheWindowAndFarBeyondIt) {
@@ -57,7 +58,7 @@ TEST_F(ScanMatch, WithinTheWindowAndFarBeyondIt) {
     const Vec2 aside = direction(rng.uniform(-pi, pi));
     for (const auto& [off_m, off_rad] : {std::pair(0.05, 0.05), std::pair(0.5, 0.5), std::pair(2.5, 3.0)}) {
       const Pose2 guess{truth.position + off_m * aside, truth.heading_rad + off_rad};
-      const auto fit = match_scan(map, surface, window_about(guess), contradiction);
+      const auto fit = match_scan(map, surface, window_about(guess), contradiction, wide);
       ASSERT_TRUE(fit) << off_m;
       expect_near(fit->pose, truth);
       EXPECT_GT(fit->share, 0.8);
@@ -70,10 +71,11 @@ TEST_F(ScanMatch, APoseThatIsContradictedIsNotTaken) {
   Surface part = surface;  // half of the points are of something new
   for (std::size_t i = 0; i < part.size(); i += 2) part[i].position = 3.0 * part[i].position;
   const MatchWindow window = window_about(in_the_middle);
-  const auto unopposed = match_scan(map, part, window, nothing_speaks_against);
+  const auto unopposed = match_scan(map, part, window, nothing_speaks_against, wide);
   ASSERT_TRUE(unopposed);
   ASSERT_LT(unopposed->share, 0.9);
-  EXPECT_FALSE(match_scan(map, part, window, [](const Pose2&) { return 0.9; }));
+  EXPECT_FALSE(match_scan(
+      map, part, window, [](const Pose2&) { return 0.9; }, wide));
 }
 
 /// A room that is entered, and one that is known and looks the same: nothing says that odometry is wrong.
@@ -81,11 +83,11 @@ TEST_F(ScanMatch, ARoomLikeAKnownOneIsNotTakenForItUnlessOdometryIsContradicted)
   const Surface surface = seen_from(walls, in_the_middle, rng);
   const MatchWindow beside = window_about({in_the_middle.position + Vec2{3.0, 0.0}, pi});
   ASSERT_FALSE(match_nearby(map, surface, beside, nothing_speaks_against));
-  EXPECT_FALSE(match_scan(map, surface, beside, nothing_speaks_against));
+  EXPECT_FALSE(match_scan(map, surface, beside, nothing_speaks_against, wide));
   const auto there = [&](const Pose2& at) {
     return distance(at.position, in_the_middle.position) > 1.0 ? 0.5 : 0.0;
   };
-  const auto fit = match_scan(map, surface, beside, there);
+  const auto fit = match_scan(map, surface, beside, there, wide);
   ASSERT_TRUE(fit);
   expect_near(fit->pose, in_the_middle);
 }
@@ -94,7 +96,7 @@ TEST_F(ScanMatch, AnotherRoomIsNotMatched) {
   const std::vector<testing::Wall> corner{{{-8, 8}, {8, -5}}, {{-8, -2}, {4, 8}}};
   const Surface surface = seen_from(corner, {}, rng);
   ASSERT_GT(surface.size(), 60U);
-  const auto fit = match_scan(map, surface, window_about(in_the_middle), nothing_speaks_against);
+  const auto fit = match_scan(map, surface, window_about(in_the_middle), nothing_speaks_against, wide);
   EXPECT_FALSE(fit);
 }
 

@@ -70,11 +70,11 @@ TEST(SurfaceMap, TheSearchLosesNothingToAnExhaustiveOne) {
     const Surface here = thinned(surface_at({{2.0, 2.3}, rng.uniform(-3.0, 3.0)}, rng), 60);
     const Pose2 guess{{rng.uniform(1.8, 2.6), rng.uniform(1.6, 2.4)}, rng.uniform(-0.5, 0.5)};
     for (const double least : {0.0, 0.2}) {
-      const MatchWindow window{guess, 0.3, 0.0, 0.2, 0.1};
+      const MatchWindow window{guess, 0.9, 0.0, 0.2, 0.1};
       const auto found = map.find(here, window, least);
       double best = least;
-      for (int y = -6; y <= 6; ++y) {
-        for (int x = -6; x <= 6; ++x) {
+      for (int y = -18; y <= 18; ++y) {
+        for (int x = -18; x <= 18; ++x) {
           const Vec2 off = cell_m * Vec2{double(x), double(y)};
           const auto alone = map.find(here, {{guess.position + off, guess.heading_rad}, 0.0, 0.0}, -1.0);
           ASSERT_TRUE(alone);
