@@ -110,6 +110,35 @@ LaserScan lone_readings(const LaserScan& scan) {
   return lone;
 }
 
+/// Returns a scan of the places on a surface through which a single beam leads, though the beams to both of
+/// its sides end there.
+LaserScan passed_surfaces(const LaserScan& scan) {
+  LaserScan passed = scan;
+  std::ranges::fill(passed.ranges_m, std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 1; i + 1 < scan.ranges_m.size(); ++i) {
+    const float before_m = scan.ranges_m[i - 1], after_m = scan.ranges_m[i + 1];
+    const bool is_surface = std::abs(before_m - after_m) <= lone_off_m;
+    const bool is_passed =
+        scan.ranges_m[i] <= scan.most_m && scan.ranges_m[i] > std::max(before_m, after_m) + lone_off_m;
+    if (is_surface && is_passed) passed.ranges_m[i] = 0.5F * (before_m + after_m);
+  }
+  return passed;
+}
+
+/// Returns how many single beams end behind a surface that the other scan shows, at nothing that it shows.
+std::size_t beams_too_long(const PlacedScan& of, const PlacedScan& by) {
+  const LaserScan passed = passed_surfaces(*of.scan);
+  LaserScan ends = *of.scan;
+  for (std::size_t i = 0; i < ends.ranges_m.size(); ++i) {
+    if (std::isnan(passed.ranges_m[i])) ends.ranges_m[i] = passed.ranges_m[i];
+  }
+  const auto shown = [&](const LaserScan& points) {
+    return agreement(points, of.world_T_laser, *by.scan, by.world_T_laser).agreeing;
+  };
+  const std::size_t too_long = shown(passed);
+  return too_long - std::min(too_long, shown(ends));
+}
+
 /// Asks the scan before and the one after about the readings of a scan.
 void count_strays(std::span<const PlacedScan> scans, std::size_t i, RangeCheck& check) {
   const PlacedScan& of = scans[i];
@@ -117,8 +146,10 @@ void count_strays(std::span<const PlacedScan> scans, std::size_t i, RangeCheck& 
   for (const std::size_t k : {i - 1, i + 1}) {
     if (k >= scans.size()) continue;  // i - 1 of the first scan too
     const PlacedScan& by = scans[k];
-    check.readings += agreement(*of.scan, of.world_T_laser, *by.scan, by.world_T_laser).seen();
-    check.strays += agreement(lone, of.world_T_laser, *by.scan, by.world_T_laser).seen_through;
+    const std::size_t too_short = agreement(lone, of.world_T_laser, *by.scan, by.world_T_laser).seen_through;
+    const std::size_t too_long = beams_too_long(of, by);
+    check.readings += agreement(*of.scan, of.world_T_laser, *by.scan, by.world_T_laser).seen() + too_long;
+    check.strays += too_short + too_long;
   }
 }
 
@@ -133,7 +164,7 @@ std::string why_not_believed(const RangeCheck& check) {
         std::abs(check.bias_m), check.bias_m > 0.0 ? "long" : "short");
   }
   if (check.readings >= least_readings && check.stray_share() > most_strays) {
-    return fmt::format("{:.1f} % of the readings stand alone where other scans look through",
+    return fmt::format("{:.1f} % of the readings stand alone, before or behind what other scans show",
                        100.0 * check.stray_share());
   }
   return {};

@@ -13,16 +13,19 @@ struct RoomDrive {
   std::vector<LaserScan> scans;
   std::vector<PlacedScan> placed;
 
-  explicit RoomDrive(std::uint64_t seed, double bias_m = 0.0, double outliers = 0.0) {
+  explicit RoomDrive(std::uint64_t seed, double bias_m = 0.0, double outliers = 0.0,
+                     const std::vector<testing::Wall>& walls = testing::furnished_room(),
+                     const testing::Finder& finder = {}, bool only_longer = false) {
     Rng rng(seed);
-    testing::Finder finder;
     for (int i = 0; i < 24; ++i) {
       const double along = 0.2 * i;
       const Pose2 pose{{0.6 + along, 1.8 + 0.4 * std::sin(along)}, 0.3 * along};
-      LaserScan scan = testing::scan_from(testing::furnished_room(), pose, finder, rng);
+      LaserScan scan = testing::scan_from(walls, pose, finder, rng);
       for (float& range : scan.ranges_m) {
         if (range <= scan.most_m) range += static_cast<float>(bias_m);
-        if (rng.uniform() < outliers) range = static_cast<float>(rng.uniform(scan.least_m, scan.most_m));
+        if (rng.uniform() >= outliers) continue;
+        const double least_m = only_longer ? static_cast<double>(range) : scan.least_m;
+        if (least_m < scan.most_m) range = static_cast<float>(rng.uniform(least_m, scan.most_m));
       }
       scans.push_back(scan);
       const Pose2 error{{rng.uniform(-0.02, 0.02), rng.uniform(-0.02, 0.02)}, rng.uniform(-0.01, 0.01)};
@@ -61,6 +64,34 @@ TEST(RangeCheck, BeamsThatEndAnywhereAreStrays) {
       const std::string why = why_not_believed(RoomDrive(seed, 0.0, outliers).check());
       EXPECT_NE(why.find("stand alone"), std::string::npos) << outliers << ": " << why;
     }
+  }
+}
+
+/// Of a range finder that reaches far beyond the walls nearly all outliers lie behind them.
+TEST(RangeCheck, BeamsThatEndBehindWallsAreStrays) {
+  testing::Finder far;
+  far.most_m = 30.0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (const double outliers : {0.02, 0.1, 0.3, 0.5}) {
+      const RoomDrive drive(seed, 0.0, outliers, testing::furnished_room(), far, true);
+      const std::string why = why_not_believed(drive.check());
+      EXPECT_NE(why.find("stand alone"), std::string::npos) << outliers << ": " << why;
+    }
+    const RoomDrive good(seed, 0.0, 0.0, testing::furnished_room(), far);
+    EXPECT_EQ(why_not_believed(good.check()), "");
+  }
+}
+
+/// Single beams lead through the gaps of a fence, to a wall that other scans show too.
+TEST(RangeCheck, AFenceIsBelieved) {
+  testing::Finder far;
+  far.most_m = 30.0;
+  std::vector<testing::Wall> walls = testing::box_walls({0, 0}, {8, 6});
+  for (double x = 0.5; x < 7.5; x += 0.16) walls.push_back({{x, 3.5}, {x + 0.1, 3.5}});
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const RangeCheck check = RoomDrive(seed, 0.0, 0.0, walls, far).check();
+    EXPECT_GT(check.readings, 1000U);
+    EXPECT_EQ(why_not_believed(check), "") << check.stray_share();
   }
 }
 
