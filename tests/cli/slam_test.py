@@ -273,7 +273,7 @@ class Slam(SlamCase):
         doubts = {
             "posts": {"bias": 0.12, "kidnapped_at": 12, "frozen_from": 5, "latency": 0.5, "wrong_ids": 0.3, "slip": 0.3},
             "yard": {"bias": 0.17, "outliers": 0.3, "slip": 0.2, "wrong_ids": 0.2},
-            "office": {"bias": 0.2, "frozen_from": 100, "blind_from": 200},
+            "office": {"bias": 0.2, "outliers": 0.1, "frozen_from": 100, "blind_from": 200},
         }
         for name, faults in doubts.items():
             for key, value in faults.items():
