@@ -18,7 +18,7 @@ class BackOff {
 
  private:
   static constexpr std::size_t occasions_per_failure = 4;
-  std::size_t failures_ = 0;  ///< in a row
+  std::size_t failures_ = 0;  ///< in a row, halved by each success
   std::size_t passed_ = 0;    ///< occasions since the last search
 };
 
