@@ -54,10 +54,10 @@ struct LaserSlam::State {
   std::vector<Gap> gaps;  ///< keyframes that odometry alone joins to the ones before
   OdometryBias bias;
   BackOff wide_matches;  ///< of scans that match nothing nearby
-  Driven unmatched;    ///< since the last match
-  Driven unkept;       ///< since the last keyframe
-  Pose2 counted;       ///< motion since the last keyframe, by odometry
-  bool blind = false;  ///< the last scan had too few points
+  Driven unmatched;      ///< since the last match
+  Driven unkept;         ///< since the last keyframe
+  Pose2 counted;         ///< motion since the last keyframe, by odometry
+  bool blind = false;    ///< the last scan had too few points
   std::optional<double> last_scan_s;
   double pause_s = 0.0;  ///< longest time between two scans since the last keyframe
 
@@ -268,7 +268,8 @@ void LaserSlam::State::take_scan(const LaserScan& scan, const Surface& surface, 
   const MatchWindow about = odometry_window(pose, unmatched, options);
   const bool begun = local.map() != nullptr;
   const auto contradicted = [&](const Pose2& at) { return contradiction(scan, at); };
-  const auto fit = begun ? match_scan(*local.map(), surface, about, contradicted, wide_matches) : std::nullopt;
+  const auto fit =
+      begun ? match_scan(*local.map(), surface, about, contradicted, wide_matches) : std::nullopt;
   step.matched = fit.has_value();
   const bool is_carried = begun && !fit && contradiction(scan, pose) > most_contradiction;
   step.lost = begun && !fit && (about.reach_m > most_correction_m || is_carried);

@@ -89,8 +89,7 @@ std::optional<Fit> match_scan(const SurfaceMap& map, const Surface& surface, con
   if (surface.size() < telling_points || !wide.is_due()) return std::nullopt;
   const auto fit = recognise_place(map, surface,
                                    is_wide ? window : MatchWindow{window.centre, widest_m, std::numbers::pi});
-  const bool found =
-      fit && fit->share >= alone_share && contradiction(fit->pose) <= most_contradiction_alone;
+  const bool found = fit && fit->share >= alone_share && contradiction(fit->pose) <= most_contradiction_alone;
   wide.note(found);
   return found ? fit : std::nullopt;
 }

@@ -58,8 +58,10 @@ Grid<std::uint8_t> halved(const Grid<std::uint8_t>& field) {
   for (int y = 0; y < field.frame.height; ++y) {
     const std::uint8_t* from = &field[{0, y}];
     std::uint8_t* to = &half[{0, y / 2}];
-    for (int x = 0; x + 1 < field.frame.width; x += 2)
-      to[x / 2] = std::max(to[x / 2], std::max(from[x], from[x + 1]));
+    for (int x = 0; x + 1 < field.frame.width; x += 2) {
+      const std::uint8_t both = std::max(from[x], from[x + 1]);
+      to[x / 2] = std::max(to[x / 2], both);
+    }
     if (const int x = field.frame.width - 1; x % 2 == 0) to[x / 2] = std::max(to[x / 2], from[x]);
   }
   return half;

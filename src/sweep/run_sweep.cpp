@@ -51,12 +51,10 @@ Status keep(Run& run, const std::string& folder, const std::string& scenario) {
 }
 
 SweepResult refusal(SweepRun run, const Fault& fault) {
-  const bool cancelled = fault.code == FaultCode::cancelled;
-  return {.run = std::move(run),
-          .status = is_answer(fault) ? "not_done"
-                    : cancelled ? "cancelled"
-                                : "refused",
-          .reason = to_string(fault)};
+  const char* status = "refused";
+  if (is_answer(fault)) status = "not_done";
+  if (fault.code == FaultCode::cancelled) status = "cancelled";
+  return {.run = std::move(run), .status = status, .reason = to_string(fault), .metrics = {}};
 }
 
 Outcome<SweepResult> run_task_of(const Sweep& sweep, const SweepRun& given, const SweepWork& work,

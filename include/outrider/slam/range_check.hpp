@@ -5,8 +5,8 @@
 // than one that is seen from the front, so the scans that show it from several places differ by a part of
 // that length. The check fits one length to all of these differences; what an error of a pose explains is
 // left out. Beams that end anywhere, as in fog or before glass, leave readings that stand alone: neither
-// their neighbours nor the scans before and after hit anything there. They end where another scan looks through,
-// or behind a surface at which their neighbours end and that another scan shows.
+// their neighbours nor the scans before and after hit anything there. They end where another scan looks
+// through, or behind a surface at which their neighbours end and that another scan shows.
 //
 // Ranges and poses alone are used. Complexity: O(points^2) for each of two pairs per scan, with at most 180
 // points of a scan. Thread rule: pure. Source: the point-to-line metric of Censi, An ICP variant using a

@@ -274,8 +274,9 @@ SimulatedRobot simulated_driver(const DriveTask& task, const DriveSimParams& par
   camera.expect_sizes(task.tags);
   if (params.moved_tag.at_s > 0.0)
     camera.change_tags(params.moved_tag.at_s, true_tags_later(task.tags, params));
-  return SimulatedRobot(WheelBody(task.chassis, params.wheels, params.link, params.patience_s, task.start, rng),
-                        {.camera = std::move(camera)}, params.kidnapping, params.clock);
+  return SimulatedRobot(
+      WheelBody(task.chassis, params.wheels, params.link, params.patience_s, task.start, rng),
+      {.camera = std::move(camera)}, params.kidnapping, params.clock);
 }
 
 Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,

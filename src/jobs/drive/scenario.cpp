@@ -167,8 +167,8 @@ Outcome<DriveTask> robot_from(const DriveScenario& scenario) {
 std::vector<OptionGroup> describe(DriveScenario& scenario) {
   DriveTask& task = scenario.task;
   std::vector<Option> link = describe(scenario.sim.link);
-  link.push_back(
-      {"patience", "s", 0.05, 1e9, "without a command after which the wheels stop", &scenario.sim.patience_s});
+  link.push_back({"patience", "s", 0.05, 1e9, "without a command after which the wheels stop",
+                  &scenario.sim.patience_s});
   return {
       {"",
        "the drive",
