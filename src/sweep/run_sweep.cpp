@@ -54,7 +54,7 @@ SweepResult refusal(SweepRun run, const Fault& fault) {
   const char* status = "refused";
   if (is_answer(fault)) status = "not_done";
   if (fault.code == FaultCode::cancelled) status = "cancelled";
-  return {.run = std::move(run), .status = status, .reason = to_string(fault), .metrics = {}};
+  return {.run = std::move(run), .status = status, .reason = to_string(fault)};
 }
 
 Outcome<SweepResult> run_task_of(const Sweep& sweep, const SweepRun& given, const SweepWork& work,

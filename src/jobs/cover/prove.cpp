@@ -124,6 +124,10 @@ FieldProof measured(const CoverField& field, const CoverProblem& problem, const 
 }  // namespace
 
 Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, const Budget& budget) {
+  if (plan.roles.size() != plan.track.pieces.size()) {
+    return refused(
+        fmt::format("it has {} pieces and roles of {}", plan.track.pieces.size(), plan.roles.size()));
+  }
   if (auto good = check_joints(plan.track); !good) return pass_on(good);
   if (auto good = problem.curves() ? check_curvature(plan.track, problem) : Status{}; !good)
     return pass_on(good);

@@ -74,8 +74,7 @@ TEST_F(ScanMatch, APoseThatIsContradictedIsNotTaken) {
   const auto unopposed = match_scan(map, part, window, nothing_speaks_against, wide);
   ASSERT_TRUE(unopposed);
   ASSERT_LT(unopposed->share, 0.9);
-  EXPECT_FALSE(match_scan(
-      map, part, window, [](const Pose2&) { return 0.9; }, wide));
+  EXPECT_FALSE(match_scan(map, part, window, [](const Pose2&) { return 0.9; }, wide));
 }
 
 /// A room that is entered, and one that is known and looks the same: nothing says that odometry is wrong.

@@ -229,13 +229,21 @@ TEST(CoverPlan, TheJudgeRefusesWhatIsWrong) {
   const CoverPlan plan = planned(problem, "boustrophedon");
   CoverPlan gap = plan;
   gap.track.pieces.erase(gap.track.pieces.begin() + 5);
+  gap.roles.erase(gap.roles.begin() + 5);
   EXPECT_FALSE(prove(gap, problem));
   CoverPlan half = plan;
   half.track.pieces.resize(half.track.pieces.size() / 2);
+  half.roles.resize(half.track.pieces.size());
   EXPECT_FALSE(prove(half, problem));
   CoverPlan outside = plan;
   outside.track.pieces.push_back({outside.track.pieces.back().to, {0.75, 2.0}, {}, 0.0});
+  outside.roles.push_back(PieceRole::transfer);
   EXPECT_FALSE(prove(outside, problem));
+  CoverPlan bare = plan;
+  bare.roles.pop_back();
+  const auto judged = prove(bare, problem);
+  ASSERT_FALSE(judged);
+  EXPECT_NE(judged.error().sentence.find("pieces and roles of"), std::string::npos);
 }
 
 void expect_refused(const CoverProblem& problem, const std::string& where, const std::string& says) {
