@@ -28,7 +28,7 @@ struct LoopSearch {
   std::size_t rivals_found = 0;
   std::size_t rivals_due = 1;   ///< number of rivals found at which they are weighed; doubles
   std::size_t refused = 0;      ///< places that were recognised and not believed
-  BackOff bridging, rejoining;  ///< of gaps that are not bridged, one after the other
+  BackOff bridging, rejoining;  ///< of the searches of these two, over all gaps
   double tried_at_m = 0.0;      ///< distance driven at the last search
   double far_due_at_m = 0.0;    ///< distance driven at which older visits are searched again
   double far_every_m = 0.0;     ///< distance between two such searches; grows while they find nothing

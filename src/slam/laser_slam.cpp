@@ -53,11 +53,11 @@ struct LaserSlam::State {
   std::size_t part = 0;   ///< the first keyframe since the robot was last lost
   std::vector<Gap> gaps;  ///< keyframes that odometry alone joins to the ones before
   OdometryBias bias;
-  BackOff wide_matches;  ///< of scans that match nothing nearby
-  Driven unmatched;      ///< since the last match
-  Driven unkept;         ///< since the last keyframe
-  Pose2 counted;         ///< motion since the last keyframe, by odometry
-  bool blind = false;    ///< the last scan had too few points
+  BackOff wide;        ///< of searches for scans that match nothing nearby
+  Driven unmatched;    ///< since the last match
+  Driven unkept;       ///< since the last keyframe
+  Pose2 counted;       ///< motion since the last keyframe, by odometry
+  bool blind = false;  ///< the last scan had too few points
   std::optional<double> last_scan_s;
   double pause_s = 0.0;  ///< longest time between two scans since the last keyframe
 
@@ -268,8 +268,7 @@ void LaserSlam::State::take_scan(const LaserScan& scan, const Surface& surface, 
   const MatchWindow about = odometry_window(pose, unmatched, options);
   const bool begun = local.map() != nullptr;
   const auto contradicted = [&](const Pose2& at) { return contradiction(scan, at); };
-  const auto fit =
-      begun ? match_scan(*local.map(), surface, about, contradicted, wide_matches) : std::nullopt;
+  const auto fit = begun ? match_scan(*local.map(), surface, about, contradicted, wide) : std::nullopt;
   step.matched = fit.has_value();
   const bool is_carried = begun && !fit && contradiction(scan, pose) > most_contradiction;
   step.lost = begun && !fit && (about.reach_m > most_correction_m || is_carried);
@@ -390,9 +389,8 @@ std::vector<LaserLoop> LaserSlam::closed_loops() const {
   return result;
 }
 std::vector<Pose2> LaserSlam::trajectory() const {
-  std::vector<Pose2> poses;
-  poses.reserve(state_->before_keyframes.size() + state_->track.size());
-  poses = state_->before_keyframes;
+  std::vector<Pose2> poses = state_->before_keyframes;
+  poses.reserve(poses.size() + state_->track.size());
   for (const TrackPoint& point : state_->track) {
     poses.push_back(wrap_heading(compose(state_->graph.keyframes[point.key].pose, point.key_T_robot)));
   }

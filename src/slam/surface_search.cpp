@@ -192,6 +192,7 @@ class Search {
                             highest[i] > best_.score && ++tried_ <= window_.most_blocks;
       least[i] = is_tried ? best_.score + (1.0 - highest[i]) : never;
     }
+    if (std::ranges::count(least, never) == 4) return;
     const std::array<double, 4> mean = means(angle, offset, level, least);
     for (std::size_t i = 0; i < four.size(); ++i) {
       four[i].bound = mean[i] - (1.0 - highest[i]);
