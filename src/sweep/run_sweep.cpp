@@ -58,11 +58,11 @@ SweepResult refusal(SweepRun run, const Fault& fault) {
 }
 
 Outcome<SweepResult> run_task_of(const Sweep& sweep, const SweepRun& given, const SweepWork& work,
-                                 const std::stop_token& stop) {
+                                 const std::stop_token& stop, PlanCache* plans) {
   const auto task = sweep.job.blank();
   if (auto ok = read_scenario(*task, sweep.request.scenario); !ok) return refusal(given, ok.error());
   if (auto ok = change(*task, changes_of(sweep, given)); !ok) return refusal(given, ok.error());
-  auto run = run_task(sweep.job, *task, {.stop = stop});
+  auto run = run_task(sweep.job, *task, {.stop = stop, .plans = plans});
   if (!run) return refusal(given, run.error());
   SweepResult result{given, run->report.status, run->report.reason, run->report.metrics};
   if (work.keep_failures && result.status != "done" && !stop.stop_requested()) {
@@ -123,14 +123,14 @@ class ChunkWriter {
 
 /// Returns the text of the chunk.
 Outcome<std::string> compute_chunk(const Sweep& sweep, std::uint64_t chunk, const SweepWork& work,
-                                   const SweepWatch& watch, Counter& counter) {
+                                   const SweepWatch& watch, PlanCache& plans, Counter& counter) {
   const std::uint64_t first = sweep.begin_of(chunk);
   std::vector<SweepResult> results(sweep.begin_of(chunk + 1) - first);
   std::vector<Status> kept(results.size());
   const bool whole = parallel_for(results.size(), watch.stop, [&](std::size_t i) {
     const double begin_s = wall_s();
     isolated([&] {
-      auto result = run_one(sweep, first + i, work, watch.stop);
+      auto result = run_one(sweep, first + i, work, watch.stop, &plans);
       result ? void(results[i] = std::move(*result)) : void(kept[i] = pass_on(result));
     });
     counter.add(wall_s() - begin_s);
@@ -176,10 +176,10 @@ Status begin_sweep(const Manifest& manifest, const std::string& folder) {
 }
 
 Outcome<SweepResult> run_one(const Sweep& sweep, std::uint64_t number, const SweepWork& work,
-                             const std::stop_token& stop) {
+                             const std::stop_token& stop, PlanCache* plans) {
   const SweepRun given = run_of(sweep, number);
   try {
-    return run_task_of(sweep, given, work, stop);
+    return run_task_of(sweep, given, work, stop, plans);
   } catch (const std::exception& broken) {
     return SweepResult{
         .run = given, .status = "bug", .reason = fmt::format("this is a bug: {}", broken.what())};
@@ -194,6 +194,7 @@ Outcome<std::vector<std::uint64_t>> compute_chunks(const Sweep& sweep, const Swe
       left += sweep.begin_of(chunk + 1) - sweep.begin_of(chunk);
   }
   Counter counter(watch, left);
+  PlanCache plans;
   std::vector<std::uint64_t> others;
   ChunkWriter writer;
   for (std::uint64_t chunk = work.first_chunk; chunk < work.end_chunk; ++chunk) {
@@ -211,7 +212,7 @@ Outcome<std::vector<std::uint64_t>> compute_chunks(const Sweep& sweep, const Swe
       counter.skip(sweep.begin_of(chunk + 1) - sweep.begin_of(chunk));
       continue;
     }
-    auto text = compute_chunk(sweep, chunk, work, watch, counter);
+    auto text = compute_chunk(sweep, chunk, work, watch, plans, counter);
     if (!text) {
       remove_lock(path);
       return pass_on(text);

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "outrider/job/plan_cache.hpp"
 #include "outrider/sweep/chunk.hpp"
 #include "outrider/sweep/manifest.hpp"
 
@@ -58,10 +59,10 @@ std::optional<TimeLeft> time_left(const SweepProgress& progress);
 /// or other files; cannot_write.
 Status begin_sweep(const Manifest& manifest, const std::string& folder);
 
-/// Runs one run. A run that is refused is a result too; exceptions become the status `bug`. Fault: the log of
-/// a failure cannot be written.
+/// Runs one run. A run that is refused is a result too; exceptions become the status `bug`. Plans are shared
+/// with other runs through `plans`, which changes no result. Fault: the log of a failure cannot be written.
 Outcome<SweepResult> run_one(const Sweep& sweep, std::uint64_t number, const SweepWork& work,
-                             const std::stop_token& stop = {});
+                             const std::stop_token& stop = {}, PlanCache* plans = nullptr);
 
 /// Computes the chunks of the work that are missing. Returns the numbers of those that other processes are
 /// computing. Fault: cancelled; cannot_write.

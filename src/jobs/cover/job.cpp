@@ -1,9 +1,12 @@
 #include "outrider/jobs/cover/job.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "geojson.hpp"
+#include "outrider/job/plan_cache.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/cover/mission.hpp"
 #include "outrider/jobs/cover/report.hpp"
@@ -83,6 +86,30 @@ struct Driver {
   }
 };
 
+/// A track with the proof of what it covers.
+struct ProvenPlan {
+  CoverPlan plan;
+  CoverProof proof;
+};
+
+/// Plans and proves, or takes both from the cache of the watch under the key.
+Outcome<std::shared_ptr<const ProvenPlan>> plan_and_prove(const CoverTask& task, const CoverOptions& options,
+                                                          const std::string& key, RunSteps& steps,
+                                                          const RunWatch& watch) {
+  if (auto ok = steps.next("planning the track"); !ok) return pass_on(ok);
+  if (const auto planned = find_plan<ProvenPlan>(watch.plans, key); planned) {
+    if (auto ok = steps.next("proving what it covers"); !ok) return pass_on(ok);
+    return planned;
+  }
+  auto plan = task.method.plan(task.problem, options, watch.budget());
+  if (!plan) return tl::unexpected<Fault>(placed(plan.error(), task));
+  if (auto ok = steps.next("proving what it covers"); !ok) return pass_on(ok);
+  auto proof = prove(*plan, task.problem, watch.budget());
+  if (!proof && proof.error().code == FaultCode::cancelled) return pass_on(proof);
+  if (!proof) throw std::logic_error(to_string(proof.error()));
+  return keep_plan(watch.plans, key, ProvenPlan{std::move(*plan), std::move(*proof)});
+}
+
 /// The options with the method that was chosen.
 std::vector<std::pair<std::string, std::string>> settled_settings(const CoverScenario& scenario,
                                                                   const std::string& method) {
@@ -111,14 +138,10 @@ Outcome<Warnings> CoverJob::load() {
 Status CoverJob::run(Run& run, const RunWatch& watch) {
   const CoverProblem& problem = task->problem;
   RunSteps steps(watch, 3);
-  if (auto ok = steps.next("planning the track"); !ok) return ok;
-  auto plan = task->method.plan(problem, scenario.options, watch.budget());
-  if (!plan) return tl::unexpected<Fault>(placed(plan.error(), *task));
-  if (auto ok = steps.next("proving what it covers"); !ok) return ok;
-  auto proof = prove(*plan, problem, watch.budget());
-  if (!proof && proof.error().code == FaultCode::cancelled) return tl::unexpected<Fault>(proof.error());
-  if (!proof) throw std::logic_error(to_string(proof.error()));
-  CoverRun driven{std::move(*plan), std::move(*proof), {}, {}, {}, {}};
+  const auto promise =
+      plan_and_prove(*task, scenario.options, plan_key(options(), {"seed", "faults"}), steps, watch);
+  if (!promise) return tl::unexpected<Fault>(promise.error());
+  CoverRun driven{(*promise)->plan, (*promise)->proof, {}, {}, {}, {}};
   const CoverPlan& planned = driven.plan;
   driven.bound = time_bound(planned.track, problem.pace, problem.tracking_error_m, scenario.error_factor);
   if (auto ok = steps.next("driving it"); !ok) return ok;

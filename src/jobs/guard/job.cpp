@@ -6,8 +6,8 @@
 
 #include "guard_log.hpp"
 #include "outrider/job/clock.hpp"
+#include "outrider/job/plan_cache.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
-#include "outrider/jobs/guard/prepare.hpp"
 #include "outrider/jobs/guard/rigid_world.hpp"
 #include "outrider/jobs/guard/scout_run.hpp"
 #include "outrider/jobs/guard/simulate.hpp"
@@ -16,6 +16,7 @@
 #include "regions_log.hpp"
 #include "summary.hpp"
 #include "team_job.hpp"
+#include "yard_plan.hpp"
 
 namespace outrider {
 namespace {
@@ -53,39 +54,15 @@ void finish(Run& run, Report report, double planning_s) {
   run.report.machine_times.insert(run.report.machine_times.begin(), {"planning_s", planning_s});
 }
 
-/// The plan of the still yard, with what its capabilities add. Stations are planned where everybody is there
-/// from the start and leaves when hit; else the mission goes to them as it must. Walkers need no plan of it.
-Outcome<GuardPlan> plan_still_yard(const GuardScenario& scenario, const GuardProblem& problem,
-                                   const FiringMap& firing_map, const RunWatch& watch, Log& log,
-                                   double time_s = 0.0) {
-  if (auto ok = check_supplies(problem, firing_map); !ok) return pass_on(ok);
-  if (scenario.wander.any()) return GuardPlan{};
-  log_firing_map(log, firing_map, time_s);
-  log_blocked_flights(log, problem, firing_map, time_s);
-  const bool still = !scenario.arrivals.any() && scenario.arrivals.leave >= 1.0;
-  DraftObserver observe;
-  if (still) observe = [&](const TourDraft& tour) { log_tour(log, problem, tour, time_s); };
-  auto plan = plan_targets(scenario, problem, firing_map, watch.budget(), observe);
-  if (plan && still) observe(draft_of(problem, *plan));
-  return plan;
-}
-
-Status guard_known_yard(const GuardScenario& scenario, Run& run, const RunWatch& watch) {
+Status guard_known_yard(const GuardScenario& scenario, const std::string& key, Run& run,
+                        const RunWatch& watch) {
   RunSteps steps(watch, 3);
   const double began_s = wall_s();
-  if (auto ok = steps.next("surveying from where each target can be hit"); !ok) return ok;
-  // Who walks about is not shot at by the regions of where it stood first.
-  const bool needs_regions = !scenario.wander.any() || scenario.regions;
-  auto firing_map = build_firing_map(scenario.problem, scenario.options, watch.budget(),
-                                     needs_regions ? RegionSearch::exhaustive : RegionSearch::none);
-  if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
-  if (scenario.regions) log_firing_regions(run.log, scenario.problem, *firing_map);
-  if (auto ok = steps.next("planning the tour"); !ok) return ok;
-  auto plan = plan_still_yard(scenario, scenario.problem, *firing_map, watch, run.log);
-  if (!plan) return tl::unexpected<Fault>(plan.error());
+  const auto yard = plan_known_yard(scenario, key, steps, watch, run.log);
+  if (!yard) return tl::unexpected<Fault>(yard.error());
   const double planned_s = wall_s();
   if (auto ok = steps.next("driving and shooting"); !ok) return ok;
-  auto report = carry_out(scenario, *firing_map, *plan, run.log, steps.inner());
+  auto report = carry_out(scenario, (*yard)->firing_map, (*yard)->plan, run.log, steps.inner());
   if (!report) return tl::unexpected<Fault>(report.error());
   if (scenario.sim == "physics") report->machine_times.emplace_back("physics_s", wall_s() - planned_s);
   finish(run, std::move(*report), planned_s - began_s);
@@ -103,7 +80,7 @@ Status guard_found_yard(const GuardScenario& scenario, ScoutedYard& yard, RunSte
   const GuardProblem& found = yard.found.problem;
   const double explored_s = metric(yard.run.report, "time_s");
   if (scenario.regions) log_firing_regions(run.log, found, *firing_map, explored_s);
-  const auto plan = plan_still_yard(scenario, found, *firing_map, watch, run.log, explored_s);
+  const auto plan = plan_still_yard(scenario, found, *firing_map, watch, run.log, {}, explored_s);
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const double planning_s = wall_s() - began_s;
   if (auto ok = steps.next("driving and shooting"); !ok) return ok;
@@ -164,9 +141,10 @@ Status GuardJob::run(Run& run, const RunWatch& watch) {
   if (scenario.pddl.any()) return run_pddl(scenario, run, watch);
   log_yard(run.log, scenario.problem, scenario.options, static_cast<std::uint64_t>(scenario.seed),
            scenario.sim == "physics");
-  if (scenario.robots > 1) return guard_with_team(scenario, run, watch);
-  return scenario.scout.unknown ? guard_unknown_yard(scenario, run, watch)
-                                : guard_known_yard(scenario, run, watch);
+  if (scenario.scout.unknown && scenario.robots == 1) return guard_unknown_yard(scenario, run, watch);
+  const std::string key = plan_key(options(), unplanned_options(scenario));
+  return scenario.robots > 1 ? guard_with_team(scenario, key, run, watch)
+                             : guard_known_yard(scenario, key, run, watch);
 }
 
 Job guard_job() {

@@ -7,9 +7,10 @@
 
 namespace outrider {
 
-/// Surveys the yard, plans for the team, simulates it and logs. Faults: those of build_firing_map(),
-/// starts_of_team() and plan_team().
-Status guard_with_team(const GuardScenario& scenario, Run& run, const RunWatch& watch);
+/// Surveys the yard and plans for the team, or takes both from the cache of the watch under the key;
+/// simulates the team and logs. Faults: those of build_firing_map(), starts_of_team() and plan_team().
+Status guard_with_team(const GuardScenario& scenario, const std::string& key, Run& run,
+                       const RunWatch& watch);
 
 /// Returns what a team came to. `log` holds its shots. Its status is "done" if every target that can be hit
 /// was hit and closest_approach() finds that no two bodies overlapped at any time. Metrics are those of a
