@@ -81,7 +81,7 @@ THREADED = serve serve_plan serve_yard serve_live serve_safety serve_confinement
 # UNITS="core server" runs only the tests of these units.
 tsan:  ## run the test programs, costly tests in part, and the tool where its threads meet, under the thread sanitizer
 	$(INSTALL) build test cbc
-	$(CONFIGURE) tsan build-tsan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=4
+	$(CONFIGURE) tsan build-tsan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=8
 	@ninja -C build-tsan -j $(JOBS) outrider $(or $(UNITS:%=unit_%),test_programs)
 	@OUTRIDER_CASES=0.1 ctest --preset tsan -j $(JOBS) \
 	    -R "$(if $(UNITS),$(call tests_of,$(UNITS)),^unit_)|^cli[.]($(subst $(space),|,$(THREADED)))$$" && \

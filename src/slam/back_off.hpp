@@ -9,8 +9,8 @@ namespace outrider {
 
 class BackOff {
  public:
-  /// Counts an occasion to search. Returns true if it is to be taken, and its result to be noted.
-  [[nodiscard]] bool is_due() { return ++passed_ > failures_ / occasions_per_failure; }
+  /// Counts an occasion to search. Returns true if the search is to be made, and its result to be noted.
+  [[nodiscard]] bool take_occasion() { return ++passed_ > failures_ / occasions_per_failure; }
   void note(bool found) {
     failures_ = found ? failures_ / 2 : failures_ + 1;
     passed_ = 0;

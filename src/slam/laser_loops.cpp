@@ -269,7 +269,7 @@ bool LoopSearch::bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double
                         std::uint32_t gap) {
   constexpr double reach_m = 4.0;
   constexpr std::uint32_t most_keyframes = 16;
-  if (!bridging.is_due()) return false;
+  if (!bridging.take_occasion()) return false;
   const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
   const KeyframeRange before{gap > most_keyframes ? gap - most_keyframes : 0, gap};
   const auto fit = recognise_place(map_of(graph, surfaces, before), last_surface(graph, surfaces, gap),
@@ -286,7 +286,7 @@ bool LoopSearch::rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double
                         std::uint32_t gap) {
   if (!is_search_due(graph, gap)) return false;
   const MatchWindow window = whole_window(graph, gap);
-  if (window.reach_m > widest_m || !rejoining.is_due()) return false;
+  if (window.reach_m > widest_m || !rejoining.take_occasion()) return false;
   std::vector<std::uint32_t> before(gap);
   std::iota(before.begin(), before.end(), 0U);
   const auto place = recognise_far(graph, surfaces, before, gap, window);

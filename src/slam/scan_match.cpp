@@ -86,7 +86,7 @@ std::optional<Fit> match_scan(const SurfaceMap& map, const Surface& surface, con
     if (auto fit = match_nearby(map, surface, window, contradiction)) return fit;
     if (contradiction(window.centre) <= most_at_right_pose) return std::nullopt;
   }
-  if (surface.size() < telling_points || !wide.is_due()) return std::nullopt;
+  if (surface.size() < telling_points || !wide.take_occasion()) return std::nullopt;
   const auto fit = recognise_place(map, surface,
                                    is_wide ? window : MatchWindow{window.centre, widest_m, std::numbers::pi});
   const bool found = fit && fit->share >= alone_share && contradiction(fit->pose) <= most_contradiction_alone;

@@ -10,7 +10,7 @@ namespace {
 int searches(BackOff& back_off, int occasions, bool found) {
   int count = 0;
   for (int i = 0; i < occasions; ++i) {
-    if (!back_off.is_due()) continue;
+    if (!back_off.take_occasion()) continue;
     back_off.note(found);
     ++count;
   }
