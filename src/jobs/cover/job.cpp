@@ -97,7 +97,7 @@ Outcome<std::shared_ptr<const ProvenPlan>> plan_and_prove(const CoverTask& task,
                                                           const std::string& key, RunSteps& steps,
                                                           const RunWatch& watch) {
   if (auto ok = steps.next("planning the track"); !ok) return pass_on(ok);
-  if (const auto planned = find_plan<ProvenPlan>(watch.plans, key); planned) {
+  if (auto planned = find_plan<ProvenPlan>(watch.plans, key); planned) {
     if (auto ok = steps.next("proving what it covers"); !ok) return pass_on(ok);
     return planned;
   }
@@ -136,6 +136,7 @@ Outcome<Warnings> CoverJob::load() {
 }
 
 Status CoverJob::run(Run& run, const RunWatch& watch) {
+  if (!task) throw std::logic_error("a task is loaded before it runs");
   const CoverProblem& problem = task->problem;
   RunSteps steps(watch, 3);
   const auto promise =

@@ -44,7 +44,7 @@ Outcome<std::shared_ptr<const TeamYardPlan>> plan_yard(const GuardScenario& scen
                                                        RunSteps& steps, const RunWatch& watch, Log& log) {
   const GuardProblem& problem = scenario.problem;
   if (auto ok = steps.next("surveying from where each target can be hit"); !ok) return pass_on(ok);
-  if (const auto planned = find_plan<TeamYardPlan>(watch.plans, key); planned) {
+  if (auto planned = find_plan<TeamYardPlan>(watch.plans, key); planned) {
     log_survey(log, scenario, planned->firing_map, planned->starts);
     if (auto ok = steps.next("planning the tours of the robots"); !ok) return pass_on(ok);
     return planned;

@@ -54,7 +54,7 @@ Outcome<std::shared_ptr<const YardPlan>> plan_known_yard(const GuardScenario& sc
                                                          const std::string& key, RunSteps& steps,
                                                          const RunWatch& watch, Log& log) {
   if (auto ok = steps.next("surveying from where each target can be hit"); !ok) return pass_on(ok);
-  if (const auto planned = find_plan<YardPlan>(watch.plans, key); planned) {
+  if (auto planned = find_plan<YardPlan>(watch.plans, key); planned) {
     log_plan(log, scenario, *planned);
     if (auto ok = steps.next("planning the tour"); !ok) return pass_on(ok);
     return planned;
