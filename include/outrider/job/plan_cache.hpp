@@ -1,5 +1,5 @@
 // PlanCache: the plans that runs with the same inputs share, such as the runs of a sweep that differ in their
-// seeds and faults. Planning a guarded yard takes ten times as long as driving through it.
+// seeds and faults. What that saves is measured in docs/sweep.md.
 //
 //   PlanCache plans;
 //   for (...) run_task(job, task, {.plans = &plans});
@@ -78,8 +78,8 @@ std::shared_ptr<const Plan> keep_plan(PlanCache* plans, const std::string& key, 
   return made;
 }
 
-/// Returns the keys and values of all options, one a line, but for the top-level options and the groups of
-/// the names left out.
+/// Returns the keys and exact values of all options, one a line, without the top-level options and the groups
+/// whose names are in `left_out`.
 std::string plan_key(const std::vector<OptionGroup>& groups, const std::vector<std::string>& left_out);
 
 }  // namespace outrider

@@ -27,7 +27,7 @@ struct RunWatch {
   std::stop_token stop = {};
   std::function<void(const RunStep&)> progress = {};  ///< called on the thread of the run
   std::vector<LogSink*> sinks = {};  ///< receive the messages of the log as they are appended
-  PlanCache* plans = nullptr;        ///< what other runs planned and may plan next (plan_cache.hpp)
+  PlanCache* plans = nullptr;  ///< shared with other runs (plan_cache.hpp); null: the run plans by itself
 
   /// Returns a budget that is limited by the stop token only.
   [[nodiscard]] Budget budget() const;

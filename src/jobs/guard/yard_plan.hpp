@@ -19,8 +19,8 @@ struct YardPlan {
   std::vector<TourDraft> drafts;  ///< as they were found, the last is `plan`; none if targets come or go
 };
 
-/// Returns the names of the options on which the plans of a known yard do not depend (plan_cache.hpp):
-/// `seed`, which draws only intruders before the mission begins, and `faults`, which planners do not know.
+/// Returns the names of options on which the plan of a known yard does not depend (plan_key()): `faults`,
+/// which planners do not know, and `seed`, unless it draws intruders, who are planned for.
 std::vector<std::string> unplanned_options(const GuardScenario& scenario);
 
 /// Returns the plan of the still yard, with what its capabilities add. Stations are planned where everybody

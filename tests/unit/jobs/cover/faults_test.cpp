@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "outrider/core/units.hpp"
 #include "outrider/job/run_job.hpp"
@@ -53,6 +54,12 @@ class CoverFaults : public ::testing::Test {
   }
   test::Folder folder_;
 };
+
+/// Whoever runs a task before its area is read has a bug, and is told so.
+TEST_F(CoverFaults, ATaskThatWasNotLoadedDoesNotRun) {
+  outrider::Run run;
+  EXPECT_THROW(static_cast<void>(CoverJob().run(run, {})), std::logic_error);
+}
 
 TEST_F(CoverFaults, WithoutAnyNothingIsAdded) {
   const outrider::Run run = covered({});
