@@ -56,7 +56,7 @@ std::vector<OptionGroup> describe(GuardMissionNodeOptions& options) {
 Outcome<std::unique_ptr<PreparedGuard>> GuardMissionNode::prepare(GuardScenario scenario,
                                                                   const GuardMissionNodeOptions& options,
                                                                   const Budget& budget) {
-  if (scenario.arrivals.any() || scenario.arrivals.leave < 1.0 || scenario.wander.any()) {
+  if (!scenario.has_still_targets()) {
     return bad_input(
         "no topic tells where intruders are; give a scenario whose targets stand still and leave when they "
         "are hit",

@@ -93,7 +93,7 @@ std::vector<Capability> asked_of(const GuardScenario& scenario) {
   other_faults.planner = {};
   const std::pair<Capability, bool> all[] = {
       {arrivals, scenario.arrivals.any()},
-      {survivors, scenario.arrivals.leave < 1.0},
+      {survivors, scenario.arrivals.may_survive()},
       {walkers, scenario.wander.any()},
       {supplies, problem.supplies.any()},
       {terrain, problem.world.terrain != nullptr},

@@ -35,7 +35,7 @@ Outcome<Report> carry_out(const GuardScenario& scenario, const FiringMap& firing
     return simulate_arriving_targets(problem, firing_map, plan, scenario.intruders, arrivals,
                                      scenario.options, seed, log, watch, scenario.faults);
   }
-  if (arrivals.leave < 1.0) {
+  if (arrivals.may_survive()) {
     return simulate_surviving_targets(problem, firing_map, plan, arrivals, scenario.options, seed, log, watch,
                                       scenario.faults);
   }

@@ -11,7 +11,7 @@ namespace outrider {
 namespace {
 
 Outcome<TemporalMission> mission_of(const GuardScenario& scenario, const RunWatch& watch) {
-  if (scenario.arrivals.any() || scenario.arrivals.leave < 1.0 || scenario.wander.any()) {
+  if (!scenario.has_still_targets()) {
     return bad_input("the PDDL problem is of a still yard; leave arrivals and wander out", "pddl");
   }
   GuardOptions options = scenario.options;

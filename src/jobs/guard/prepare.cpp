@@ -84,7 +84,7 @@ Status prepare(PreparedGuard& guard, const Budget& budget) {
   auto plan = plan_targets(scenario, scenario.problem, guard.firing_map, budget);
   if (!plan) return pass_on(plan);
   guard.plan = std::move(*plan);
-  if (scenario.arrivals.any() || scenario.arrivals.leave < 1.0) return prepare_arrivals(guard, budget);
+  if (!scenario.has_still_targets()) return prepare_arrivals(guard, budget);
   guard.mission.emplace(scenario.problem, guard.firing_map, guard.plan);
   return {};
 }
@@ -98,7 +98,7 @@ Outcome<GuardPlan> plan_targets(const GuardScenario& scenario, const GuardProble
   if (!planner) return pass_on(planner);
   const GuardOptions& options = scenario.options;
   // What the mission or the stations change later is a plan from rest.
-  const bool changes = scenario.arrivals.any() || scenario.arrivals.leave < 1.0;
+  const bool changes = !scenario.has_still_targets();
   GuardOptions drafting = options;
   if (changes || problem.supplies.any()) drafting.shoot_on_the_move = false;
   auto plan = planner->plan(problem, firing_map, drafting, budget, observe);

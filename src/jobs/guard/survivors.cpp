@@ -154,7 +154,7 @@ Status check_survivors(const GuardProblem& problem, const ArrivalOptions& option
                                  options.leave, least_leave),
                      "arrivals.leave");
   }
-  if (options.leave < 1.0 && problem.targets.size() < 2) {
+  if (options.may_survive() && problem.targets.size() < 2) {
     return bad_input("who does not leave goes to another target's place, and there is none; list two targets",
                      "arrivals.leave");
   }

@@ -10,11 +10,6 @@
 namespace outrider {
 namespace {
 
-/// Targets that are there from the start and leave when they are hit have one tour, which can be shown.
-bool has_tour(const GuardScenario& scenario) {
-  return !scenario.wander.any() && !scenario.arrivals.any() && scenario.arrivals.leave >= 1.0;
-}
-
 /// Logs a plan from the cache as if it were made now.
 void log_plan(Log& log, const GuardScenario& scenario, const YardPlan& yard) {
   if (scenario.regions) log_firing_regions(log, scenario.problem, yard.firing_map);
@@ -39,7 +34,7 @@ Outcome<GuardPlan> plan_still_yard(const GuardScenario& scenario, const GuardPro
   log_firing_map(log, firing_map, time_s);
   log_blocked_flights(log, problem, firing_map, time_s);
   DraftObserver observe;
-  if (has_tour(scenario)) {
+  if (scenario.has_still_targets()) {  // they have one tour, which can be shown
     observe = [&](const TourDraft& tour) {
       log_tour(log, problem, tour, time_s);
       if (note) note(tour);

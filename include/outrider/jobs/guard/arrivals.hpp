@@ -44,6 +44,9 @@ struct ArrivalOptions {
 
   /// Returns true if intruders arrive; false if all targets are inside from the start.
   [[nodiscard]] bool any() const { return count > 0 || until_s > 0.0 || !list.empty(); }
+
+  /// Returns true if a target that is hit may go on to another place instead of leaving.
+  [[nodiscard]] bool may_survive() const { return leave < 1.0; }
 };
 
 std::vector<Option> describe(ArrivalOptions& options);

@@ -61,6 +61,11 @@ struct GuardScenario {
   std::string blocked_place;  ///< x, y in m, of the post of `faults`; empty: on the way of the robot
   bool regions = false;       ///< log from where each target can be hit
   PddlOptions pddl;
+
+  /// Returns true if all targets are there from the start, stand still and leave when they are hit.
+  [[nodiscard]] bool has_still_targets() const {
+    return !arrivals.any() && !arrivals.may_survive() && !wander.any();
+  }
 };
 
 /// Returns the options: top-level keys first, then the sections robot, gun, air, errors, supplies, plan,
