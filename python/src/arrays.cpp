@@ -16,10 +16,6 @@ namespace py = pybind11;
 
 namespace {
 
-[[noreturn]] void refuse(std::string sentence, const char* name) {
-  throw FaultError{{FaultCode::bad_input, std::move(sentence), name}};
-}
-
 std::string shape_text(const py::array& array) {
   std::string text;
   for (py::ssize_t i = 0; i < array.ndim(); ++i)

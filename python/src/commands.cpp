@@ -33,8 +33,7 @@ void bind_drives(py::module_& module) {
   py::class_<DriveWheels>(module, "DriveWheels")
       .def(py::init([](const py::handle& speeds, double until) {
              const std::vector<double> given = numbers_of_shape(speeds, {-1}, "speeds");
-             if (given.size() > most_wheels)
-               throw FaultError{{FaultCode::bad_input, "there are at most four wheels", "speeds"}};
+             if (given.size() > most_wheels) refuse("there are at most four wheels", "speeds");
              DriveWheels command{{}, until};
              std::ranges::copy(given, command.wheels.begin());
              return command;

@@ -73,8 +73,7 @@ CoverProof prove_plan(const CoverPlan& plan, const CoverProblem& problem) {
 void check_plan(const CoverPlan& plan, const CoverProblem& problem) {
   const CoverProof proof = prove_plan(plan, problem);
   if (!proof.complete) {
-    throw FaultError{
-        {FaultCode::bad_input, "the track leaves out more than it may; prove() lists the places", "plan"}};
+    refuse("the track leaves out more than it may; prove() lists the places", "plan");
   }
 }
 

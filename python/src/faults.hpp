@@ -3,6 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <string>
 #include <utility>
 
 #include "outrider/core/outcome.hpp"
@@ -13,6 +14,11 @@ namespace outrider::python {
 struct FaultError {
   Fault fault;
 };
+
+/// Raises BadInput: a sentence about the argument or key `where`, empty if it is about none.
+[[noreturn]] inline void refuse(std::string sentence, std::string where) {
+  throw FaultError{{FaultCode::bad_input, std::move(sentence), std::move(where)}};
+}
 
 /// Makes FaultError an exception of the classes in outrider/_faults.py.
 void bind_faults();

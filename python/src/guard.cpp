@@ -25,10 +25,6 @@ namespace py = pybind11;
 
 namespace {
 
-[[noreturn]] void refuse(std::string sentence, const char* where) {
-  throw FaultError{{FaultCode::bad_input, std::move(sentence), where}};
-}
-
 std::unique_ptr<PreparedGuard> prepared(const py::handle& path, std::optional<std::int64_t> seed,
                                         const py::dict& set) {
   auto task = load_task_of<GuardJob>(path, seed, set);

@@ -32,10 +32,6 @@ namespace py = pybind11;
 
 namespace {
 
-[[noreturn]] void refuse(std::string sentence, const char* where) {
-  throw FaultError{{FaultCode::bad_input, std::move(sentence), where}};
-}
-
 /// An exploration that one thread steps at a time.
 class Exploration {
  public:

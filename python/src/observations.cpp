@@ -25,13 +25,12 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 double finite_of(double value, const char* name, const char* remedy) {
   if (std::isfinite(value)) return value;
-  throw FaultError{{FaultCode::bad_input, fmt::format("{} is no {}; give {}", value, name, remedy), name}};
+  refuse(fmt::format("{} is no {}; give {}", value, name, remedy), name);
 }
 
 double level_of(double value, const char* name) {
   if (!std::isnan(value)) return value;
-  throw FaultError{
-      {FaultCode::bad_input, "nan is no level; give a number, inf for an unlimited store", name}};
+  refuse("nan is no level; give a number, inf for an unlimited store", name);
 }
 
 /// Sightings without poses: DriveMission computes those, since it knows the camera and the sizes of the tags.

@@ -34,10 +34,8 @@ SharedOccupancy make_grid(const py::array& cells, double resolution_m, const py:
   const auto wrong = std::find_if(grid->cells.begin(), grid->cells.end(),
                                   [](std::uint8_t cell) { return cell > unknown_cell; });
   if (wrong != grid->cells.end()) {
-    throw FaultError{
-        {FaultCode::bad_input,
-         fmt::format("{} is no state of a cell; give 0 (free), 1 (occupied) or 2 (unknown)", *wrong),
-         "cells"}};
+    refuse(fmt::format("{} is no state of a cell; give 0 (free), 1 (occupied) or 2 (unknown)", *wrong),
+           "cells");
   }
   return grid;
 }
@@ -89,8 +87,7 @@ class Frontiers {
  private:
   static FrontierMap made(double radius_m, const py::kwargs& values) {
     if (!(radius_m > 0.0 && radius_m <= 100.0)) {
-      throw FaultError{
-          {FaultCode::bad_input, fmt::format("{} is no radius; give 0 to 100 m", radius_m), "radius"}};
+      refuse(fmt::format("{} is no radius; give 0 to 100 m", radius_m), "radius");
     }
     FrontierOptions options;
     set_options(describe(options), values);

@@ -34,8 +34,7 @@ SharedMap make_map(const py::array& blocked, double resolution_m, const py::hand
   grid.frame.resolution_m = resolution_m;
   grid.frame.origin = point_of(origin, "origin");
   if (model != "cells" && model != "corners") {
-    throw FaultError{
-        {FaultCode::bad_input, fmt::format("'{}' is no model; give cells or corners", model), "model"}};
+    refuse(fmt::format("'{}' is no model; give cells or corners", model), "model");
   }
   grid.cells = cells_of(blocked, grid.frame);
   require(check_frame(grid.frame));
@@ -71,21 +70,16 @@ struct Ground {
 Problem problem_on(const Ground& ground, Vec2 start, Vec2 goal) {
   const py::object& map = ground.map;
   if (py::isinstance<World>(map)) {
-    if (!ground.radius_m)
-      throw FaultError{
-          {FaultCode::bad_input, "missing; give that of the robot, m, to plan on a World", "radius"}};
+    if (!ground.radius_m) refuse("missing; give that of the robot, m, to plan on a World", "radius");
     return {nullptr, start, goal, polygons_of(map.cast<const World&>(), *ground.radius_m, ground.height_m)};
   }
   if (ground.radius_m) {
-    throw FaultError{{FaultCode::bad_input,
-                      "the map has the robot's radius already; give one only with a World", "radius"}};
+    refuse("the map has the robot's radius already; give one only with a World", "radius");
   }
   if (py::isinstance<GridMap>(map)) return {map.cast<SharedMap>(), start, goal};
   if (py::isinstance<PolygonGround>(map)) return {nullptr, start, goal, map.cast<SharedPolygons>()};
-  throw FaultError{
-      {FaultCode::bad_input,
-       fmt::format("{} is no ground; give a GridMap, a PolygonMap or a World", Py_TYPE(map.ptr())->tp_name),
-       "map"}};
+  refuse(fmt::format("{} is no ground; give a GridMap, a PolygonMap or a World", Py_TYPE(map.ptr())->tp_name),
+         "map");
 }
 
 /// A planner with its options and its memory.
@@ -119,9 +113,7 @@ class Planner {
                             std::optional<double> radius_m, double height_m) {
     const std::vector<Vec2> from = points_of(starts, "starts"), to = points_of(goals, "goals");
     if (from.size() != to.size()) {
-      throw FaultError{{FaultCode::bad_input,
-                        fmt::format("{} goals for {} starts; give one for each", to.size(), from.size()),
-                        "goals"}};
+      refuse(fmt::format("{} goals for {} starts; give one for each", to.size(), from.size()), "goals");
     }
     py::array_t<double> result(static_cast<py::ssize_t>(from.size()));
     double* const costs = result.mutable_data();

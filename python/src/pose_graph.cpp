@@ -52,8 +52,7 @@ void check_rotation(const Pose3& pose, const char* name) {
   const auto& [x, y, z] = pose.rotation.axes;
   const Vec3 off = cross(x, y) + -1.0 * z;
   if (norm(off) < 1e-6 && std::abs(dot(x, y)) < 1e-6 && std::abs(norm(x) - 1.0) < 1e-6) return;
-  throw FaultError{
-      {FaultCode::bad_input, "its upper left part is no rotation; give orthonormal columns", name}};
+  refuse("its upper left part is no rotation; give orthonormal columns", name);
 }
 
 template <class Pose>
@@ -105,9 +104,7 @@ std::vector<Pose> checked_poses(const PoseGraphOf<Pose>& graph, const py::handle
   require(check(graph));
   std::vector<Pose> poses = poses_from<Pose>(value, "poses");
   if (poses.size() == graph.nodes.size()) return poses;
-  throw FaultError{{FaultCode::bad_input,
-                    fmt::format("{} poses for {} nodes; give one for each", poses.size(), graph.nodes.size()),
-                    "poses"}};
+  refuse(fmt::format("{} poses for {} nodes; give one for each", poses.size(), graph.nodes.size()), "poses");
 }
 
 template <class Pose>

@@ -30,9 +30,7 @@ std::unique_ptr<Task> load_task_of(const pybind11::handle& path, std::optional<s
   auto task = std::make_unique<Task>();
   const Job job = value_of(job_of_scenario(jobs(), path_text(path)));
   if (job.name != task->job) {
-    throw FaultError{{FaultCode::bad_input,
-                      fmt::format("it is a scenario of the job {}; give one of {}", job.name, task->job),
-                      "scenario"}};
+    refuse(fmt::format("it is a scenario of the job {}; give one of {}", job.name, task->job), "scenario");
   }
   require(read_scenario(*task, path_text(path)));
   change_task(*task, seed, set);

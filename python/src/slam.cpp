@@ -89,10 +89,9 @@ LogStep step_of(const py::handle& odometry, const py::handle& covariance, const 
   if (!ids.is_none()) names = integers_of_row(ids, "ids");
   const std::size_t count = at.size() / 2;
   if (noises.size() != 4 * count || (!ids.is_none() && names.size() != count)) {
-    throw FaultError{{FaultCode::bad_input,
-                      fmt::format("{} positions with {} covariances and {} ids; give one for each", count,
-                                  noises.size() / 4, names.size()),
-                      "positions"}};
+    refuse(fmt::format("{} positions with {} covariances and {} ids; give one for each", count,
+                       noises.size() / 4, names.size()),
+           "positions");
   }
   for (std::size_t i = 0; i < count; ++i) {
     LandmarkSighting sighting{{}, {at[2 * i], at[2 * i + 1]}};

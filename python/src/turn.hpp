@@ -16,8 +16,7 @@ class Turn {
   std::unique_lock<std::mutex> take(std::string_view what) {
     std::unique_lock turn(busy_, std::try_to_lock);
     if (turn.owns_lock()) return turn;
-    throw FaultError{{FaultCode::bad_input,
-                      fmt::format("another thread uses this {}; give each thread its own", what), ""}};
+    refuse(fmt::format("another thread uses this {}; give each thread its own", what), "");
   }
 
  private:
