@@ -1,5 +1,6 @@
-// site_test.mjs OUT: builds the docs site in OUT, twice at once. It has no dead link, and those that are planted are found; every
-// header is listed; the notebooks have outputs. In a browser without a network its search finds "any-angle", and a result opens.
+// site_test.mjs OUT: builds the docs site in OUT, and at the same time a second one without the Python package. It has no dead link, and those
+// that are planted are found; every header is listed; the notebooks have outputs, and the second site says that they were not run.
+// In a browser without a network its search finds "any-angle", and a result opens.
 import { spawn, spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -8,14 +9,20 @@ import { deadLinks } from "../../build/site_links.mjs";
 import { executable, launch } from "./browser.mjs";
 
 const out = resolve(process.argv[2]);
-const built = (folder) => new Promise((done) => {
-  spawn(process.execPath, ["build/site.mjs", folder], { stdio: "inherit" }).on("exit", done);
+const built = (folder, env = {}) => new Promise((done) => {
+  spawn(process.execPath, ["build/site.mjs", folder], { stdio: "inherit", env: { ...process.env, ...env } }).on("exit", done);
 });
-const beside = `${out}-beside`;
-const statuses = await Promise.all([built(out), built(beside)]);
+const beside = `${out}-beside`, none = mkdtempSync(join(tmpdir(), "none-"));
+writeFileSync(join(none, "outrider.py"), "raise ImportError\n");
+const statuses = await Promise.all([built(out), built(beside, { OUTRIDER_PYTHON: none })]);
+rmSync(none, { recursive: true });
 if (statuses.some((status) => status !== 0)) throw new Error(`the site is not built: ${statuses}`);
 const pages = (folder) => readdirSync(folder, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".html")).sort().join();
 if (pages(out) !== pages(beside)) throw new Error("two builds at once differ");
+const notebooks = readdirSync("../python/notebooks").filter((file) => file.endsWith(".ipynb"));
+for (const name of notebooks) {
+  if (!readFileSync(join(beside, `python/notebooks/${name}.html`), "utf8").includes("It was not run")) throw new Error(`${name} was run without the package`);
+}
 rmSync(beside, { recursive: true });
 
 const planted = mkdtempSync(join(tmpdir(), "site-"));
@@ -33,7 +40,7 @@ const listed = readdirSync(join(web, "../include/outrider"), { withFileTypes: tr
 if (listed.length > 0) throw new Error(`no list has ${listed}`);
 const ran = spawnSync("/usr/bin/python3", ["-c", "import ipykernel, matplotlib, nbclient, outrider"],
   { env: { ...process.env, PYTHONPATH: process.env.OUTRIDER_PYTHON ?? join(web, "../build/python") } }).status === 0;
-for (const name of readdirSync(join(web, "../python/notebooks")).filter((file) => file.endsWith(".ipynb"))) {
+for (const name of notebooks) {
   const page = html(`python/notebooks/${name}.html`);
   if (!side.includes(`/python/notebooks/${name}.html`)) throw new Error(`no list has ${name}`);
   if (ran ? !/<img [^>]*src="[^"]+[.]png"/.test(page) || !page.includes("language-text") : !page.includes("It was not run")) {
