@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace outrider {
 namespace {
@@ -62,10 +61,6 @@ ConfidenceInterval resampled_interval(std::span<const double> values, Rng rng, c
   }
   std::ranges::sort(found);
   return {quantile(found, one_tail), quantile(found, 1.0 - one_tail)};
-}
-
-double mean_of(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 double normal_two_sided(double z) { return std::erfc(std::abs(z) / std::sqrt(2.0)); }
@@ -134,10 +129,17 @@ ConfidenceInterval quantile_interval(std::span<const double> sorted, double shar
   return {l == 0 ? -infinity : sorted[l - 1], u > n ? infinity : sorted[u - 1]};
 }
 
+double mean_of(std::span<const double> values) {
+  const double first = values.front();
+  double beyond = 0.0;
+  for (const double value : values) beyond += value - first;
+  return first + beyond / static_cast<double>(values.size());
+}
+
 ConfidenceInterval normal_mean_interval(std::span<const double> values) {
   const auto n = static_cast<double>(values.size());
-  const double middle = mean_of(values);
   if (values.size() < 2) return {-infinity, infinity};
+  const double middle = mean_of(values);
   double squares = 0.0;
   for (const double value : values) squares += (value - middle) * (value - middle);
   const double half = z95 * std::sqrt(squares / (n - 1.0) / n);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include "outrider/sweep/columns.hpp"
 
@@ -71,7 +70,7 @@ MetricSummary metric_of(const std::string& name, std::vector<double>& values, bo
   if (values.empty()) return metric;
   std::ranges::sort(values);
   const auto n = static_cast<double>(values.size());
-  metric.mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  metric.mean = mean_of(values);
   double squares = 0.0;
   for (const double value : values) squares += (value - metric.mean) * (value - metric.mean);
   metric.deviation =

@@ -30,6 +30,9 @@ double quantile(std::span<const double> sorted, double share);
 /// at least 95 % whatever the distribution; infinite where there are too few values. O(sqrt(n) log n).
 ConfidenceInterval quantile_interval(std::span<const double> sorted, double share);
 
+/// Returns the mean of one value or more, which is exact where all are the same.
+double mean_of(std::span<const double> values);
+
 /// Returns the interval of the mean by the normal distribution of means; infinite for one value.
 ConfidenceInterval normal_mean_interval(std::span<const double> values);
 

@@ -158,6 +158,16 @@ TEST(Statistics, BootstrapIntervalsHoldMeanAndMedian) {
   EXPECT_NEAR(static_cast<double>(medians) / samples, 0.95, 0.035);
 }
 
+TEST(Statistics, ValuesThatAreAllTheSameHaveThemselvesAsMean) {
+  for (const std::size_t count : {3, 1000, 6000}) {
+    const std::vector<double> values(count, 29.016100416950906);
+    EXPECT_EQ(mean_of(values), values.front());
+    const auto mean = mean_interval(values, Rng(1));
+    EXPECT_EQ(mean.low, values.front());
+    EXPECT_EQ(mean.high, values.front());
+  }
+}
+
 TEST(Statistics, ManyValuesAreNotResampled) {
   std::vector<double> values(6000);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i);
