@@ -159,7 +159,7 @@ TEST(Statistics, BootstrapIntervalsHoldMeanAndMedian) {
 }
 
 TEST(Statistics, ValuesThatAreAllTheSameHaveThemselvesAsMean) {
-  for (const std::size_t count : {3, 1000, 6000}) {
+  for (const std::size_t count : {3U, 1000U, 6000U}) {
     const std::vector<double> values(count, 29.016100416950906);
     EXPECT_EQ(mean_of(values), values.front());
     const auto mean = mean_interval(values, Rng(1));
