@@ -6,8 +6,9 @@
 # group. outrider_join(target) compiles its files eight at a time, which a target of many short files with
 # large headers gains most from.
 #
-# The code does not depend on either: each file includes what it uses, which builds with clang++ check, as they check shadowed names. Files
-# that are joined see each other's unnamed namespaces, so a name there stands for one thing in the target.
+# The code does not depend on either: each file includes what it uses and hides no name, which `make lint` checks
+# with clang++, file by file. Files that are joined see each other's unnamed namespaces, so a name there stands
+# for one thing in the target.
 # Builds with ccache, which does not cache files with precompiled headers, work without both.
 option(OUTRIDER_QUICK_BUILD "Parse the headers that most files include once for many files" OFF)
 
