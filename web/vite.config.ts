@@ -48,5 +48,5 @@ export default defineConfig(({ mode }) => ({
     },
   },
   plugins: mode === "viewer" ? [oneFile()] : [],
-  test: { include: ["tests/unit/**/*.test.ts"] },
+  test: { include: ["tests/unit/**/*.test.ts"], testTimeout: 300_000, hookTimeout: 300_000 },  // a busy machine is slow
 }));

@@ -19,7 +19,8 @@ const values = (all: readonly Stamped<PaidCost>[]): number[] => all.map(({ messa
 const count = Array.from({ length: 400 }, (_, i) => i);
 
 /** Waits until something that is read in the background is there. */
-const arrived = async <T>(get: () => T | null): Promise<T> => vi.waitFor(() => {
+const eventually = async <T>(get: () => T): Promise<T> => vi.waitFor(get, { timeout: 300_000 });
+const arrived = async <T>(get: () => T | null): Promise<T> => eventually(() => {
   const found = get();
   if (found === null) throw new Error("not yet");
   return found;
@@ -86,7 +87,7 @@ describe("a large file", () => {
     const changed = vi.fn();
     log.changed = changed;
     expect([log.isLazy("/scan"), log.isLazy("/paid"), log.has("/scan"), log.end]).toEqual([true, false, true, 39.9]);
-    await vi.waitFor(() => expect(log.messages("/paid").length).toBe(400));
+    await eventually(() => expect(log.messages("/paid").length).toBe(400));
     expect(log.messages("/scan")).toEqual([]);
     expect(log.at("/scan", 20.05)).toBeNull();
     const one = await arrived(() => log.at<LaserScan>("/scan", 20.05));
@@ -108,7 +109,7 @@ describe("a large file", () => {
     const before = moved;
     expect(before).toBeGreaterThan(0);
     expect((await arrived(() => log.at<LaserScan>("/scan", 20.05)))!.t).toBe(20);
-    await vi.waitFor(() => expect(log.messages("/paid").length).toBe(400));
+    await eventually(() => expect(log.messages("/paid").length).toBe(400));
     expect(log.file).toBe(remote);
   });
 
