@@ -1,4 +1,4 @@
-# The everyday commands. Each installs the packages of packages.txt (Debian 12) that it needs, builds, and
+# The everyday commands. Each installs the packages of packages.txt (Debian 12 and 13) that it needs, builds, and
 # does one thing; `make help` lists them.
 
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
@@ -25,7 +25,7 @@ RUNS ?= 200
 MISSIONS ?= 1000
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops replays growth load fuzz wasm packages check-packages check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops replays growth load fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -149,6 +149,10 @@ packages:  ## write Debian packages of the tool, the library and the Python pack
 check-packages: packages  ## install the packages in a fresh Debian, use them there, and take them away again
 	$(INSTALL) packages
 	@scripts/check-packages build/packages
+
+check-debian:  ## make demo and make test on a clone in a fresh Debian, RELEASE=12 or 13; as root
+	$(INSTALL) packages
+	@scripts/check-debian $(or $(RELEASE),13)
 
 bench:  ## run the benchmarks, and write what they measure to out/bench, from where the docs site draws it
 	$(INSTALL) build bench page browser python ompl cbc ceres peers

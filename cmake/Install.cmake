@@ -29,9 +29,8 @@ set(package_of_ZLIB::ZLIB "ZLIB")
 set(package_of_BZip2::BZip2 "BZip2")
 set(package_of_CycloneDDS::ddsc "CycloneDDS")
 set(package_of_SQLite::SQLite3 "SQLite3")
-set(package_of_ignition-physics5::mesh "ignition-physics5 COMPONENTS mesh")
-set(package_of_ignition-physics5::sdf "ignition-physics5 COMPONENTS sdf")
-set(package_of_ignition-plugin1::loader "ignition-plugin1 COMPONENTS loader")
+set(package_of_dart "DART COMPONENTS collision-ode")
+set(package_of_dart-collision-ode "DART COMPONENTS collision-ode")
 
 # Sets `uses` to the layers that a target links, as components, and `needs` to the find_package() arguments.
 # Library files, and names that only the linker knows, need no package.

@@ -30,32 +30,29 @@ endfunction()
 
 # outrider_debian_package(tool NAME outrider SECTION science TEXT "..." DEPENDS ...)
 macro(outrider_debian_package component)
-  cmake_parse_arguments(DEB "" "NAME;SECTION;TEXT;SUGGESTS" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(DEB "" "NAME;SECTION;TEXT" "DEPENDS" ${ARGN})
   string(TOUPPER ${component} upper)
   set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${DEB_NAME})
   set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION ${DEB_SECTION})
   set(CPACK_COMPONENT_${upper}_DESCRIPTION "${DEB_TEXT}")
   list(JOIN DEB_DEPENDS ", " CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS)
-  set(CPACK_DEBIAN_${upper}_PACKAGE_SUGGESTS "${DEB_SUGGESTS}")
   install(FILES ${PROJECT_BINARY_DIR}/debian/copyright ${PROJECT_BINARY_DIR}/debian/changelog.gz
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${DEB_NAME} COMPONENT ${component} EXCLUDE_FROM_ALL)
 endmacro()
 
-outrider_packages_of(engine "-plugin" physics)
 outrider_debian_package(tool NAME outrider SECTION science
   TEXT "With outrider a ground robot finds its way, and does a job, in a yard or a
 building: it plans paths, pursues a moving target, guards a yard with a water
 gun, explores and maps the unknown, covers areas, and localises itself by
 landmarks, tags and laser scans. Its web page shows, compares and runs
-missions."
-  SUGGESTS "${engine}")
+missions.")
 set(CPACK_DEBIAN_TOOL_PACKAGE_SHLIBDEPS ON)
 
 set(used build)
 if(OUTRIDER_WITH_OMPL AND ompl_FOUND)
   list(APPEND used ompl)
 endif()
-if(OUTRIDER_WITH_PHYSICS AND ignition-physics5_FOUND)
+if(OUTRIDER_WITH_PHYSICS AND DART_FOUND)
   list(APPEND used physics)
 endif()
 outrider_packages_of(libraries "-dev$" ${used})

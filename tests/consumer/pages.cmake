@@ -16,13 +16,13 @@ endforeach()
 expect_shown(docs/library.md examples/09_run_a_job.cpp)
 expect_shown(docs/library.md tests/consumer/path_only/CMakeLists.txt)
 
-# The table of components, from what the targets link. Gazebo's physics is part of some builds only; the page says so.
+# The table of components, from what the targets link. The physics engine is part of some builds only; the page says so.
 include(${COMPONENTS})
 set(sets "")
 foreach(component IN LISTS outrider_components)
   set(packages ${outrider_packages_of_${component}})
   list(TRANSFORM packages REPLACE " .*" "")
-  list(FILTER packages EXCLUDE REGEX "^ignition-")
+  list(FILTER packages EXCLUDE REGEX "^DART")
   list(TRANSFORM packages REPLACE "(.+)" "`\\1`")
   list(JOIN packages ", " packages)
   list(APPEND sets "${packages}")

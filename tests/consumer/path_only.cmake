@@ -23,7 +23,7 @@ list(TRANSFORM hidden REPLACE "(.+)" "-DCMAKE_DISABLE_FIND_PACKAGE_\\1=ON")
 configure_project(path_only ${hidden})
 
 # Where we may, their headers are covered, each by nothing. Otherwise the list of the headers read has to do.
-set(headers tbb oneapi boost yaml-cpp sdformat* ignition apriltag nlohmann eigen3 ompl* CLI polyclipping png.h libpng*
+set(headers tbb oneapi boost yaml-cpp sdformat* dart apriltag nlohmann eigen3 ompl* CLI polyclipping png.h libpng*
   tinyxml2.h turbojpeg.h zlib.h civetweb.h)
 list(TRANSFORM headers PREPEND /usr/include/)
 file(GLOB headers ${headers})
@@ -43,7 +43,7 @@ if(NOT output MATCHES "outrider/path/catalog.hpp")
   message(FATAL_ERROR "the list of headers that were read is not what it should be:\n${output}")
 endif()
 string(REGEX MATCHALL
-  "[^\n]*/(tbb|oneapi|boost|yaml-cpp|sdf|sdformat-[^/\n]*|ignition|gz|apriltag|nlohmann|eigen3|Eigen|ompl[^/\n]*|CLI|polyclipping|png\\.h|zlib\\.h|tinyxml2\\.h|turbojpeg\\.h|fmt)(/[^\n]*)?"
+  "[^\n]*/(tbb|oneapi|boost|yaml-cpp|sdf|sdformat-[^/\n]*|dart|apriltag|nlohmann|eigen3|Eigen|ompl[^/\n]*|CLI|polyclipping|png\\.h|zlib\\.h|tinyxml2\\.h|turbojpeg\\.h|fmt)(/[^\n]*)?"
   read "${output}")
 if(read)
   message(FATAL_ERROR "headers were read that path should do without:\n${read}")
