@@ -10,29 +10,25 @@ namespace outrider {
 namespace {
 
 /// Returns the name of an element without its namespace.
-std::string_view local_name(const tinyxml2::XMLElement& element) {
-  const std::string_view name = element.Name();
+std::string_view local_name(XmlElement element) {
+  const std::string_view name = element.name();
   const std::size_t colon = name.find(':');
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
-/// Returns the first element of that name in the tree of this element, or null.
-const tinyxml2::XMLElement* find(const tinyxml2::XMLElement& element, std::string_view name) {
-  if (local_name(element) == name) return &element;
-  for (auto child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
-    if (const auto found = find(*child, name)) return found;
-  }
-  return nullptr;
+/// Returns the first element of that name in the tree of this element, or none.
+XmlElement find(XmlElement element, std::string_view name) {
+  const auto is_named = [&](XmlElement one) { return local_name(one) == name; };
+  return is_named(element) ? element : element.find_node(is_named);
 }
 
-Outcome<AreaRing> ring_of(const tinyxml2::XMLElement& border, const std::string& name) {
+Outcome<AreaRing> ring_of(const XmlDocument& document, XmlElement border) {
   const auto coordinates = find(border, "coordinates");
-  if (coordinates == nullptr) {
-    return bad_input("a border holds a LinearRing with coordinates: x,y x,y ...",
-                     fmt::format("{}:{}", name, border.GetLineNum()));
+  if (!coordinates) {
+    return bad_input("a border holds a LinearRing with coordinates: x,y x,y ...", document.where(border));
   }
-  AreaRing ring{{}, fmt::format("{}:{}", name, coordinates->GetLineNum())};
-  for (const std::string_view word : words(xml_text(*coordinates))) {
+  AreaRing ring{{}, document.where(coordinates)};
+  for (const std::string_view word : words(xml_text(coordinates))) {
     const std::size_t comma = word.find(',');
     const auto x = number<double>(word.substr(0, comma));
     const std::string_view rest = comma == std::string_view::npos ? "" : word.substr(comma + 1);
@@ -49,20 +45,20 @@ Outcome<AreaRing> ring_of(const tinyxml2::XMLElement& border, const std::string&
 }  // namespace
 
 Outcome<AreaRings> rings_from_gml(std::string_view text, const std::string& name) {
-  auto document = xml_document(text, name, "");
+  auto document = XmlDocument::parse(text, name, "");
   if (!document) return pass_on(document);
-  const auto polygon = find(*(*document)->RootElement(), "Polygon");
-  if (polygon == nullptr) return bad_input("it holds no gml:Polygon; give one", name);
+  const auto polygon = find(document->root(), "Polygon");
+  if (!polygon) return bad_input("it holds no gml:Polygon; give one", name);
   AreaRings rings;
-  for (auto child = polygon->FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
-    const bool outer = local_name(*child) == "outerBoundaryIs";
-    if (!outer && local_name(*child) != "innerBoundaryIs") continue;
-    auto ring = ring_of(*child, name);
+  for (const XmlElement child : polygon.children()) {
+    const bool outer = local_name(child) == "outerBoundaryIs";
+    if (!outer && local_name(child) != "innerBoundaryIs") continue;
+    auto ring = ring_of(*document, child);
     if (!ring) return pass_on(ring);
     rings.insert(outer ? rings.begin() : rings.end(), std::move(*ring));
   }
   if (rings.empty()) {
-    return bad_input("the polygon has no outerBoundaryIs", fmt::format("{}:{}", name, polygon->GetLineNum()));
+    return bad_input("the polygon has no outerBoundaryIs", document->where(polygon));
   }
   return rings;
 }

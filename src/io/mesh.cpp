@@ -33,11 +33,12 @@ std::string plain_name(std::string name) {
   return name;
 }
 
-Outcome<std::vector<Triangle>> read_format(std::string_view bytes, const std::string& name) {
+Outcome<std::vector<Triangle>> read_format(std::string_view bytes, const std::string& name,
+                                           std::string_view part) {
   const std::string plain = plain_name(name);
   if (plain.ends_with(".stl")) return mesh_from_stl(bytes, name);
-  if (plain.ends_with(".obj")) return mesh_from_obj(bytes, name);
-  if (plain.ends_with(".dae")) return mesh_from_collada(bytes, name);
+  if (plain.ends_with(".obj")) return mesh_from_obj(bytes, name, part);
+  if (plain.ends_with(".dae")) return mesh_from_collada(bytes, name, part);
   return bad_input("its format is not read; convert it to .stl, .obj or .dae", name);
 }
 
@@ -48,8 +49,9 @@ tl::unexpected<Fault> too_many_triangles(const std::string& name) {
       fmt::format("it has more than {} triangles; use a simpler mesh for collisions", most_triangles), name);
 }
 
-Outcome<std::vector<Triangle>> mesh_from_bytes(std::string_view bytes, const std::string& name) {
-  auto triangles = read_format(bytes, name);
+Outcome<std::vector<Triangle>> mesh_from_bytes(std::string_view bytes, const std::string& name,
+                                               std::string_view part) {
+  auto triangles = read_format(bytes, name, part);
   if (!triangles) return triangles;
   std::erase_if(*triangles, is_far_away);
   for (const Triangle& triangle : *triangles) {
@@ -61,10 +63,10 @@ Outcome<std::vector<Triangle>> mesh_from_bytes(std::string_view bytes, const std
   return triangles;
 }
 
-Outcome<std::vector<Triangle>> load_mesh(const std::string& path) {
+Outcome<std::vector<Triangle>> load_mesh(const std::string& path, std::string_view part) {
   auto bytes = read_file(path, largest_mesh_bytes);
   if (!bytes) return pass_on(bytes);
-  return mesh_from_bytes(*bytes, path);
+  return mesh_from_bytes(*bytes, path, part);
 }
 
 }  // namespace outrider

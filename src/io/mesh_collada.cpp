@@ -11,8 +11,7 @@
 namespace outrider {
 namespace {
 
-using Element = tinyxml2::XMLElement;
-using Ids = std::map<std::string_view, const Element*>;
+using Ids = std::map<std::string_view, XmlElement>;
 
 constexpr int deepest_nodes = 64;
 constexpr int most_nodes = 100'000;
@@ -31,33 +30,35 @@ struct Affine {
 
 struct Reader {
   const std::string& name;
+  const XmlDocument& document;
+  std::string_view part;  ///< the name of the only part to read; empty: all
   Ids ids;
   double metres = 1.0;
   int nodes = 0;
   std::vector<Triangle> triangles;
 
-  [[nodiscard]] tl::unexpected<Fault> wrong(const Element& element, std::string_view what) const {
-    return bad_input(fmt::format("<{}>: {}", excerpt(element.Name()), what),
-                     fmt::format("{}:{}", name, element.GetLineNum()));
+  [[nodiscard]] tl::unexpected<Fault> wrong(XmlElement element, std::string_view what) const {
+    return bad_input(fmt::format("<{}>: {}", excerpt(element.name()), what), document.where(element));
   }
   /// Returns the element with the id of a reference "#id", or null.
-  [[nodiscard]] const Element* find(std::string_view reference) const {
+  [[nodiscard]] XmlElement find(std::string_view reference) const {
     if (reference.starts_with('#')) reference.remove_prefix(1);
     const auto found = ids.find(reference);
-    return found == ids.end() ? nullptr : found->second;
+    return found == ids.end() ? XmlElement() : found->second;
   }
 };
 
-void collect_ids(const Element& element, Ids& ids) {
-  if (const auto id = xml_attribute(element, "id"); !id.empty()) ids.emplace(id, &element);
-  for (const Element* child = element.FirstChildElement(); child != nullptr;
-       child = child->NextSiblingElement()) {
-    collect_ids(*child, ids);
+struct IdCollector : pugi::xml_tree_walker {
+  explicit IdCollector(Ids& all) : ids(all) {}
+  bool for_each(XmlElement& element) override {
+    if (const auto id = xml_attribute(element, "id"); !id.empty()) ids.emplace(id, element);
+    return true;
   }
-}
+  Ids& ids;
+};
 
 template <class Number>
-Outcome<std::vector<Number>> numbers(const Reader& reader, const Element& element) {
+Outcome<std::vector<Number>> numbers(const Reader& reader, XmlElement element) {
   std::vector<Number> values;
   std::string_view rest = xml_text(element);
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
@@ -70,16 +71,13 @@ Outcome<std::vector<Number>> numbers(const Reader& reader, const Element& elemen
 
 // ---- Meshes --------------------------------------------------------------------------------------
 
-Outcome<std::vector<Vec3>> positions(const Reader& reader, const Element& source) {
-  const Element* array = source.FirstChildElement("float_array");
-  if (array == nullptr) return reader.wrong(source, "it has no <float_array>");
-  auto values = numbers<double>(reader, *array);
+Outcome<std::vector<Vec3>> positions(const Reader& reader, XmlElement source) {
+  const XmlElement array = source.child("float_array");
+  if (!array) return reader.wrong(source, "it has no <float_array>");
+  auto values = numbers<double>(reader, array);
   if (!values) return pass_on(values);
-  std::size_t stride = 3;
-  if (const Element* technique = source.FirstChildElement("technique_common")) {
-    const Element* accessor = technique->FirstChildElement("accessor");
-    stride = accessor == nullptr ? 3 : accessor->UnsignedAttribute("stride", 3);
-  }
+  const XmlElement accessor = source.child("technique_common").child("accessor");
+  const std::size_t stride = accessor.attribute("stride").as_uint(3);
   if (stride < 3) return reader.wrong(source, "its positions have fewer than three coordinates");
   std::vector<Vec3> points;
   for (std::size_t i = 0; i + 3 <= values->size(); i += stride) {
@@ -89,17 +87,16 @@ Outcome<std::vector<Vec3>> positions(const Reader& reader, const Element& source
 }
 
 /// Returns the points of the <vertices> of a mesh, which its primitives share.
-Outcome<std::vector<Vec3>> mesh_points(const Reader& reader, const Element& mesh) {
-  const Element* vertices = mesh.FirstChildElement("vertices");
-  if (vertices == nullptr) return reader.wrong(mesh, "it has no <vertices>");
-  for (const Element* input = vertices->FirstChildElement("input"); input != nullptr;
-       input = input->NextSiblingElement("input")) {
-    if (xml_attribute(*input, "semantic") != "POSITION") continue;
-    const Element* source = reader.find(xml_attribute(*input, "source"));
-    if (source == nullptr) return reader.wrong(*input, "its source does not exist");
-    return positions(reader, *source);
+Outcome<std::vector<Vec3>> mesh_points(const Reader& reader, XmlElement mesh) {
+  const XmlElement vertices = mesh.child("vertices");
+  if (!vertices) return reader.wrong(mesh, "it has no <vertices>");
+  for (const XmlElement input : vertices.children("input")) {
+    if (xml_attribute(input, "semantic") != "POSITION") continue;
+    const XmlElement source = reader.find(xml_attribute(input, "source"));
+    if (!source) return reader.wrong(input, "its source does not exist");
+    return positions(reader, source);
   }
-  return reader.wrong(*vertices, "it has no input POSITION");
+  return reader.wrong(vertices, "it has no input POSITION");
 }
 
 struct Layout {
@@ -107,15 +104,14 @@ struct Layout {
   std::size_t stride = 1;  ///< number of indices per corner
 };
 
-Outcome<Layout> layout_of(const Reader& reader, const Element& primitive) {
+Outcome<Layout> layout_of(const Reader& reader, XmlElement primitive) {
   Layout layout;
   bool found = false;
-  for (const Element* input = primitive.FirstChildElement("input"); input != nullptr;
-       input = input->NextSiblingElement("input")) {
-    const std::size_t offset = input->UnsignedAttribute("offset", 0);
-    if (offset > 64) return reader.wrong(*input, "its offset is above 64");
+  for (const XmlElement input : primitive.children("input")) {
+    const std::size_t offset = input.attribute("offset").as_uint(0);
+    if (offset > 64) return reader.wrong(input, "its offset is above 64");
     layout.stride = std::max(layout.stride, offset + 1);
-    if (xml_attribute(*input, "semantic") != "VERTEX") continue;
+    if (xml_attribute(input, "semantic") != "VERTEX") continue;
     layout.offset = offset;
     found = true;
   }
@@ -145,7 +141,7 @@ struct FaceSizes {
   }
 };
 
-Status add_faces(Reader& reader, const Element& p, const std::vector<Vec3>& points, const Layout& layout,
+Status add_faces(Reader& reader, XmlElement p, const std::vector<Vec3>& points, const Layout& layout,
                  const FaceSizes& sizes, const Affine& place) {
   auto indices = numbers<std::size_t>(reader, p);
   if (!indices) return pass_on(indices);
@@ -171,34 +167,39 @@ Status add_faces(Reader& reader, const Element& p, const std::vector<Vec3>& poin
   return {};
 }
 
-Status add_primitive(Reader& reader, const Element& primitive, const std::vector<Vec3>& points,
+Status add_primitive(Reader& reader, XmlElement primitive, const std::vector<Vec3>& points,
                      const Affine& place) {
   auto layout = layout_of(reader, primitive);
   if (!layout) return pass_on(layout);
-  FaceSizes sizes{primitive.Name() == std::string_view("polygons"), {}};
-  if (const Element* vcount = primitive.FirstChildElement("vcount")) {
-    auto read = numbers<std::size_t>(reader, *vcount);
+  FaceSizes sizes{primitive.name() == std::string_view("polygons"), {}};
+  if (const XmlElement vcount = primitive.child("vcount")) {
+    auto read = numbers<std::size_t>(reader, vcount);
     if (!read) return pass_on(read);
     sizes.counts = std::move(*read);
   }
-  for (const Element* p = primitive.FirstChildElement("p"); p != nullptr; p = p->NextSiblingElement("p")) {
-    if (auto added = add_faces(reader, *p, points, *layout, sizes, place); !added) return added;
+  for (const XmlElement p : primitive.children("p")) {
+    if (auto added = add_faces(reader, p, points, *layout, sizes, place); !added) return added;
   }
   return {};
 }
 
-Status add_geometry(Reader& reader, const Element& geometry, const Affine& place) {
-  const Element* mesh = geometry.FirstChildElement("mesh");
-  if (mesh == nullptr) return {};
-  auto points = mesh_points(reader, *mesh);
+/// Returns true if an element goes by a name; simulators call a part by its node, or by its geometry.
+bool goes_by(XmlElement element, std::string_view name) {
+  return xml_attribute(element, "name") == name || xml_attribute(element, "id") == name;
+}
+
+Status add_geometry(Reader& reader, XmlElement node, XmlElement geometry, const Affine& place) {
+  const XmlElement mesh = geometry.child("mesh");
+  const bool wanted = reader.part.empty() || goes_by(node, reader.part) || goes_by(geometry, reader.part);
+  if (!mesh || !wanted) return {};
+  auto points = mesh_points(reader, mesh);
   if (!points) return pass_on(points);
-  for (const Element* child = mesh->FirstChildElement(); child != nullptr;
-       child = child->NextSiblingElement()) {
-    const std::string_view kind = child->Name();
+  for (const XmlElement child : mesh.children()) {
+    const std::string_view kind = child.name();
     if (kind == "tristrips" || kind == "trifans")
-      return reader.wrong(*child, "strips and fans are not read; export triangles");
+      return reader.wrong(child, "strips and fans are not read; export triangles");
     if (kind != "triangles" && kind != "polylist" && kind != "polygons") continue;
-    if (auto added = add_primitive(reader, *child, *points, place); !added) return added;
+    if (auto added = add_primitive(reader, child, *points, place); !added) return added;
   }
   return {};
 }
@@ -222,8 +223,8 @@ std::size_t value_count(std::string_view kind) {
 }
 
 /// Returns the transform of one child of a node; the identity if the child is not a transform.
-Outcome<Affine> transform_of(const Reader& reader, const Element& child) {
-  const std::string_view kind = child.Name();
+Outcome<Affine> transform_of(const Reader& reader, XmlElement child) {
+  const std::string_view kind = child.name();
   const std::size_t count = value_count(kind);
   if (kind == "lookat" || kind == "skew") {
     return reader.wrong(child, "this transform is not read; export a matrix");
@@ -245,62 +246,56 @@ Outcome<Affine> transform_of(const Reader& reader, const Element& child) {
 
 /// Returns true if no mesh hangs at the node, as at one with a camera. Exporters write anything for its
 /// transform.
-bool is_bare(const Element& node) {
-  return node.FirstChildElement("node") == nullptr && node.FirstChildElement("instance_node") == nullptr &&
-         node.FirstChildElement("instance_geometry") == nullptr;
+bool is_bare(XmlElement node) {
+  return !node.child("node") && !node.child("instance_node") && !node.child("instance_geometry");
 }
 
-Status add_node(Reader& reader, const Element& node, Affine place, int depth) {
+Status add_node(Reader& reader, XmlElement node, Affine place, int depth) {
   if (is_bare(node)) return {};
   if (depth > deepest_nodes || ++reader.nodes > most_nodes) {
     return reader.wrong(node, "its nodes nest too deep, or hold each other in a circle");
   }
-  for (const Element* child = node.FirstChildElement(); child != nullptr;
-       child = child->NextSiblingElement()) {
-    auto transform = transform_of(reader, *child);
+  for (const XmlElement child : node.children()) {
+    auto transform = transform_of(reader, child);
     if (!transform) return pass_on(transform);
     place = place * *transform;
-    const std::string_view kind = child->Name();
-    const Element* referred = reader.find(xml_attribute(*child, "url"));
+    const std::string_view kind = child.name();
+    const XmlElement referred = reader.find(xml_attribute(child, "url"));
     Status added;
     if (kind == "node") {
-      added = add_node(reader, *child, place, depth + 1);
-    } else if (kind == "instance_node" && referred != nullptr) {
-      added = add_node(reader, *referred, place, depth + 1);
-    } else if (kind == "instance_geometry" && referred != nullptr) {
-      added = add_geometry(reader, *referred, place);
+      added = add_node(reader, child, place, depth + 1);
+    } else if (kind == "instance_node" && referred) {
+      added = add_node(reader, referred, place, depth + 1);
+    } else if (kind == "instance_geometry" && referred) {
+      added = add_geometry(reader, node, referred, place);
     }
     if (!added) return added;
   }
   return {};
 }
 
-const Element* scene_of(const Reader& reader, const Element& root) {
-  const Element* scene = root.FirstChildElement("scene");
-  const Element* instance = scene == nullptr ? nullptr : scene->FirstChildElement("instance_visual_scene");
-  return instance == nullptr ? nullptr : reader.find(xml_attribute(*instance, "url"));
+XmlElement scene_of(const Reader& reader, XmlElement root) {
+  return reader.find(xml_attribute(root.child("scene").child("instance_visual_scene"), "url"));
 }
 
 }  // namespace
 
-Outcome<std::vector<Triangle>> mesh_from_collada(std::string_view text, const std::string& name) {
-  auto document = xml_document(text, name, "COLLADA");
+Outcome<std::vector<Triangle>> mesh_from_collada(std::string_view text, const std::string& name,
+                                                 std::string_view part) {
+  auto document = XmlDocument::parse(text, name, "COLLADA");
   if (!document) return pass_on(document);
-  const Element& root = *(*document)->RootElement();
-  Reader reader{name, {}, 1.0, 0, {}};
-  collect_ids(root, reader.ids);
-  if (const Element* asset = root.FirstChildElement("asset")) {
-    const Element* unit = asset->FirstChildElement("unit");
-    if (unit != nullptr) reader.metres = unit->DoubleAttribute("meter", 1.0);
-  }
-  if (const Element* scene = scene_of(reader, root)) {
-    if (auto added = add_node(reader, *scene, {}, 0); !added) return pass_on(added);
+  XmlElement root = document->root();
+  Reader reader{name, *document, part, {}, 1.0, 0, {}};
+  IdCollector collector(reader.ids);
+  root.traverse(collector);
+  reader.metres = root.child("asset").child("unit").attribute("meter").as_double(1.0);
+  if (const XmlElement scene = scene_of(reader, root)) {
+    if (auto added = add_node(reader, scene, {}, 0); !added) return pass_on(added);
     return std::move(reader.triangles);
   }
-  const Element* library = root.FirstChildElement("library_geometries");  // no scene: no transforms
-  for (const Element* geometry = library == nullptr ? nullptr : library->FirstChildElement("geometry");
-       geometry != nullptr; geometry = geometry->NextSiblingElement("geometry")) {
-    if (auto added = add_geometry(reader, *geometry, {}); !added) return pass_on(added);
+  // no scene: no transforms
+  for (const XmlElement geometry : root.child("library_geometries").children("geometry")) {
+    if (auto added = add_geometry(reader, geometry, geometry, {}); !added) return pass_on(added);
   }
   return std::move(reader.triangles);
 }

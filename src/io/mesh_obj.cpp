@@ -44,13 +44,16 @@ Status add_face(const std::vector<std::string_view>& parts, const std::vector<Ve
 
 }  // namespace
 
-Outcome<std::vector<Triangle>> mesh_from_obj(std::string_view text, const std::string& name) {
+Outcome<std::vector<Triangle>> mesh_from_obj(std::string_view text, const std::string& name,
+                                             std::string_view part) {
+  bool wanted = part.empty();
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;
   for (std::size_t line_number = 1; !text.empty(); ++line_number) {
     const std::string_view line = take_line(text);
     const auto parts = words(line.substr(0, line.find('#')));
-    if (parts.empty() || (parts[0] != "v" && parts[0] != "f")) continue;
+    if (!part.empty() && parts.size() > 1 && (parts[0] == "o" || parts[0] == "g")) wanted = parts[1] == part;
+    if (parts.empty() || (parts[0] != "v" && (parts[0] != "f" || !wanted))) continue;
     const std::string where = fmt::format("{}:{}", name, line_number);
     if (parts[0] == "v") {
       const auto point = vertex(parts);

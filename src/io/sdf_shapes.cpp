@@ -2,19 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <sdf/Box.hh>
-#include <sdf/Capsule.hh>
-#include <sdf/Cylinder.hh>
-#include <sdf/Ellipsoid.hh>
-#include <sdf/Mesh.hh>
-#include <sdf/Plane.hh>
-#include <sdf/Sphere.hh>
+#include <set>
 #include <utility>
 
 #include "outrider/io/files.hpp"
 #include "outrider/io/terrain.hpp"
+#include "outrider/io/text.hpp"
 
 namespace outrider {
 namespace {
@@ -24,12 +20,16 @@ using Pieces = std::vector<SdfPiece>;
 constexpr double largest_m = 1e6;
 constexpr double smallest_scale = 1e-6;
 constexpr std::size_t most_world_triangles = 2'000'000;
-
-Vec3 vec(const ignition::math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
+constexpr int rings = 24;  // of meshes of round shapes
+constexpr int sides = 48;
 
 bool is_shape_size(double size_m) { return size_m > 0.0 && size_m <= largest_m; }
 
 bool is_scale(double factor) { return std::abs(factor) >= smallest_scale && std::abs(factor) <= largest_m; }
+
+bool is_solid_size(Vec3 size_m) {
+  return is_shape_size(size_m.x) && is_shape_size(size_m.y) && is_shape_size(size_m.z);
+}
 
 /// Returns a rotation that maps +z to a direction.
 Rotation upward(Vec3 normal) {
@@ -44,8 +44,6 @@ Rotation upward(Vec3 normal) {
 /// Makes a mesh around an ellipsoid: that of a sphere, scaled, and enlarged so that no face cuts the
 /// ellipsoid.
 MeshShape ellipsoid(Vec3 radii) {
-  constexpr int rings = 24;
-  constexpr int sides = 48;
   const double grow = 1.0 / (std::cos(std::numbers::pi / (2 * rings)) * std::cos(std::numbers::pi / sides));
   const auto point = [&](int ring, int side) {
     const double polar = std::numbers::pi * ring / rings;
@@ -68,86 +66,223 @@ MeshShape ellipsoid(Vec3 radii) {
   return mesh;
 }
 
-tl::unexpected<Fault> bad_size() {
-  return bad_input("its size is not above 0 and at most 1e6 m; correct it");
+/// Makes a mesh around a cone whose tip is up: its sides touch the cone.
+MeshShape cone(double radius_m, double length_m) {
+  const double out_m = radius_m / std::cos(std::numbers::pi / sides);
+  const auto rim = [&](int side) {
+    const Vec2 around = direction(2.0 * std::numbers::pi * (side % sides) / sides);
+    return Vec3{out_m * around.x, out_m * around.y, -0.5 * length_m};
+  };
+  MeshShape mesh;
+  for (int side = 0; side < sides; ++side) {
+    mesh.triangles.push_back({rim(side), rim(side + 1), {0, 0, 0.5 * length_m}});
+    mesh.triangles.push_back({rim(side + 1), rim(side), {0, 0, -0.5 * length_m}});
+  }
+  return mesh;
 }
 
-Outcome<Pieces> round_pieces(double radius_m, double length_m, bool capped) {
-  if (!is_shape_size(radius_m) || !is_shape_size(length_m)) return bad_size();
+Pieces round_pieces(std::string_view kind, double radius_m, double length_m) {
+  if (kind == "cone") return {{cone(radius_m, length_m)}};
   Pieces pieces = {{CylinderShape{radius_m, 0.5 * length_m}}};
-  if (!capped) return pieces;
+  if (kind == "cylinder") return pieces;
   pieces.push_back({SphereShape{radius_m}, {{0, 0, 0.5 * length_m}, {}}, "_top"});
   pieces.push_back({SphereShape{radius_m}, {{0, 0, -0.5 * length_m}, {}}, "_bottom"});
   return pieces;
 }
 
-Outcome<MeshShape> mesh_shape(const sdf::Mesh& mesh, SdfMeshes& meshes) {
-  const Vec3 scale = vec(mesh.Scale());
-  if (!is_scale(scale.x) || !is_scale(scale.y) || !is_scale(scale.z)) {
+Status count_triangles(SdfMeshes& meshes, std::size_t triangles) {
+  meshes.placed += triangles;
+  if (meshes.placed <= most_world_triangles) return {};
+  return bad_input(
+      fmt::format("the world's meshes have more than {} triangles; use simpler ones", most_world_triangles));
+}
+
+// ---- Meshes --------------------------------------------------------------------------------------
+
+void move_middle_to_origin(std::vector<Triangle>& triangles) {
+  Box3 box;
+  for (const Triangle& triangle : triangles) {
+    for (const Vec3 p : triangle) box.include(p);
+  }
+  for (Triangle& triangle : triangles) {
+    for (Vec3& p : triangle) p = p - 0.5 * (box.low + box.high);
+  }
+}
+
+/// Loads a mesh, or the part of it that is asked for.
+Outcome<const std::vector<Triangle>*> triangles_of(SdfFiles& files, const SdfFile& file, XmlElement mesh,
+                                                   const std::string& path, SdfMeshes& meshes) {
+  const XmlElement submesh = mesh.child("submesh");
+  const std::string part(xml_text(submesh, "name"));
+  const bool centre = one_of(xml_text(submesh, "center"), {"1", "true"});
+  const auto [found, fresh] = meshes.by_part.try_emplace(fmt::format("{}\n{}\n{}", path, part, centre));
+  if (!fresh) return &found->second;
+  auto loaded = load_mesh(path, part);
+  if (!loaded && !part.empty()) {
+    loaded = load_mesh(path);
+    if (loaded) {
+      files.warnings.add(file.document.where(submesh),
+                         fmt::format("the mesh '{}' has no part '{}'; the whole mesh was taken",
+                                     excerpt(path, 200), excerpt(part)));
+    }
+  }
+  if (!loaded) return pass_on(loaded);
+  found->second = std::move(*loaded);
+  if (centre) move_middle_to_origin(found->second);
+  return &found->second;
+}
+
+Outcome<MeshShape> mesh_shape(SdfFiles& files, const SdfFile& file, XmlElement mesh, const std::string& path,
+                              Vec3 scale, SdfMeshes& meshes) {
+  if (!is_scale(scale.x) || !is_scale(scale.y) || !is_scale(scale.z))
     return bad_input("its mesh's scale is no number from 1e-6 to 1e6; correct it");
-  }
-  auto found = meshes.by_path.find(mesh.Uri());
-  if (found == meshes.by_path.end()) {
-    auto loaded = load_mesh(mesh.Uri());
-    if (!loaded) return pass_on(loaded);
-    found = meshes.by_path.emplace(mesh.Uri(), std::move(*loaded)).first;
-  }
-  meshes.placed += found->second.size();
-  if (meshes.placed > most_world_triangles) {
-    return bad_input(fmt::format("the world's meshes have more than {} triangles; use simpler ones",
-                                 most_world_triangles));
-  }
-  MeshShape result{found->second};
+  auto triangles = triangles_of(files, file, mesh, path, meshes);
+  if (!triangles) return pass_on(triangles);
+  if (auto counted = count_triangles(meshes, (*triangles)->size()); !counted) return pass_on(counted);
+  MeshShape result{**triangles};
   for (Triangle& triangle : result.triangles) {
     for (Vec3& p : triangle) p = {scale.x * p.x, scale.y * p.y, scale.z * p.z};
   }
   return result;
 }
 
+// ---- Polylines -----------------------------------------------------------------------------------
+
+/// Adds a quadrilateral; its corners go around.
+void add_face(MeshShape& mesh, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+  mesh.triangles.push_back({a, b, c});
+  mesh.triangles.push_back({a, c, d});
+}
+
+using Edge = std::pair<Vec2, Vec2>;  // from the lower to the higher end
+
+double x_at(const Edge& edge, double y) {
+  const auto& [low, high] = edge;
+  return low.x + (high.x - low.x) * ((y - low.y) / (high.y - low.y));
+}
+
+/// Covers what the edges enclose by the even-odd rule, at two heights: in strips between the heights of the
+/// corners, it consists of trapezoids between neighbouring edges. O(edges^2 log edges).
+void add_covers(MeshShape& mesh, const std::vector<Edge>& edges, double top_m) {
+  std::set<double> levels;
+  for (const auto& [low, high] : edges) levels.insert({low.y, high.y});
+  for (auto level = levels.begin(); level != levels.end() && std::next(level) != levels.end(); ++level) {
+    const double low = *level;
+    const double high = *std::next(level);
+    std::vector<Edge> crossing;
+    for (const Edge& edge : edges) {
+      if (edge.first.y <= low && edge.second.y >= high) crossing.push_back(edge);
+    }
+    std::ranges::sort(crossing, {}, [&](const Edge& edge) { return x_at(edge, 0.5 * (low + high)); });
+    for (std::size_t k = 0; k + 1 < crossing.size(); k += 2) {
+      for (const double z : {0.0, top_m}) {
+        add_face(mesh, {x_at(crossing[k], low), low, z}, {x_at(crossing[k + 1], low), low, z},
+                 {x_at(crossing[k + 1], high), high, z}, {x_at(crossing[k], high), high, z});
+      }
+    }
+  }
+}
+
+/// Makes the mesh around what the polylines of a geometry enclose, from z = 0 to their height.
+Outcome<MeshShape> extruded(SdfNumbers& numbers, XmlElement first, double top_m) {
+  constexpr std::size_t most_corners = 1000;
+  MeshShape mesh;
+  std::vector<Edge> edges;
+  for (XmlElement line = first; line; line = line.next_sibling("polyline")) {
+    std::vector<Vec2> corners;
+    for (const XmlElement point : line.children("point")) {
+      corners.push_back(xy(numbers.of(point, 2)));
+      if (edges.size() + corners.size() > most_corners)
+        return bad_input(fmt::format("its polylines have more than {} points; use a mesh", most_corners));
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec2 a = corners[i];
+      const Vec2 b = corners[(i + 1) % corners.size()];
+      if (a != b) add_face(mesh, {a.x, a.y, 0.0}, {b.x, b.y, 0.0}, {b.x, b.y, top_m}, {a.x, a.y, top_m});
+      if (a.y != b.y) edges.emplace_back(a.y < b.y ? a : b, a.y < b.y ? b : a);
+    }
+  }
+  add_covers(mesh, edges, top_m);
+  return edges.empty() ? MeshShape{} : mesh;
+}
+
 }  // namespace
 
-Outcome<HeightField> sdf_terrain(const sdf::Heightmap& heightmap, const Pose3& world_T_collision) {
+Vec3 SdfNumbers::of(XmlElement element, std::size_t count) {
+  return read(element, element.name(), xml_text(element), count);
+}
+
+Vec3 SdfNumbers::of(XmlElement shape, const char* part, std::size_t count, Vec3 otherwise) {
+  if (const XmlElement child = shape.child(part)) return of(child, count);
+  const auto attribute = shape.attribute(part);  // in URDF
+  return attribute ? read(shape, part, attribute.value(), count) : otherwise;
+}
+
+Vec3 SdfNumbers::read(XmlElement element, const char* name, std::string_view text, std::size_t count) {
+  std::array<double, 3> values{};
+  const auto parts = words(text, values.size() + 1);
+  bool valid = parts.size() == count;
+  for (std::size_t i = 0; i < count && valid; ++i) {
+    const auto value = number<double>(parts[i]);
+    valid = value.has_value();
+    values[i] = value.value_or(0.0);
+  }
+  if (!valid && !fault_) {
+    const std::string wanted = count == 1 ? "a finite number" : fmt::format("{} finite numbers", count);
+    fault_ = Fault{FaultCode::bad_input, fmt::format("'{}' in a <{}> is not {}", excerpt(text), name, wanted),
+                   file_.document.where(element)};
+  }
+  return {values[0], values[1], values[2]};
+}
+
+Outcome<HeightField> sdf_terrain(const SdfFile& file, XmlElement heightmap, const std::string& path,
+                                 const Pose3& world_T_collision) {
   const auto& axes = world_T_collision.rotation.axes;
   if (axes[0].x < 1.0 - 1e-9 || axes[2].z < 1.0 - 1e-9) {
     return bad_input("a heightmap that is turned is not modelled; take the rotation out of its <pose>");
   }
-  auto bytes = read_file(heightmap.Uri());
+  SdfNumbers numbers(file);
+  const Vec3 size = numbers.of(heightmap, "size", 3, {1, 1, 1});
+  const Vec3 position = numbers.of(heightmap, "pos", 3, {});
+  if (numbers.fault()) return tl::unexpected(*numbers.fault());
+  auto bytes = read_file(path);
   if (!bytes) return pass_on(bytes);
-  return terrain_from_png(*bytes, heightmap.Uri(), world_T_collision.position + vec(heightmap.Position()),
-                          vec(heightmap.Size()));
+  return terrain_from_png(*bytes, path, world_T_collision.position + position, size);
 }
 
-Outcome<std::vector<SdfPiece>> sdf_pieces(const sdf::Geometry& geometry, SdfMeshes& meshes) {
-  switch (geometry.Type()) {
-    case sdf::GeometryType::BOX: {
-      const Vec3 size = vec(geometry.BoxShape()->Size());
-      if (!is_shape_size(size.x) || !is_shape_size(size.y) || !is_shape_size(size.z)) return bad_size();
-      return Pieces{{BoxShape{0.5 * size}}};
-    }
-    case sdf::GeometryType::CYLINDER:
-      return round_pieces(geometry.CylinderShape()->Radius(), geometry.CylinderShape()->Length(), false);
-    case sdf::GeometryType::CAPSULE:
-      return round_pieces(geometry.CapsuleShape()->Radius(), geometry.CapsuleShape()->Length(), true);
-    case sdf::GeometryType::SPHERE:
-      if (!is_shape_size(geometry.SphereShape()->Radius())) return bad_size();
-      return Pieces{{SphereShape{geometry.SphereShape()->Radius()}}};
-    case sdf::GeometryType::ELLIPSOID: {
-      const Vec3 radii = vec(geometry.EllipsoidShape()->Radii());
-      if (!is_shape_size(radii.x) || !is_shape_size(radii.y) || !is_shape_size(radii.z)) return bad_size();
-      return Pieces{{ellipsoid(radii)}};
-    }
-    case sdf::GeometryType::PLANE: {
-      const Vec3 normal = vec(geometry.PlaneShape()->Normal());
-      if (!is_scale(norm(normal))) return bad_input("its plane's normal is no direction; write e.g. 0 0 1");
-      return Pieces{{HalfSpaceShape{}, {{}, upward(normal)}}};
-    }
-    case sdf::GeometryType::MESH: {
-      auto mesh = mesh_shape(*geometry.MeshShape(), meshes);
-      if (!mesh) return pass_on(mesh);
-      return Pieces{{std::move(*mesh)}};
-    }
-    default: return Pieces{};
+Outcome<Pieces> sdf_pieces(SdfFiles& files, const SdfFile& file, XmlElement shape, const std::string& mesh,
+                           SdfMeshes& meshes) {
+  const std::string_view kind = shape.name();
+  SdfNumbers numbers(file);
+  const Vec3 size =
+      numbers.of(shape, kind == "ellipsoid" ? "radii" : "size", kind == "plane" ? 2 : 3, {1, 1, 1});
+  const double radius_m = numbers.of(shape, "radius", 1, {kind == "capsule" ? 0.5 : 1.0, 0, 0}).x;
+  const double length_m = numbers.of(shape, kind == "polyline" ? "height" : "length", 1, {1, 0, 0}).x;
+  const Vec3 normal = numbers.of(shape, "normal", 3, {0, 0, 1});
+  const Vec3 scale = numbers.of(shape, "scale", 3, {1, 1, 1});
+  const bool is_line = kind == "polyline";
+  Outcome<MeshShape> surface =
+      is_line && is_shape_size(length_m) ? extruded(numbers, shape, length_m) : MeshShape{};
+  if (numbers.fault()) return tl::unexpected(*numbers.fault());
+  if (kind == "plane") {
+    if (!is_scale(norm(normal))) return bad_input("its plane's normal is no direction; write e.g. 0 0 1");
+    return Pieces{{HalfSpaceShape{}, {{}, upward(normal)}}};
   }
+  if (kind == "mesh") surface = mesh_shape(files, file, shape, mesh, scale, meshes);
+  if (!surface) return pass_on(surface);
+  if (kind == "mesh") return Pieces{{std::move(*surface)}};
+  if (!is_solid_size(size) || !is_shape_size(radius_m) || !is_shape_size(length_m))
+    return bad_input("its size is not above 0 and at most 1e6 m; correct it");
+  if (kind == "box") return Pieces{{BoxShape{0.5 * size}}};
+  if (kind == "sphere") return Pieces{{SphereShape{radius_m}}};
+  if (kind == "ellipsoid") return Pieces{{ellipsoid(size)}};
+  if (kind != "polyline") return round_pieces(kind, radius_m, length_m);
+  if (surface->triangles.empty()) {
+    files.warnings.add(file.document.where(shape), "a polyline that encloses nothing was left out");
+    return Pieces{};
+  }
+  if (auto counted = count_triangles(meshes, surface->triangles.size()); !counted) return pass_on(counted);
+  return Pieces{{std::move(*surface)}};
 }
 
 }  // namespace outrider

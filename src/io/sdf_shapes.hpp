@@ -1,16 +1,27 @@
 // Converts the shapes of SDF collisions to shapes of solids.
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
 #include <map>
-#include <sdf/Geometry.hh>
-#include <sdf/Heightmap.hh>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "outrider/io/mesh.hpp"
 #include "outrider/world/solid.hpp"
+#include "sdf_files.hpp"
 
 namespace outrider {
+
+/// The kinds of shapes, those that are preferred first. An <empty> one is nothing.
+inline constexpr auto sdf_shapes = {"box",  "capsule", "cylinder",  "ellipsoid", "plane", "sphere",
+                                    "mesh", "cone",    "heightmap", "polyline",  "empty"};
+
+inline bool one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return std::ranges::find(names, name) != names.end();
+}
 
 /// A shape and its pose in the collision.
 struct SdfPiece {
@@ -21,16 +32,38 @@ struct SdfPiece {
 
 /// The mesh files of one world, each read once.
 struct SdfMeshes {
-  std::map<std::string, std::vector<Triangle>> by_path;
-  std::size_t placed = 0;  ///< number of triangles in the world so far
+  std::map<std::string, std::vector<Triangle>> by_part;  ///< by path, and the part of it
+  std::size_t placed = 0;                                ///< number of triangles in the world so far
 };
 
-/// Converts a shape. Refuses sizes that are not above 0 and at most 1e6 m, planes without a direction, meshes
-/// that cannot be loaded, and more than 2 million triangles in one world.
-Outcome<std::vector<SdfPiece>> sdf_pieces(const sdf::Geometry& geometry, SdfMeshes& meshes);
+/// Reads the numbers of elements, and keeps the first fault.
+class SdfNumbers {
+ public:
+  explicit SdfNumbers(const SdfFile& file) : file_(file) {}
+
+  /// Returns the numbers of an element, up to three. Fault: bad_input with its place.
+  Vec3 of(XmlElement element, std::size_t count);
+  /// Returns those of a child or an attribute, or what SDF takes if there is none.
+  Vec3 of(XmlElement shape, const char* part, std::size_t count, Vec3 otherwise);
+  [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
+
+ private:
+  Vec3 read(XmlElement element, const char* name, std::string_view text, std::size_t count);
+
+  const SdfFile& file_;
+  std::optional<Fault> fault_;
+};
+
+/// Converts a shape; `mesh` is the path of its file, if it is a mesh. Refuses what is no number, sizes that
+/// are not above 0 and at most 1e6 m, planes without a direction, meshes that cannot be loaded, and more than
+/// 2 million triangles in one world. With a warning, a mesh that lacks the part that is asked for is taken as
+/// a whole, and a polyline that encloses nothing is left out.
+Outcome<std::vector<SdfPiece>> sdf_pieces(SdfFiles& files, const SdfFile& file, XmlElement shape,
+                                          const std::string& mesh, SdfMeshes& meshes);
 
 /// Converts a heightmap at a pose. Black is at its position, white above it by the z of its size. Refuses a
 /// pose with a rotation; has the faults of terrain.hpp.
-Outcome<HeightField> sdf_terrain(const sdf::Heightmap& heightmap, const Pose3& world_T_collision);
+Outcome<HeightField> sdf_terrain(const SdfFile& file, XmlElement heightmap, const std::string& path,
+                                 const Pose3& world_T_collision);
 
 }  // namespace outrider

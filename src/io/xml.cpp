@@ -4,72 +4,67 @@
 
 #include <algorithm>
 
-#include "outrider/core/text.hpp"
 #include "outrider/io/text.hpp"
 
 namespace outrider {
 namespace {
 
-class SameLinePrinter : public tinyxml2::XMLPrinter {
- public:
-  SameLinePrinter() : XMLPrinter(nullptr, true) {}  // compact: it adds no line ends
+constexpr int deepest = 100;
 
-  bool VisitEnter(const tinyxml2::XMLElement& element, const tinyxml2::XMLAttribute* attributes) override {
-    while (line_ < element.GetLineNum()) {
-      SealElementIfJustOpened();
-      Write("\n");
-      ++line_;
+/// Returns the first element that is nested deeper than allowed, or none.
+XmlElement too_deep(XmlElement root) {
+  int depth = 1;
+  for (XmlElement at = root; at;) {
+    if (const XmlElement child = at.first_child()) {
+      at = child;
+      if (++depth > deepest) return at;
+      continue;
     }
-    return XMLPrinter::VisitEnter(element, attributes);
+    while (at != root && !at.next_sibling()) {
+      at = at.parent();
+      --depth;
+    }
+    at = at == root ? XmlElement() : at.next_sibling();
   }
-  bool Visit(const tinyxml2::XMLText& text) override {
-    line_ += static_cast<int>(std::ranges::count(std::string_view(text.Value()), '\n'));
-    return XMLPrinter::Visit(text);
-  }
-  bool Visit(const tinyxml2::XMLComment&) override { return true; }
-  bool Visit(const tinyxml2::XMLDeclaration&) override { return true; }
-  bool Visit(const tinyxml2::XMLUnknown&) override { return true; }
+  return {};
+}
 
- private:
-  int line_ = 1;
-};
-
-std::string_view view(const char* text) { return text == nullptr ? std::string_view() : text; }
+std::string line_of(const std::vector<std::size_t>& line_ends, const std::string& name,
+                    std::ptrdiff_t offset) {
+  const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0));
+  return fmt::format("{}:{}", name, std::ranges::lower_bound(line_ends, at) - line_ends.begin() + 1);
+}
 
 }  // namespace
 
-Outcome<XmlDocument> xml_document(std::string_view text, const std::string& name, std::string_view root) {
-  auto document = std::make_unique<tinyxml2::XMLDocument>();
-  if (document->Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-    std::string_view kind = document->ErrorName();
-    if (kind.starts_with("XML_")) kind.remove_prefix(4);
-    return bad_input(fmt::format("it is not well-formed XML ({}); correct or export it again", kind),
-                     fmt::format("{}:{}", name, std::max(document->ErrorLineNum(), 1)));
+Outcome<XmlDocument> XmlDocument::parse(std::string_view text, const std::string& name,
+                                        std::string_view root) {
+  XmlDocument document;
+  document.name_ = name;
+  for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))
+    document.line_ends_.push_back(at);
+  const auto parsed = document.tree_->load_buffer(
+      text.data(), text.size(), pugi::parse_default | pugi::parse_embed_pcdata, pugi::encoding_utf8);
+  const XmlElement top = document.root();
+  if (!parsed) {
+    return bad_input(fmt::format("it is not well-formed XML ({}); correct or export it again",
+                                 lower(parsed.description())),
+                     line_of(document.line_ends_, name, parsed.offset));
   }
-  const tinyxml2::XMLElement* top = document->RootElement();
-  if (top == nullptr || (!root.empty() && top->Name() != root)) {
-    return bad_input(
-        fmt::format("its root element is <{}>, not <{}>", top == nullptr ? "" : excerpt(top->Name()), root),
-        name);
+  if (const XmlElement deep = too_deep(top))
+    return bad_input(fmt::format("its elements nest more than {} deep; correct or export it again", deepest),
+                     document.where(deep));
+  if (!top) return bad_input("it has no elements", name);
+  if (!root.empty() && top.name() != root) {
+    return bad_input(fmt::format("its root element is <{}>, not <{}>", excerpt(top.name()), root), name);
   }
   return document;
 }
 
-std::string_view xml_text(const tinyxml2::XMLElement& element) { return trimmed(view(element.GetText())); }
-
-std::string_view xml_text(const tinyxml2::XMLElement& element, const char* child) {
-  const tinyxml2::XMLElement* found = element.FirstChildElement(child);
-  return found == nullptr ? std::string_view() : xml_text(*found);
+std::string XmlDocument::where(XmlElement element) const {
+  return line_of(line_ends_, name_, element.offset_debug());
 }
 
-std::string_view xml_attribute(const tinyxml2::XMLElement& element, const char* attribute) {
-  return view(element.Attribute(attribute));
-}
-
-std::string xml_on_same_lines(const tinyxml2::XMLDocument& document) {
-  SameLinePrinter printer;
-  document.Accept(&printer);
-  return printer.CStr();
-}
+std::string_view xml_text(XmlElement element) { return trimmed(element.child_value()); }
 
 }  // namespace outrider

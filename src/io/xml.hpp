@@ -1,29 +1,43 @@
 // XML documents, with faults that name the line.
 #pragma once
 
-#include <tinyxml2.h>
+#include <pugixml.hpp>
 
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "outrider/core/outcome.hpp"
 
 namespace outrider {
 
-using XmlDocument = std::unique_ptr<tinyxml2::XMLDocument>;
+using XmlElement = pugi::xml_node;
 
-/// Parses a document. Refuses text that is not well-formed, another root element than `root` (if that is not
-/// empty), and nesting deeper than 100.
-Outcome<XmlDocument> xml_document(std::string_view text, const std::string& name, std::string_view root);
+/// A parsed document. Elements are handles into it: they are valid as long as it lives.
+class XmlDocument {
+ public:
+  /// Parses a document. Refuses text that is not well-formed, another root element than `root` (if that is
+  /// not empty), and nesting deeper than 100. O(text); no recursion.
+  static Outcome<XmlDocument> parse(std::string_view text, const std::string& name, std::string_view root);
 
-/// Returns the text of an element, or of its child with that name; empty if there is none.
-std::string_view xml_text(const tinyxml2::XMLElement& element);
-std::string_view xml_text(const tinyxml2::XMLElement& element, const char* child);
-std::string_view xml_attribute(const tinyxml2::XMLElement& element, const char* attribute);
+  [[nodiscard]] XmlElement root() const { return tree_->document_element(); }
+  /// Returns the place of an element of this document, "name:line".
+  [[nodiscard]] std::string where(XmlElement element) const;
 
-/// Returns the document as text whose elements start on the same lines as in the file, so that faults of
-/// later readers name the right line. Comments are removed.
-std::string xml_on_same_lines(const tinyxml2::XMLDocument& document);
+ private:
+  std::string name_;
+  std::unique_ptr<pugi::xml_document> tree_ = std::make_unique<pugi::xml_document>();
+  std::vector<std::size_t> line_ends_;  // positions in the text
+};
+
+/// Returns the text of an element, without white space at its ends; empty if there is none.
+std::string_view xml_text(XmlElement element);
+inline std::string_view xml_text(XmlElement element, const char* child) {
+  return xml_text(element.child(child));
+}
+inline std::string_view xml_attribute(XmlElement element, const char* attribute) {
+  return element.attribute(attribute).value();
+}
 
 }  // namespace outrider

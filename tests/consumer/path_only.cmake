@@ -14,7 +14,7 @@ list(REMOVE_DUPLICATES hidden)
 set(needed ${outrider_packages_of_path})
 list(REMOVE_ITEM needed TBB)
 list(REMOVE_ITEM hidden ${needed})
-foreach(package yaml-cpp sdformat12 apriltag PNG Eigen3)
+foreach(package yaml-cpp pugixml apriltag PNG Eigen3)
   if(NOT package IN_LIST hidden)
     message(FATAL_ERROR "path needs ${package}: ${outrider_packages_of_path}")
   endif()
@@ -24,7 +24,7 @@ configure_project(path_only ${hidden})
 
 # Where we may, their headers are covered, each by nothing. Otherwise the list of the headers read has to do.
 set(headers tbb oneapi boost yaml-cpp sdformat* dart apriltag nlohmann eigen3 ompl* CLI polyclipping png.h libpng*
-  tinyxml2.h turbojpeg.h zlib.h civetweb.h)
+  pugixml.hpp turbojpeg.h zlib.h civetweb.h)
 list(TRANSFORM headers PREPEND /usr/include/)
 file(GLOB headers ${headers})
 set(prefix "")
@@ -43,7 +43,7 @@ if(NOT output MATCHES "outrider/path/catalog.hpp")
   message(FATAL_ERROR "the list of headers that were read is not what it should be:\n${output}")
 endif()
 string(REGEX MATCHALL
-  "[^\n]*/(tbb|oneapi|boost|yaml-cpp|sdf|sdformat-[^/\n]*|dart|apriltag|nlohmann|eigen3|Eigen|ompl[^/\n]*|CLI|polyclipping|png\\.h|zlib\\.h|tinyxml2\\.h|turbojpeg\\.h|fmt)(/[^\n]*)?"
+  "[^\n]*/(tbb|oneapi|boost|yaml-cpp|sdf|sdformat-[^/\n]*|dart|apriltag|nlohmann|eigen3|Eigen|ompl[^/\n]*|CLI|polyclipping|png\\.h|zlib\\.h|pugixml\\.hpp|turbojpeg\\.h|fmt)(/[^\n]*)?"
   read "${output}")
 if(read)
   message(FATAL_ERROR "headers were read that path should do without:\n${read}")

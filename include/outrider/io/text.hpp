@@ -30,9 +30,11 @@ inline std::string_view take_word(std::string_view& rest) {
   return word;
 }
 
-inline std::vector<std::string_view> words(std::string_view text) {
+/// Returns the first words of a text, at most `most`.
+inline std::vector<std::string_view> words(std::string_view text, std::size_t most = std::string_view::npos) {
   std::vector<std::string_view> result;
-  for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) result.push_back(word);
+  for (std::string_view word; result.size() < most && !(word = take_word(text)).empty();)
+    result.push_back(word);
   return result;
 }
 
