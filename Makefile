@@ -25,7 +25,7 @@ RUNS ?= 200
 MISSIONS ?= 1000
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops replays growth load fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops replays growth load hostile fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -92,13 +92,14 @@ docs:  ## write docs/options.md and docs/scenario.schema.json anew
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
 	@ninja -C build -j $(JOBS) docs
 
-soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz for an hour, load, cancel, loops and replays
+soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz for an hour, load, hostile, cancel, loops and replays
 	$(INSTALL) build test cbc
 	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=0
 	@ninja -C build-asan -j $(JOBS)
 	@OUTRIDER_CASES=100 ctest --preset soak -j $(JOBS) --timeout 3600
 	@$(MAKE) --no-print-directory fuzz FUZZ_SECONDS=$$((3600 * $(JOBS) / $(words $(wildcard tests/fuzz/*_fuzz.cpp))))
 	@$(MAKE) --no-print-directory load
+	@$(MAKE) --no-print-directory hostile
 	@$(MAKE) --no-print-directory cancel
 	@$(MAKE) --no-print-directory loops
 	@$(MAKE) --no-print-directory replays
@@ -118,6 +119,9 @@ growth:  ## print the table of docs/benchmarks/growth.md: how counted work and m
 	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
 	@ninja -C build -j $(JOBS) growth
 	@build/tests/growth --table
+
+hostile: build  ## give thousands of hostile files of every format to the verbs that read them; tells which ended badly
+	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) python3 -B tests/cli/hostile_soak.py --jobs $(JOBS)
 
 load: build  ## what strangers do to the server, mixed for LOAD_SECONDS, 600 unless given; tells the memory it took
 	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) python3 -B tests/cli/serve_load.py $(LOAD_SECONDS)

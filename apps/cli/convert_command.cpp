@@ -75,7 +75,7 @@ Outcome<std::unique_ptr<LogReader>> open_input(const ConvertCommand& command) {
   std::vector<std::string_view> topics(channels.size());
   std::ranges::transform(channels, topics.begin(), &Channel::topic);
   return bad_input(fmt::format("there is no topic '{}'; the topics are {}", excerpt(command.topic),
-                               fmt::join(topics, ", ")),
+                               excerpt(fmt::format("{}", fmt::join(topics, ", ")), 200)),
                    command.in);
 }
 

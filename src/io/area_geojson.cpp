@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "area_formats.hpp"
+#include "outrider/core/json_excess.hpp"
 #include "outrider/io/text.hpp"
 
 namespace outrider {
@@ -94,6 +95,8 @@ void note_crs(const GeoJson& object, AreaFile& file) {
 }  // namespace
 
 Outcome<AreaFile> area_from_geojson(std::string_view text, const std::string& name) {
+  if (const auto why = json_excess(text); !why.empty())
+    return bad_input(fmt::format("{}; leave out all but the polygons", why), name);
   const GeoJson object = GeoJson::parse(text, nullptr, false);
   if (object.is_discarded()) return bad_input("it is no JSON; write a GeoJSON polygon", name);
   std::vector<FoundPolygon> found;

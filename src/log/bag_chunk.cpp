@@ -29,6 +29,7 @@ Outcome<std::string> unpack_bag_chunk(const ByteSource& source, const BagRecord&
     return damaged(source, chunk.position,
                    fmt::format("a chunk states {} bytes; {} are the most", *size, largest_bag_data));
   }
+  if (!source.may_unpack(*size)) return unpacks_too_much(source, chunk.position);
   auto packed = source.read(chunk.data_position, chunk.data_length);
   if (!packed) return pass_on(packed);
   auto bytes = unpack(std::move(*packed), text_field(fields, "compression"), *size);

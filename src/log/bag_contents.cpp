@@ -7,6 +7,7 @@
 
 #include "bag_chunk.hpp"
 #include "byte_reader.hpp"
+#include "formats.hpp"
 
 namespace outrider {
 namespace {
@@ -55,7 +56,13 @@ std::string add_connection(BagContents& contents, const BagFields& fields, std::
   if (contents.channel_of.size() > most_connections) {
     return fmt::format("it has more than {} connections, the most that are read", most_connections);
   }
-  if (at == channels.size()) channels.push_back(connection->channel);
+  if (at < channels.size()) return {};
+  contents.channel_bytes += text_bytes(connection->channel);
+  if (contents.channel_bytes > most_channel_bytes) {
+    return fmt::format("the definitions of its connections have more than {} bytes, the most that are read",
+                       most_channel_bytes);
+  }
+  channels.push_back(connection->channel);
   return {};
 }
 

@@ -24,6 +24,7 @@ struct BagContents {
   std::vector<Channel> channels;
   std::map<std::uint32_t, std::size_t> channel_of;  ///< of a connection, by its number
   std::vector<BagChunkInfo> chunks;                 ///< those with messages, in the order of the file
+  std::size_t channel_bytes = 0;                    ///< of the texts of the channels
   std::string cut_short;                            ///< a sentence, if the end is missing
 };
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <list>
+#include <map>
 #include <set>
 
 #include "bag_chunk.hpp"
@@ -67,7 +67,6 @@ class BagReader : public LogReader {
   Outcome<std::vector<BagEntry>> list_entries(const BagChunkInfo& info, std::string_view chunk) const;
   Outcome<std::string> unpack(const BagChunkInfo& info) const;
   void hold(OpenChunk& chunk, std::string bytes);
-  std::list<OpenChunk>::iterator earliest();
 
   std::unique_ptr<ByteSource> source_;
   BagContents contents_;
@@ -75,7 +74,10 @@ class BagReader : public LogReader {
   std::vector<bool> selected_;                ///< by channel
   std::vector<const BagChunkInfo*> waiting_;  ///< by their first times
   std::size_t opened_ = 0;                    ///< how many of them have been opened
-  std::list<OpenChunk> open_;
+  /// By the time of the next message, and of equal times in the order of the file.
+  using OpenChunks = std::multimap<std::pair<std::int64_t, std::uint64_t>, OpenChunk>;
+  OpenChunks open_;
+  OpenChunks::node_type current_;  ///< the chunk of the message that next() returned, which is a view of it
   std::size_t messages_held_ = 0;
   std::size_t bytes_held_ = 0;
   std::uint64_t uses_ = 0;
@@ -124,7 +126,7 @@ void BagReader::hold(OpenChunk& chunk, std::string bytes) {
   chunk.last_use = ++uses_;
   while (bytes_held_ > most_bytes_held) {
     OpenChunk* oldest = nullptr;
-    for (OpenChunk& other : open_) {
+    for (auto& [key, other] : open_) {
       const bool may_go = &other != &chunk && !other.bytes.empty();
       if (may_go && (oldest == nullptr || other.last_use < oldest->last_use)) oldest = &other;
     }
@@ -148,46 +150,40 @@ Status BagReader::open_chunk(const BagChunkInfo& info) {
                     most_messages_held),
         "\"rosbag filter\" writes them in their order");
   }
-  open_.push_back({&info, std::move(*entries), 0, {}, 0});
-  hold(open_.back(), std::move(*bytes));
+  const std::pair key(entries->front().time_ns, info.position);
+  hold(open_.emplace(key, OpenChunk{&info, std::move(*entries), 0, {}, 0})->second, std::move(*bytes));
   return {};
 }
 
-/// The open chunk with the next message: the earliest, and of equal times the first in the file.
-std::list<OpenChunk>::iterator BagReader::earliest() {
-  return std::min_element(open_.begin(), open_.end(), [](const OpenChunk& a, const OpenChunk& b) {
-    return std::pair(a.time_ns(), a.info->position) < std::pair(b.time_ns(), b.info->position);
-  });
-}
-
 Outcome<std::optional<LogMessage>> BagReader::next() {
-  // A chunk at its end is kept until here, because the last message was a view of it.
-  open_.remove_if([&](const OpenChunk& chunk) {
-    if (!chunk.at_end()) return false;
-    messages_held_ -= chunk.entries.size();
-    bytes_held_ -= chunk.bytes.size();
-    return true;
-  });
-  auto chunk = earliest();
+  if (current_ && current_.mapped().at_end()) {
+    messages_held_ -= current_.mapped().entries.size();
+    bytes_held_ -= current_.mapped().bytes.size();
+    current_ = {};
+  } else if (current_) {
+    current_.key().first = current_.mapped().time_ns();
+    open_.insert(std::move(current_));
+  }
   while (opened_ < waiting_.size() &&
-         (chunk == open_.end() || waiting_[opened_]->first_ns <= chunk->time_ns())) {
+         (open_.empty() || waiting_[opened_]->first_ns <= open_.begin()->first.first)) {
     if (auto done = open_chunk(*waiting_[opened_]); !done) return pass_on(done);
     ++opened_;
-    chunk = earliest();
   }
-  if (chunk == open_.end()) return std::optional<LogMessage>{};
-  if (chunk->bytes.empty()) {
-    auto bytes = unpack(*chunk->info);
+  if (open_.empty()) return std::optional<LogMessage>{};
+  current_ = open_.extract(open_.begin());
+  OpenChunk& chunk = current_.mapped();
+  if (chunk.bytes.empty()) {
+    auto bytes = unpack(*chunk.info);
     if (!bytes) return pass_on(bytes);
-    hold(*chunk, std::move(*bytes));
+    hold(chunk, std::move(*bytes));
   }
-  chunk->last_use = ++uses_;
-  const BagEntry& entry = chunk->entries[chunk->next++];
-  if (std::size_t{entry.offset} + entry.length > chunk->bytes.size()) {
-    return damaged(*source_, chunk->info->position, "the file changed while it was read");
+  chunk.last_use = ++uses_;
+  const BagEntry& entry = chunk.entries[chunk.next++];
+  if (std::size_t{entry.offset} + entry.length > chunk.bytes.size()) {
+    return damaged(*source_, chunk.info->position, "the file changed while it was read");
   }
   return LogMessage{entry.channel, entry.time_ns,
-                    std::string_view(chunk->bytes).substr(entry.offset, entry.length)};
+                    std::string_view(chunk.bytes).substr(entry.offset, entry.length)};
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <limits>
 #include <system_error>
 
 namespace outrider {
@@ -65,6 +67,12 @@ Outcome<std::string> ByteSource::read(std::uint64_t offset, std::uint64_t count)
   return bytes;
 }
 
+bool ByteSource::may_unpack(std::uint64_t bytes) const {
+  constexpr std::uint64_t any = std::uint64_t{512} << 20U, most_times = 1000;
+  unpacked_ += std::min(bytes, std::numeric_limits<std::uint64_t>::max() - unpacked_);
+  return unpacked_ <= any || (unpacked_ - any) / most_times <= size_;
+}
+
 Outcome<std::unique_ptr<ByteSource>> open_file_source(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) {
@@ -91,6 +99,11 @@ tl::unexpected<Fault> damaged(const ByteSource& source, std::uint64_t offset, st
                               std::string_view remedy) {
   return bad_input(fmt::format("{}; {}", complaint, remedy),
                    fmt::format("{}, byte {}", source.name(), offset));
+}
+
+tl::unexpected<Fault> unpacks_too_much(const ByteSource& source, std::uint64_t offset) {
+  return damaged(source, offset, "its chunks unpack to more than 1000 times the size of the file",
+                 "record it without compression");
 }
 
 }  // namespace outrider

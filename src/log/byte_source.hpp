@@ -26,6 +26,10 @@ class ByteSource {
   /// them.
   [[nodiscard]] Outcome<std::string> read(std::uint64_t offset, std::uint64_t count) const;
 
+  /// Counts bytes that a part of the source is unpacked to, again and again if it is. Returns false once they
+  /// are more than any log of its size needs: 512 MiB and 1000 times its size.
+  [[nodiscard]] bool may_unpack(std::uint64_t bytes) const;
+
  protected:
   ByteSource(std::string name, std::uint64_t size) : name_(std::move(name)), size_(size) {}
 
@@ -34,6 +38,7 @@ class ByteSource {
 
   std::string name_;
   std::uint64_t size_ = 0;
+  mutable std::uint64_t unpacked_ = 0;
 };
 
 /// Opens a regular file. Fault: bad_input if there is none, or it cannot be read.
@@ -48,5 +53,8 @@ std::unique_ptr<ByteSource> memory_source(std::string_view bytes, std::string na
 /// of the source and the offset in bytes as its place.
 tl::unexpected<Fault> damaged(const ByteSource& source, std::uint64_t offset, std::string_view complaint,
                               std::string_view remedy = "copy the file again, or record it anew");
+
+/// Returns the fault of a chunk for which may_unpack() returned false.
+tl::unexpected<Fault> unpacks_too_much(const ByteSource& source, std::uint64_t offset);
 
 }  // namespace outrider

@@ -7,9 +7,12 @@
 #include <filesystem>
 
 #include "byte_source.hpp"
+#include "outrider/core/text.hpp"
 
 namespace outrider {
 namespace {
+
+constexpr int steps_between_counts = 1000;
 
 tl::unexpected<Fault> refuse(sqlite3* database, const std::string& path) {
   const std::string says = sqlite3_errmsg(database);
@@ -22,7 +25,12 @@ tl::unexpected<Fault> refuse(sqlite3* database, const std::string& path) {
     case SQLITE_TOOBIG:
       return bad_input(
           fmt::format("a value holds more than {} bytes, the most that is read", largest_db3_value), path);
-    default: return bad_input(fmt::format("SQLite cannot read it: {}", says), path);
+    case SQLITE_INTERRUPT:
+      return bad_input(
+          "reading takes more work than a database of its size can need, so it is damaged; \"sqlite3 FILE "
+          ".recover\" saves what is left",
+          path);
+    default: return bad_input(fmt::format("SQLite cannot read it: {}", printable(says.substr(0, 100))), path);
   }
 }
 
@@ -51,10 +59,11 @@ Status check_length(const ByteSource& source) {
   return {};
 }
 
-bool is_not_empty(const std::string& path) {
+/// Returns the size of a file; 0 if there is none.
+std::uint64_t size_of(const std::string& path) {
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
-  return !error && size > 0;
+  return error ? 0 : size;
 }
 
 /// The file as a URI. A database that nobody writes is read without locks and without making files beside it;
@@ -67,7 +76,7 @@ std::string uri_of(const std::string& path) {
     uri += plain ? std::string(1, c) : fmt::format("%{:02x}", static_cast<unsigned char>(c));
   }
   uri += "?mode=ro";
-  if (!is_not_empty(path + "-wal") && !is_not_empty(path + "-journal")) uri += "&immutable=1";
+  if (size_of(path + "-wal") == 0 && size_of(path + "-journal") == 0) uri += "&immutable=1";
   return uri;
 }
 
@@ -120,7 +129,20 @@ std::string_view Db3Query::bytes(int column) const {
   return {static_cast<const char*>(bytes), static_cast<std::size_t>(length)};
 }
 
+int Db3Database::Effort::count(void* effort) {
+  auto& work = *static_cast<Effort*>(effort);
+  int visits = 0, misses = 0, highest = 0;
+  sqlite3_db_status(work.database, SQLITE_DBSTATUS_CACHE_HIT, &visits, &highest, 1);
+  sqlite3_db_status(work.database, SQLITE_DBSTATUS_CACHE_MISS, &misses, &highest, 1);
+  work.left -= steps_between_counts + std::int64_t{visits} + misses;
+  return work.left < 0 ? 1 : 0;  // 1 interrupts the query
+}
+
 Status Db3Database::harden() const {
+  // The shortest row takes 10 bytes, and some 35 steps and visits, to be sorted and to be read.
+  constexpr std::int64_t steps_of_a_byte = 10, steps_of_any = 100'000;
+  effort_->left = steps_of_any + steps_of_a_byte * static_cast<std::int64_t>(bytes_);
+  sqlite3_progress_handler(database_.get(), steps_between_counts, Effort::count, effort_.get());
   set_limits(database_.get());
   // Sorting goes to a file in the folder for temporary files when it needs more than the cache: 8 MiB.
   const char* pragmas =
@@ -137,7 +159,7 @@ Outcome<Db3Database> Db3Database::open(const std::string& path) {
   sqlite3* made = nullptr;
   const int flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX;
   const int result = sqlite3_open_v2(uri_of(path).c_str(), &made, flags, nullptr);
-  Db3Database database(made, path);
+  Db3Database database(made, path, (*source)->size() + size_of(path + "-wal"));
   if (result != SQLITE_OK) return refuse(made, path);
   if (auto done = database.harden(); !done) return pass_on(done);
   return database;
@@ -147,7 +169,7 @@ Outcome<Db3Database> Db3Database::open_bytes(const std::string& name, std::strin
   if (auto whole = check_length(*memory_source(bytes, name)); !whole) return pass_on(whole);
   sqlite3* made = nullptr;
   const int result = sqlite3_open_v2(":memory:", &made, SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX, nullptr);
-  Db3Database database(made, name);
+  Db3Database database(made, name, bytes.size());
   if (result != SQLITE_OK) return refuse(made, name);
   const auto size = static_cast<sqlite3_int64>(bytes.size());
   auto* image = static_cast<unsigned char*>(sqlite3_malloc64(bytes.size()));
@@ -180,7 +202,9 @@ Outcome<bool> Db3Database::has_table(const std::string& name) const {
 }
 
 Outcome<bool> Db3Database::has_column(const std::string& table, const std::string& column) const {
-  return any_row(fmt::format("SELECT 1 FROM pragma_table_info('{}') WHERE name = '{}'", table, column));
+  return any_row(
+      fmt::format("SELECT 1 FROM pragma_table_xinfo('{}') WHERE name = '{}' COLLATE NOCASE AND hidden = 0",
+                  table, column));
 }
 
 }  // namespace outrider

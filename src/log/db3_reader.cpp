@@ -12,7 +12,6 @@ namespace outrider {
 namespace {
 
 constexpr std::size_t most_topics = 10000;
-constexpr std::size_t most_text_bytes = std::size_t{64} << 20;  ///< of all schemas and profiles together
 
 struct Db3Contents {
   std::vector<Channel> channels;
@@ -24,6 +23,21 @@ struct Db3Schema {
   std::string text;
 };
 
+/// Refuses a table without one of the columns, or with one that hides the numbers of its rows.
+Status require_columns(const Db3Database& database, const char* table,
+                       std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    const bool hides_rows = std::string_view(name) == "rowid";
+    auto there = database.has_column(table, name);
+    if (!there) return pass_on(there);
+    if (*there != hides_rows) continue;
+    return bad_input(fmt::format("its table '{}' has {} column '{}', so it is no ROS 2 bag; name another",
+                                 table, hides_rows ? "a" : "no stored", name),
+                     database.path());
+  }
+  return {};
+}
+
 Status require_tables(const Db3Database& database) {
   for (const char* name : {"topics", "messages"}) {
     auto there = database.has_table(name);
@@ -34,13 +48,15 @@ Status require_tables(const Db3Database& database) {
           database.path());
     }
   }
-  return {};
+  auto topics = require_columns(database, "topics", {"id", "name", "type", "serialization_format", "rowid"});
+  if (!topics) return topics;
+  return require_columns(database, "messages", {"topic_id", "timestamp", "data", "rowid"});
 }
 
 tl::unexpected<Fault> too_much_text(const Db3Database& database) {
   return bad_input(
       fmt::format("the descriptions of its topics hold more than {} bytes, the most that is read",
-                  most_text_bytes),
+                  most_channel_bytes),
       database.path());
 }
 
@@ -50,6 +66,9 @@ Outcome<std::map<std::string, Db3Schema>> read_schemas(const Db3Database& databa
   auto there = database.has_table("message_definitions");
   if (!there) return pass_on(there);
   if (!*there) return schemas;
+  auto columns = require_columns(database, "message_definitions",
+                                 {"topic_type", "encoding", "encoded_message_definition", "rowid"});
+  if (!columns) return pass_on(columns);
   auto rows = database.query(
       "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions ORDER BY rowid");
   if (!rows) return pass_on(rows);
@@ -59,7 +78,7 @@ Outcome<std::map<std::string, Db3Schema>> read_schemas(const Db3Database& databa
     if (!more) return pass_on(more);
     if (!*more) return schemas;
     bytes += rows->bytes(0).size() + rows->bytes(1).size() + rows->bytes(2).size();
-    if (bytes > most_text_bytes || schemas.size() > most_topics) return too_much_text(database);
+    if (bytes > most_channel_bytes || schemas.size() > most_topics) return too_much_text(database);
     if (rows->bytes(2).empty()) continue;
     schemas.emplace(rows->bytes(0), Db3Schema{std::string(rows->bytes(1)), std::string(rows->bytes(2))});
   }
@@ -83,13 +102,6 @@ Channel channel_of_row(const Db3Query& row, const std::map<std::string, Db3Schem
   return channel;
 }
 
-std::size_t text_bytes(const Channel& channel) {
-  std::size_t bytes =
-      channel.topic.size() + channel.type.size() + channel.encoding.size() + channel.schema.size();
-  for (const auto& [key, value] : channel.metadata) bytes += value.size();
-  return bytes;
-}
-
 Outcome<Db3Query> query_topics(const Db3Database& database) {
   std::string columns = "id, name, type, serialization_format";
   for (const char* column : {"offered_qos_profiles", "type_description_hash"}) {
@@ -97,7 +109,7 @@ Outcome<Db3Query> query_topics(const Db3Database& database) {
     if (!there) return pass_on(there);
     columns += *there ? fmt::format(", {}", column) : ", NULL";
   }
-  return database.query(fmt::format("SELECT {} FROM topics ORDER BY id", columns));
+  return database.query(fmt::format("SELECT {} FROM topics ORDER BY rowid", columns));
 }
 
 Outcome<Db3Contents> read_contents(const Db3Database& database) {
@@ -117,7 +129,7 @@ Outcome<Db3Contents> read_contents(const Db3Database& database) {
       return bad_input("a row of its table 'topics' has no id, name or type", database.path());
     }
     bytes += text_bytes(channel);
-    if (bytes > most_text_bytes || contents.channels.size() >= most_topics) return too_much_text(database);
+    if (bytes > most_channel_bytes || contents.channels.size() >= most_topics) return too_much_text(database);
     if (!contents.channel_of.emplace(*id, contents.channels.size()).second) {
       return bad_input(fmt::format("two rows of its table 'topics' have the id {}", *id), database.path());
     }
@@ -145,6 +157,7 @@ class Db3Reader : public LogReader {
   Db3Query order_;              ///< row, topic and time of each message, in the order of time
   Db3Query data_;               ///< the data of a row
   std::int64_t last_ns_ = std::numeric_limits<std::int64_t>::min();
+  std::uint64_t bytes_read_ = 0;  ///< of the data of messages
   bool ended_ = false;
 };
 
@@ -182,7 +195,11 @@ Outcome<std::optional<LogMessage>> Db3Reader::next() {
     auto found = data_.step(database_.path());
     if (!found) return pass_on(found);
     if (!*found) return wrong_row("is in the index of times only; the database is damaged");
-    return LogMessage{channel->second, *time, data_.bytes(0)};
+    const std::string_view data = data_.bytes(0);
+    bytes_read_ += data.size();
+    if (bytes_read_ > database_.bytes())
+      return wrong_row("shares its bytes with others; the database is damaged");
+    return LogMessage{channel->second, *time, data};
   }
   return std::optional<LogMessage>{};
 }

@@ -79,6 +79,9 @@ Line parse_line(std::string_view line, std::string_view package) {
   return {.field = std::move(field)};
 }
 
+/// The package of a type comes before each field of it, so a long name would grow with every line.
+bool is_long(std::string_view name) { return name.size() > 255; }
+
 std::string_view package_of(std::string_view name) { return name.substr(0, name.find('/')); }
 
 }  // namespace
@@ -94,6 +97,7 @@ Outcome<Definitions> parse_definitions(std::string_view text, std::string_view t
     return bad_input(
         fmt::format("it has {} bytes, more than the {} that are read", text.size(), largest_schema));
   }
+  if (is_long(type)) return bad_input("its type has a name of more than 255 bytes");
   Definitions all;
   std::string name = short_name(type);
   auto* fields = &all[name];
@@ -104,6 +108,8 @@ Outcome<Definitions> parse_definitions(std::string_view text, std::string_view t
     if (line.starts_with("====")) continue;
     if (line.starts_with("MSG:")) {
       name = short_name(trimmed(line.substr(4)));
+      if (is_long(name))
+        return bad_input(fmt::format("its line {} names a type by more than 255 bytes", number));
       fields = &all[name];
       fields->clear();  // a type that is defined again counts as its last definition
       continue;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "outrider/core/text.hpp"
 #include "outrider/log/channel_decoder.hpp"
@@ -29,10 +30,10 @@ bool is_wished(const Channel& channel, const TopicWish& wish) {
 /// Returns each topic once: those of a wish, or all.
 std::vector<std::string> topics_of(const std::vector<Channel>& channels, const TopicWish* wish) {
   std::vector<std::string> topics;
+  std::set<std::string_view> seen;
   for (const Channel& channel : channels) {
     if (wish != nullptr && !is_wished(channel, *wish)) continue;
-    if (std::find(topics.begin(), topics.end(), channel.topic) == topics.end())
-      topics.push_back(channel.topic);
+    if (seen.insert(channel.topic).second) topics.push_back(channel.topic);
   }
   return topics;
 }

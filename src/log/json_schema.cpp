@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "definition.hpp"
+#include "outrider/core/json_excess.hpp"
 #include "outrider/core/text.hpp"
 #include "schema_check.hpp"
 
@@ -63,6 +64,7 @@ Status check_json_schema(std::string_view schema, const MessageType& type) {
                                  type.name, what));
   };
   if (schema.size() > largest_schema) return refuse(fmt::format("it has {} bytes", schema.size()));
+  if (const auto why = json_excess(schema); !why.empty()) return refuse(std::string(why));
   const json parsed = json::parse(schema, nullptr, false);
   if (!parsed.is_object()) return refuse("it is no JSON object");
   const std::string wrong = compare(parsed, type);

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "formats.hpp"
 #include "mcap_decode.hpp"
 #include "outrider/log/channel_decoder.hpp"
 
@@ -45,8 +46,13 @@ std::string ChannelTable::find(Op op, std::string_view content) const {
 }
 
 std::string ChannelTable::check() const {
+  std::size_t bytes = 0;
   for (const auto& [id, channel] : channels_) {
-    if (channel.schema_id == 0 || schemas_.contains(channel.schema_id)) continue;
+    const auto schema = schemas_.find(channel.schema_id);
+    bytes += channel.topic.size() + (schema == schemas_.end() ? 0 : schema->second.data.size());
+    if (bytes > most_channel_bytes)
+      return fmt::format("its channels have schemas of more than {} bytes", most_channel_bytes);
+    if (channel.schema_id == 0 || schema != schemas_.end()) continue;
     return fmt::format("channel {} ({}) has the schema {}, which is not defined", id, channel.topic,
                        channel.schema_id);
   }

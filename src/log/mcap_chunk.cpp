@@ -37,6 +37,7 @@ Outcome<Chunk> read_chunk(const ByteSource& source, std::uint64_t offset, std::u
                                chunk->uncompressed_size, most_bytes),
                    "write the log with smaller chunks, in the order of time");
   }
+  if (!source.may_unpack(chunk->uncompressed_size)) return unpacks_too_much(source, offset);
   auto records = decompress(*codec, chunk->records, chunk->uncompressed_size);
   if (!records) return damaged(source, offset, "a chunk cannot be decompressed: " + records.error().sentence);
   if (chunk->uncompressed_crc != 0 && crc32_of(*records) != chunk->uncompressed_crc) {

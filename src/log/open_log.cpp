@@ -31,6 +31,13 @@ LogOpened open_source(std::unique_ptr<ByteSource> source, std::string_view start
 
 }  // namespace
 
+std::size_t text_bytes(const Channel& channel) {
+  std::size_t bytes =
+      channel.topic.size() + channel.type.size() + channel.encoding.size() + channel.schema.size();
+  for (const auto& [key, value] : channel.metadata) bytes += key.size() + value.size();
+  return bytes;
+}
+
 bool starts_as_log(std::string_view start) {
   return is_mcap(start) || start.starts_with("#ROSBAG V") || start.starts_with(sqlite_magic);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -62,15 +63,14 @@ Outcome<std::vector<AppendDecoded>> decoders_of(const std::vector<Channel>& chan
 
 /// Refuses a topic with channels of two types, which a run never has.
 Status check_topics(const std::vector<Channel>& channels, const std::string& path) {
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (channels[i].topic == channels[j].topic && channels[i].type != channels[j].type) {
-        return bad_input(
-            fmt::format("the topic '{}' has messages of two types, {} and {}; a run never leaves that",
-                        channels[i].topic, channels[j].type, channels[i].type),
-            path);
-      }
-    }
+  std::map<std::string_view, std::string_view> type_of;
+  for (const Channel& channel : channels) {
+    const std::string_view type = type_of.emplace(channel.topic, channel.type).first->second;
+    if (type == channel.type) continue;
+    return bad_input(
+        fmt::format("the topic '{}' has messages of two types, {} and {}; a run never leaves that",
+                    channel.topic, type, channel.type),
+        path);
   }
   return {};
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <ranges>
+#include <set>
 #include <span>
 
 #include "outrider/core/text.hpp"
@@ -128,15 +130,21 @@ class Conversion {
   bool ok_ = true;
 };
 
-/// Lists the types that a type uses, itself first. Returns a name that is not defined, or an empty text.
+/// Lists the types that a type uses, itself first, each before those of its fields. Returns a name that is
+/// not defined, or an empty text.
 std::string collect(const Definitions& definitions, const std::string& name, std::vector<std::string>& used) {
-  if (std::ranges::find(used, name) != used.end()) return {};
-  const auto found = definitions.find(name);
-  if (found == definitions.end()) return name;
-  used.push_back(name);
-  for (const DefinedField& field : found->second) {
-    if (!is_message(field.type)) continue;
-    if (auto missing = collect(definitions, field.type, used); !missing.empty()) return missing;
+  std::set<std::string_view> seen;
+  std::vector<std::string_view> open = {name};
+  while (!open.empty()) {
+    const std::string_view next = open.back();
+    open.pop_back();
+    if (!seen.insert(next).second) continue;
+    const auto found = definitions.find(next);
+    if (found == definitions.end()) return std::string(next);
+    used.emplace_back(next);
+    for (const DefinedField& field : found->second | std::views::reverse) {
+      if (is_message(field.type)) open.push_back(field.type);
+    }
   }
   return {};
 }
@@ -198,9 +206,10 @@ Outcome<Ros1ToCdr> Ros1ToCdr::of(const Channel& channel) {
 Outcome<std::string> Ros1ToCdr::convert(std::string_view ros1) const {
   Conversion conversion(definitions_, ros1);
   if (conversion.message(type_) && conversion.at_end()) return conversion.take_out();
-  return bad_input(fmt::format("a {} of {} bytes does not hold its fields from byte {} on", channel_.type,
-                               ros1.size(), conversion.position()),
-                   printable(channel_.topic));
+  return bad_input(
+      fmt::format("a {} of {} bytes does not hold its fields from byte {} on, or they nest more than {} deep",
+                  channel_.type, ros1.size(), conversion.position(), most_levels),
+      printable(channel_.topic));
 }
 
 }  // namespace outrider

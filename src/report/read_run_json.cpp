@@ -1,7 +1,10 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "outrider/core/json_excess.hpp"
 #include "outrider/report/run_json.hpp"
 
 namespace outrider {
@@ -79,6 +82,8 @@ Report report_of(const Json& object) {
 }  // namespace
 
 Outcome<Report> read_run_json(const std::string& text, const std::string& name) {
+  if (const auto why = json_excess(text); !why.empty())
+    return bad_input(fmt::format("{}, so it is not the run.json of a run", why), name);
   const Json object = Json::parse(text, nullptr, false);
   if (!object.is_object()) return bad_input("it is not a JSON object; a run leaves it as run.json", name);
   if (object.contains("outrider_report")) {

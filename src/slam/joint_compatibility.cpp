@@ -74,6 +74,7 @@ struct Search {
   std::set<std::size_t> taken;  ///< landmarks
   std::vector<std::size_t> best;
   double best_distance = 0.0;
+  std::int64_t work_left = 20'000'000;  ///< there may be exponentially many; then the best so far is kept
 
   void run(std::size_t sighting) {
     if (chosen.size() + by_sighting.size() - sighting < best.size()) return;
@@ -85,6 +86,8 @@ struct Search {
       return;
     }
     for (const std::size_t pair : by_sighting[sighting]) {
+      if (work_left < 0) return;
+      work_left -= static_cast<std::int64_t>((chosen.size() + 1) * (chosen.size() + 1));  // numbers of a row
       if (taken.contains(pairs[pair].landmark) || !joint.push(pair)) continue;
       if (joint.distance() <= squared_gate(gate, 2 * (chosen.size() + 1))) {
         taken.insert(pairs[pair].landmark);

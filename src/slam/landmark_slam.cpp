@@ -95,6 +95,11 @@ Status check(const LogStep& step) {
   if (!step.covariance.isZero(0.0) && !usable(step.covariance)) {
     return bad_input("the covariance of its odometry is not positive definite; correct it");
   }
+  constexpr std::size_t most_sightings = 1000;
+  if (step.sightings.size() > most_sightings) {
+    return bad_input(fmt::format("it has {} sightings; a step has at most {}, so split it",
+                                 step.sightings.size(), most_sightings));
+  }
   for (const LandmarkSighting& sighting : step.sightings) {
     if (!finite(sighting.position)) return bad_input("a sighting is not finite; leave it out");
     if (!usable(sighting.covariance)) {

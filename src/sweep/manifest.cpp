@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "build_id.hpp"
+#include "outrider/core/json_excess.hpp"
 #include "outrider/io/file_hash.hpp"
 #include "outrider/io/read_record.hpp"
 #include "outrider/io/text.hpp"
@@ -153,7 +154,7 @@ std::string manifest_text(const Manifest& manifest) {
 }
 
 Outcome<Manifest> read_manifest(const std::string& text, const std::string& name) {
-  const Json object = Json::parse(text, nullptr, false);
+  const Json object = Json::parse(json_excess(text).empty() ? text : std::string(), nullptr, false);
   try {
     if (!object.is_discarded() && object.at("format").get<int>() == format_number) {
       return Manifest{.request = {.scenario = object.at("scenario"),

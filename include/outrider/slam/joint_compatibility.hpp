@@ -26,7 +26,8 @@ struct PossiblePair {
 
 /// Returns the indices of the chosen pairs, ascending. `pairs` are in the order of their sightings.
 /// `covariance` (2n x 2n) is that of all innovations in the same order. `gate` is a probability, see
-/// squared_gate().
+/// squared_gate(). Where so many pairings are compatible that the search would take more than about a tenth
+/// of a second, the best that it has found by then.
 std::vector<std::size_t> joint_compatibility(const std::vector<PossiblePair>& pairs,
                                              const Eigen::MatrixXd& covariance, double gate);
 

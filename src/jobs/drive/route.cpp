@@ -31,26 +31,6 @@ Outcome<Problem> problem_for(const PathPlanner& planner, const CollisionMap& gro
   return problem;
 }
 
-void thin(const std::vector<Vec2>& points, std::size_t first, std::size_t last, double thin_m,
-          const CollisionMap& ground, double radius_m, std::vector<Vec2>& kept) {
-  const Segment leg{points[first], points[last]};
-  std::size_t farthest = first;
-  double most_m = -1.0;
-  for (std::size_t i = first + 1; i < last; ++i) {
-    const double off = distance(points[i], leg);
-    if (off > most_m) {
-      most_m = off;
-      farthest = i;
-    }
-  }
-  if (farthest == first || (most_m <= thin_m && ground.segment_free(leg, radius_m))) {
-    kept.push_back(points[last]);
-    return;
-  }
-  thin(points, first, farthest, thin_m, ground, radius_m, kept);
-  thin(points, farthest, last, thin_m, ground, radius_m, kept);
-}
-
 /// The heading towards the nearest tag whose face is in sight from there; nothing where there is none.
 std::optional<double> towards_a_tag(const DriveTask& task, const CollisionMap& ground, Vec2 from) {
   constexpr double before_wall_m = 0.01;
@@ -84,7 +64,26 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& points, double thin_m, const 
                           double radius_m) {
   if (points.size() < 3) return points;
   std::vector<Vec2> kept = {points.front()};
-  thin(points, 0, points.size() - 1, thin_m, ground, radius_m, kept);
+  std::vector<std::pair<std::size_t, std::size_t>> legs = {{0, points.size() - 1}};  // the last is the next
+  while (!legs.empty()) {
+    const auto [first, last] = legs.back();
+    legs.pop_back();
+    const Segment leg{points[first], points[last]};
+    std::size_t farthest = first;
+    double most_m = -1.0;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double off = distance(points[i], leg);
+      if (off > most_m) {
+        most_m = off;
+        farthest = i;
+      }
+    }
+    if (farthest == first || (most_m <= thin_m && ground.segment_free(leg, radius_m))) {
+      kept.push_back(points[last]);
+    } else {
+      legs.insert(legs.end(), {{farthest, last}, {first, farthest}});
+    }
+  }
   return kept;
 }
 

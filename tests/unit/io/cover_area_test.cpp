@@ -49,6 +49,12 @@ TEST(CoverArea, BadInputIsRefusedWithItsPlace) {
   refused("a.json", R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,0]]]})", "a.json: $.coordinates[0]");
   refused("a.json", R"({"type":"Polygon","coordinates":[[[0,0],[1e9,0],[1,1]]]})",
           "a.json: $.coordinates[0]");
+  const std::string nested = std::string(300'000, '[') + std::string(300'000, ']');
+  refused("a.json", nested, "a.json");
+  refused("a.json",
+          R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1]]],"crs":{"properties":{"name":"x","deep":)" +
+              nested + "}}}",
+          "a.json");
   refused("a.gml", "<a>\n<b/></a>", "a.gml");
   refused("a.gml", "<a>\n<gml:Polygon>\n</gml:Polygon></a>", "a.gml:2");
   refused("a.yaml", "hull: 3\n", "a.yaml:1");

@@ -1,5 +1,6 @@
 #include "outrider/log/copy_log.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "formats.hpp"
@@ -73,6 +74,47 @@ TEST(Ros1ToCdr, ADefinitionThatGrowsWithoutBytesIsRefused) {
   ASSERT_TRUE(many);
   EXPECT_FALSE(many->convert("\xff\xff\xff\xff"));
   EXPECT_TRUE(many->convert(std::string("\x02\0\0\0", 4)));
+}
+
+/// A definition in which each type holds the next one.
+std::string chain_of_types(int count) {
+  std::string text = "T1 t\n";
+  for (int i = 1; i <= count; ++i) text += fmt::format("{}MSG: p/T{}\nT{} t\n", separator, i, i + 1);
+  return text + fmt::format("{}MSG: p/T{}\n", separator, count + 1);
+}
+
+TEST(Ros1ToCdr, AChainOfTypesCostsNoStackAndNoSquare) {
+  const std::string text = chain_of_types(9000);
+  ASSERT_LT(text.size(), std::size_t{1} << 20) << "the most that is read";
+  const auto deep = Ros1ToCdr::of({"/a", "p/msg/T", "ros1", "ros1msg", text});
+  ASSERT_TRUE(deep) << to_string(deep.error());
+  EXPECT_NE(to_string(deep->convert("").error()).find("nest more than 32 deep"), std::string::npos);
+  const auto shallow = Ros1ToCdr::of({"/a", "p/msg/T", "ros1", "ros1msg", chain_of_types(20)});
+  EXPECT_TRUE(shallow->convert(""));
+  // Without the line between types as many fit that a recursion would need more than the stack.
+  std::string dense = "T0 t\n";
+  for (int i = 0; i < 40000; ++i) dense += fmt::format("====\nMSG: p/T{}\nT{} t\n", i, i + 1);
+  EXPECT_TRUE(Ros1ToCdr::of({"/a", "p/msg/T", "ros1", "ros1msg", dense + "====\nMSG: p/T40000\n"}));
+}
+
+TEST(Ros1ToCdr, TypesAreListedBeforeThoseOfTheirFields) {
+  const std::string text = "A a\nB b\n" + separator + "MSG: p/A\nC c\n" + separator + "MSG: p/B\nA a\n" +
+                           separator + "MSG: p/C\nint8 x\n";
+  const auto converter = Ros1ToCdr::of({"/a", "p/msg/T", "ros1", "ros1msg", text});
+  ASSERT_TRUE(converter);
+  EXPECT_EQ(converter->channel().schema, "p/A a\np/B b\n" + separator + "MSG: p/A\np/C c\n" + separator +
+                                             "MSG: p/C\nint8 x\n" + separator + "MSG: p/B\np/A a\n");
+}
+
+TEST(Ros1ToCdr, NamesThatWouldGrowWithEachFieldAreRefused) {
+  const std::string long_name(300, 'p');
+  const auto fault_of = [](const std::string& type, const std::string& schema) {
+    return to_string(Ros1ToCdr::of({"/a", type, "ros1", "ros1msg", schema}).error());
+  };
+  EXPECT_NE(fault_of("p/msg/T", "int8 a\n" + separator + "MSG: " + long_name + "/T\nb b\n")
+                .find("its line 3 names"),
+            std::string::npos);
+  EXPECT_NE(fault_of(long_name + "/msg/T", "b b\n").find("more than 255 bytes"), std::string::npos);
 }
 
 TEST(Ros1ToCdr, AnIncompleteSchemaIsRefused) {

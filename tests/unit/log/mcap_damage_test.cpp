@@ -261,6 +261,17 @@ TEST(McapDamage, TooMuchOverlapIsRefusedBeforeItIsLoaded) {
             std::string::npos);
 }
 
+TEST(McapDamage, ManyChannelsWithOneLongSchemaAreRefused) {
+  std::string bytes(mcap::magic);
+  mcap::append_header(bytes, "ros2", "test");
+  mcap::append_schema(bytes, {1, "a/msg/B", "ros2msg", std::string(1U << 20U, '\n')});
+  std::string log = bytes;
+  for (std::uint16_t id = 1; id <= 60; ++id) mcap::append_channel(log, {id, 1, "/a", "cdr"});
+  EXPECT_EQ(read_all(ended(log)).fault, "");
+  for (std::uint16_t id = 61; id <= 64; ++id) mcap::append_channel(log, {id, 1, "/a", "cdr"});
+  EXPECT_NE(read_all(ended(log)).fault.find("schemas of more than 67108864 bytes"), std::string::npos);
+}
+
 TEST(McapDamage, AChannelNeedsItsSchema) {
   std::string bytes = beginning();
   mcap::append_channel(bytes, {2, 9, "/b", "cdr"});

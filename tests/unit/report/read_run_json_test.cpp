@@ -109,9 +109,13 @@ void expect_refused(const std::string& text, const std::string& says) {
 TEST(ReadRunJson, RefusesWhatIsNoJsonObject) {
   const std::string whole = result_of(sample()).dump();
   for (const std::string& text : {std::string(), std::string("[]"), std::string("7"), std::string("\xff{"),
-                                  whole.substr(0, whole.size() / 2), std::string(100'000, '[')}) {
+                                  whole.substr(0, whole.size() / 2)}) {
     expect_refused(text, "not a JSON object");
   }
+  expect_refused(std::string(100'000, '['), "nests more than 100 deep");
+  const std::string deep =
+      "\"settings\": {\"a\": " + std::string(300'000, '[') + std::string(300'000, ']') + "}, ";
+  expect_refused(whole.substr(0, 1) + deep + whole.substr(1), "nests more than 100 deep");
 }
 
 TEST(ReadRunJson, RefusesAReportOfAnOlderVersion) {

@@ -90,6 +90,23 @@ TEST(JointCompatibility, FindsWhatBruteForceFinds) {
   EXPECT_GE(sizes.size(), 3U) << "the cases are all alike";
 }
 
+TEST(JointCompatibility, ManyAlikeSightingsEndWithTheBestSoFar) {
+  // 30 sightings of which each fits 30 landmarks: 30! pairings are complete.
+  std::vector<PossiblePair> pairs;
+  for (std::size_t sighting = 0; sighting < 30; ++sighting) {
+    for (std::size_t landmark = 0; landmark < 30; ++landmark)
+      pairs.push_back({sighting, landmark, {0.01 * static_cast<double>(sighting), 0.0}});
+  }
+  const auto n = static_cast<Eigen::Index>(2 * pairs.size());
+  const auto found = joint_compatibility(pairs, Eigen::MatrixXd::Identity(n, n), 0.95);
+  std::set<std::size_t> sightings, landmarks;
+  for (const std::size_t pair : found) {
+    EXPECT_TRUE(sightings.insert(pairs[pair].sighting).second);
+    EXPECT_TRUE(landmarks.insert(pairs[pair].landmark).second);
+  }
+  EXPECT_EQ(found.size(), 30U);
+}
+
 TEST(JointCompatibility, TheGateIsTheQuantileOfTheTables) {
   EXPECT_NEAR(squared_gate(0.95, 2), 5.991, 1e-3);
   EXPECT_NEAR(squared_gate(0.99, 4), 13.277, 1e-3);

@@ -345,6 +345,9 @@ TEST(LandmarkSlam, RefusesInASentence) {
   step.odometry.position.x = NAN;
   EXPECT_EQ(slam.advance(step).error().sentence, "its odometry is not finite; leave the step out");
   step = {};
+  step.sightings.assign(1001, {3, {1.0, 0.0}, Eigen::Matrix2d::Identity()});
+  EXPECT_EQ(slam.advance(step).error().sentence,
+            "it has 1001 sightings; a step has at most 1000, so split it");
   step.sightings = {{3, {1.0, 0.0}, Eigen::Matrix2d::Zero()}};
   EXPECT_EQ(slam.advance(step).error().sentence,
             "the covariance of a sighting is not positive definite; correct it");

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <pthread.h>
+
 #include <cmath>
+#include <functional>
 
 #include "outrider/path/catalog.hpp"
 #include "support/random_cases.hpp"
@@ -84,6 +87,24 @@ TEST(DriveRoute, ThinningStaysNearAndClear) {
     for (std::size_t i = 1; i < kept.size(); ++i)
       EXPECT_TRUE(ground.segment_free({kept[i - 1], kept[i]}, 0.15));
   }
+}
+
+TEST(DriveRoute, ThinningTakesNoStackForEachPoint) {
+  // A zigzag whose amplitude shrinks: the farthest point is always the next one.
+  std::vector<Vec2> points;
+  for (int i = 0; i < 3000; ++i)
+    points.push_back({0.5 + 1e-4 * i, 1.0 + (i % 2 == 0 ? 0.3 : -0.3) * (1.0 - i / 3000.0)});
+  std::function<void()> thin = [&] { EXPECT_EQ(thinned(points, 1e-6, arena(), 0.01), points); };
+  pthread_attr_t small{};
+  pthread_t thread{};
+  ASSERT_EQ(pthread_attr_init(&small), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&small, std::size_t{256} << 10), 0);  // 90 bytes for each point
+  const auto run = [](void* given) -> void* {
+    return (*static_cast<std::function<void()>*>(given))(), nullptr;
+  };
+  ASSERT_EQ(pthread_create(&thread, &small, run, &thin), 0);
+  ASSERT_EQ(pthread_join(thread, nullptr), 0);
+  pthread_attr_destroy(&small);
 }
 
 TEST(DriveRoute, ClearanceOfAWayAgainstSamples) {

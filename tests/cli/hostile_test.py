@@ -1,0 +1,38 @@
+"""Some hostile files of every format: the tool ends by itself, with one sentence, soon and in little memory.
+
+hostile_soak.py does the same with thousands; it names the file that ended badly.
+"""
+import unittest
+
+import hostile
+import hostile_chains
+import hostile_seeds
+from tool import ToolTest, costly_cases, main
+
+
+class Hostile(ToolTest):
+    def setUp(self):
+        super().setUp()
+        hostile_seeds.beside(self.folder, lambda words: hostile.run(words, self.folder))
+
+    def ends_well(self, name, label, file, content, words):
+        ended = hostile.try_file(self.folder, file, content, words)
+        with self.subTest(file=name, variant=label):
+            self.assertEqual(ended.wrong, "", f"{words}: {ended.output[:500]}")
+        return ended
+
+    def test_variants_of_valid_files(self):
+        for seed in [*hostile_seeds.seeds(self.folder)]:
+            valid = self.ends_well(seed.name, "valid", seed.file, seed.content, seed.words)
+            self.assertIn(valid.status >> 8, (0, 1), f"{seed.name}: {valid.output}")
+            for label, content in hostile.variants(seed, hostile.generator(1, seed.name), 0.02 * costly_cases(1)):
+                self.ends_well(seed.name, label, seed.file, content, seed.words)
+
+    def test_chains_and_nestings(self):
+        for family in (hostile_chains.databases, hostile_chains.chains, hostile_chains.nestings):
+            for name, file, content, words in family():
+                self.ends_well(family.__name__, name, file, content(), [file if word is hostile_seeds.FILE else word for word in words])
+
+
+if __name__ == "__main__":
+    main()
