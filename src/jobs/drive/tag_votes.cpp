@@ -15,6 +15,15 @@ constexpr double to_spare = 2.0;  ///< standard deviations
 void TagVotes::note_correction(const PoseBelief& before, const PoseBelief& after) {
   const Vec2 by = after.world_T_robot.position - before.world_T_robot.position;
   corrected_m += Eigen::Vector2d(by.x, by.y);
+  const Eigen::Matrix2d grown = before.covariance.topLeftCorner<2, 2>() - covariance;
+  covariance = after.covariance.topLeftCorner<2, 2>();
+  const double variance = grown.trace();
+  if (!(variance > 0.0)) return;
+  for (auto& [ids, vote] : votes) {
+    const Eigen::Matrix2d kept = (Eigen::Matrix2d::Identity() + variance * vote.information).inverse();
+    vote.information = kept * vote.information;
+    vote.weighted_m = kept * vote.weighted_m;
+  }
 }
 
 void TagVotes::add(std::span<const TagSighting> sightings, std::span<const TagVerdict> verdicts,

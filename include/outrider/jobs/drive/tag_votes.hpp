@@ -6,7 +6,7 @@
 // estimate without it agrees with the belief, that bounds the error, whichever tag was moved: solution
 // separation, as for satellites (Brown and McBurney, Self-contained GPS integrity check using maximum
 // solution separation, Navigation 35, 1988). The estimates survive a turn in place, as they are of the
-// position. O(tags^2) an image.
+// position, but lose what dead reckoning may be off by meanwhile. O(tags^2) an image.
 #pragma once
 
 #include <map>
@@ -29,7 +29,10 @@ struct TagVotes {
   std::map<std::set<int>, Vote> votes;                    ///< by the ids of the tags
   Eigen::Vector2d corrected_m = Eigen::Vector2d::Zero();  ///< by which the belief was corrected meanwhile
 
-  /// Notes that an image corrected the belief.
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of the position, after the last correction
+
+  /// Notes that an image corrected the belief. What the tags said before is worth less by the error of dead
+  /// reckoning since the last correction.
   void note_correction(const PoseBelief& before, const PoseBelief& after);
 
   /// Adds the tags of an image that explain it (`verdicts`, by sighting), with the belief that it led to.

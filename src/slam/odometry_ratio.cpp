@@ -1,0 +1,82 @@
+#include "outrider/slam/odometry_ratio.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace outrider {
+namespace {
+
+constexpr double part_m = 1.0, part_rad = 1.0;
+constexpr double most_off = 0.03;  // of a ratio from one
+constexpr double sds = 3.0;
+
+/// Returns the middle value; there is at least one.
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+MotionRatio ratio_of(const std::vector<double>& parts) {
+  constexpr std::size_t least_parts = 10;
+  constexpr double sd_of_median = 1.4826 * 1.2533;  // times the median deviation, of normal errors
+  if (parts.size() < least_parts) return {};
+  const double value = median(parts);
+  std::vector<double> off;
+  for (const double part : parts) off.push_back(std::abs(part - value));
+  return {value, sd_of_median * median(std::move(off)) / std::sqrt(static_cast<double>(parts.size()))};
+}
+
+bool differs(double a, double b, double sd) { return std::abs(a - b) > most_off + sds * sd; }
+
+}  // namespace
+
+OdometryRatio compare_with_odometry(std::span<const CountedStep> steps) {
+  std::vector<double> ways, turns;
+  Pose2 counted, mapped;
+  double way_m = 0.0, counted_rad = 0.0, mapped_rad = 0.0, turn_rad = 0.0;
+  for (const CountedStep& step : steps) {
+    counted = compose(counted, step.by_odometry);
+    mapped = compose(mapped, step.by_map);
+    way_m += norm(step.by_odometry.position);
+    counted_rad += step.by_odometry.heading_rad;
+    mapped_rad += step.by_map.heading_rad;
+    turn_rad += std::abs(step.by_odometry.heading_rad);
+    if (way_m >= part_m) {
+      const double straight_m = norm(counted.position);
+      if (straight_m >= 0.5 * part_m) ways.push_back(norm(mapped.position) / straight_m);
+      way_m = 0.0;
+      counted = mapped = {};
+    }
+    if (turn_rad >= part_rad) {
+      if (std::abs(counted_rad) >= 0.5 * part_rad) turns.push_back(mapped_rad / counted_rad);
+      turn_rad = counted_rad = mapped_rad = 0.0;
+    }
+  }
+  return {ratio_of(ways), ratio_of(turns)};
+}
+
+std::string why_not_believed(const OdometryRatio& ratio) {
+  const auto& [ways, turns] = ratio;
+  const bool ways_differ = differs(ways.value, 1.0, ways.sd),
+             turns_differ = differs(turns.value, 1.0, turns.sd);
+  if (!ways_differ && !turns_differ) return {};
+  if (turns_differ && !differs(ways.value, turns.value, std::hypot(ways.sd, turns.sd))) return {};
+  const auto percent = [](double value) { return 100.0 * (value - 1.0); };
+  if (!turns_differ) {
+    return fmt::format(
+        "the path is {:+.1f} % longer than the wheels counted, and not its turns, so ranges may be too {} "
+        "and the map of "
+        "a wrong size",
+        percent(ways.value), ways.value > 1.0 ? "long" : "short");
+  }
+  return fmt::format(
+      "the path differs from what the wheels counted by {:+.1f} % and its turns by {:+.1f} %, so wheels or "
+      "ranges are wrong, and the map may be of a wrong size",
+      percent(ways.value), percent(turns.value));
+}
+
+}  // namespace outrider

@@ -1,0 +1,204 @@
+#include "outrider/slam/systematic_errors.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "graduated.hpp"
+#include "graph_equations.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double deviations = 2.0;  // of what is not seen
+constexpr double most_gain = 13.4;  // of chi-square with five degrees of freedom: exceeded one time in 50
+constexpr double most_points_m = 0.1, most_poses_m = 0.25, most_of_radius = 0.03;
+constexpr Eigen::Index kinds = SharedErrors::RowsAtCompileTime;
+using SharedMatrix = Eigen::Matrix<double, kinds, kinds>;
+using Shares = Eigen::Matrix<double, 3, kinds>;
+
+/// Returns what each shared error of one changes in the measurement of an edge.
+Shares shares_of(const GraphEdge& edge, bool is_odometry) {
+  Shares shares = Shares::Zero();
+  const Vec2 measured = edge.measured.position;
+  const double way_m = norm(measured);
+  if (edge.kind == EdgeKind::range) {
+    shares.row(0) << 0.0, 0.0, 0.0, 1.0, measured.x;
+  } else if (edge.kind == EdgeKind::point && way_m > 0.0) {
+    shares.col(4).head<2>() << measured.x, measured.y;
+    shares.col(3) = shares.col(4) / way_m;
+  } else if (is_odometry) {
+    shares.col(0).head<2>() << measured.x, measured.y;
+    shares.row(2) << 0.0, edge.measured.heading_rad, std::copysign(way_m, measured.x), 0.0, 0.0;
+  }
+  return shares;
+}
+
+/// The graph with its shared errors as further unknowns.
+class SharedEquations {
+ public:
+  SharedEquations(const PoseGraph& graph, const std::vector<Pose2>& poses) : graph_(graph), poses_(poses) {
+    const std::vector<bool> refusable = refusable_edges(graph);
+    for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+      const GraphEdge& edge = graph.edges[i];
+      linear_.push_back(linearise(edge, poses[edge.from], poses[edge.to]));
+      shares_.push_back(shares_of(edge, edge.kind == EdgeKind::pose && !refusable[i]));
+    }
+  }
+
+  /// Eliminates the poses; returns false if they are not determined.
+  bool eliminate() {
+    const auto first_pose = std::ranges::find(graph_.nodes, false, &GraphNode::is_point);
+    GraphEquations<Pose2> equations(graph_, static_cast<std::uint32_t>(first_pose - graph_.nodes.begin()));
+    for (Eigen::Index k = -1; k < kinds; ++k) {
+      equations.clear();
+      for (std::size_t i = 0; i < linear_.size(); ++i) {
+        LinearEdge edge = linear_[i];
+        if (k >= 0) edge.residual = shares_[i].col(k);
+        equations.add(i, edge);
+      }
+      if (k < 0 && !equations.factor(0.0)) return false;
+      (k < 0 ? settled_ : moved_[static_cast<std::size_t>(k)]) = equations.solve();
+    }
+    weigh();
+    return true;
+  }
+
+  /// Returns by how much the points, or the poses, may be off.
+  [[nodiscard]] MapShift shift(bool of_points, const SharedErrors& estimate,
+                               const SharedMatrix& certainty) const {
+    std::vector<std::size_t> nodes;
+    for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
+      if (graph_.nodes[i].is_point == of_points) nodes.push_back(i);
+    }
+    if (nodes.size() < 2) return {};
+    const auto rows = static_cast<Eigen::Index>(2 * nodes.size());
+    Eigen::Matrix<double, Eigen::Dynamic, 3> rigid(rows, 3);
+    Eigen::Matrix<double, Eigen::Dynamic, kinds> by(rows, kinds);
+    for (std::size_t j = 0; j < nodes.size(); ++j) {
+      const auto row = static_cast<Eigen::Index>(2 * j);
+      const Vec2 place = poses_[nodes[j]].position;
+      rigid.middleRows<2>(row) << 1.0, 0.0, -place.y, 0.0, 1.0, place.x;
+      for (Eigen::Index k = 0; k < kinds; ++k)
+        by.block<2, 1>(row, k) = moved_[static_cast<std::size_t>(k)][nodes[j]].head<2>();
+    }
+    const auto count = static_cast<double>(nodes.size());
+    const Eigen::Matrix3d gram = rigid.transpose() * rigid;
+    by -= rigid * gram.ldlt().solve(rigid.transpose() * by);
+    const SharedMatrix moves = by.transpose() * by / count;
+    const double radius_m =
+        std::sqrt((gram(2, 2) - (gram(0, 2) * gram(0, 2) + gram(1, 2) * gram(1, 2)) / count) / count);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<SharedMatrix> widest(moves, certainty);
+    const SharedErrors direction = widest.eigenvectors().col(kinds - 1);
+    const double sign = direction.dot(moves * estimate) < 0.0 ? -1.0 : 1.0;
+    return {std::sqrt(std::max(0.0, estimate.dot(moves * estimate))),
+            std::sqrt(std::max(0.0, widest.eigenvalues()[kinds - 1])),
+            std::max(of_points ? most_points_m : most_poses_m, most_of_radius * radius_m),
+            estimate + sign * deviations * direction};
+  }
+
+  /// Information on the shared errors that the measurements have, and its product with their estimate.
+  SharedMatrix information = SharedMatrix::Zero();
+  SharedErrors weighted = SharedErrors::Zero();
+
+ private:
+  [[nodiscard]] static Eigen::Vector3d change(const LinearEdge& edge, const GraphEdge& ends,
+                                              const GraphSteps<Pose2>& steps) {
+    return edge.by_from * steps[ends.from] + edge.by_to * steps[ends.to];
+  }
+
+  void weigh() {
+    for (std::size_t i = 0; i < linear_.size(); ++i) {
+      const LinearEdge& edge = linear_[i];
+      const Eigen::Vector3d residual = edge.residual + change(edge, graph_.edges[i], settled_);
+      Shares left = shares_[i];
+      for (Eigen::Index k = 0; k < kinds; ++k)
+        left.col(k) += change(edge, graph_.edges[i], moved_[static_cast<std::size_t>(k)]);
+      information += left.transpose() * edge.information * left;
+      weighted -= left.transpose() * edge.information * residual;
+    }
+  }
+
+  const PoseGraph& graph_;
+  const std::vector<Pose2>& poses_;
+  std::vector<LinearEdge> linear_;
+  std::vector<Shares> shares_;
+  GraphSteps<Pose2> settled_;                   ///< steps to the least cost
+  std::array<GraphSteps<Pose2>, kinds> moved_;  ///< steps for each shared error of one
+};
+
+/// Returns the standard deviations of the shared errors before the measurements tell.
+SharedErrors prior_sds(const PoseGraph& graph) {
+  double way_m = 0.0, turn_rad = 0.0, way_m2 = 0.0, turn_rad2 = 0.0, ranges = 0.0, range_m = 0.0,
+         range_m2 = 0.0;
+  const std::vector<bool> refusable = refusable_edges(graph);
+  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+    const GraphEdge& edge = graph.edges[i];
+    const double length_m = norm(edge.measured.position);
+    if (edge.kind == EdgeKind::pose) {
+      if (refusable[i]) continue;
+      const Eigen::Matrix3d covariance = edge.information.inverse();
+      way_m += length_m;
+      turn_rad += std::abs(edge.measured.heading_rad);
+      way_m2 += 0.5 * covariance.topLeftCorner<2, 2>().trace();
+      turn_rad2 += covariance(2, 2);
+      continue;
+    }
+    ranges += 1.0;
+    range_m += length_m;
+    const Eigen::Matrix2d information = edge.information.topLeftCorner<2, 2>();
+    range_m2 += edge.kind == EdgeKind::range ? 1.0 / information(0, 0) : 0.5 * information.inverse().trace();
+  }
+  const auto root = [](double square, double over) { return over > 0.0 ? std::sqrt(square / over) : 0.0; };
+  const double range_sd_m = root(range_m2, ranges);
+  SharedErrors sds;
+  sds << root(way_m2, way_m), root(turn_rad2, turn_rad), root(turn_rad2, way_m), range_sd_m,
+      ranges > 0.0 ? range_sd_m * ranges / range_m : 0.0;
+  return sds;
+}
+
+}  // namespace
+
+SystematicErrors find_systematic_errors(const PoseGraph& graph, const std::vector<Pose2>& poses) {
+  constexpr double alike = 0.8;   // correlation of the errors of ways and of turns
+  constexpr double least = 1e-6;  // of a prior: where nothing of the kind is measured
+  SystematicErrors result;
+  if (std::ranges::all_of(graph.edges, [](const GraphEdge& edge) { return edge.kind == EdgeKind::pose; }))
+    return result;
+  SharedEquations equations(graph, poses);
+  if (!equations.eliminate()) return result;
+  result.prior_sd = prior_sds(graph);
+  const SharedErrors sds = result.prior_sd.cwiseMax(least);
+  SharedMatrix prior = sds.cwiseAbs2().asDiagonal();
+  prior(0, 1) = prior(1, 0) = alike * sds[0] * sds[1];
+  const double freedom = degrees_of_freedom(graph);
+  const double inflation = freedom > 0.0 ? std::max(1.0, cost(graph, poses) / freedom) : 1.0;
+  const SharedMatrix information = equations.information / inflation + SharedMatrix(prior.inverse());
+  const SharedMatrix covariance = information.inverse();
+  result.estimate = covariance * (equations.weighted / inflation);
+  result.gain = result.estimate.dot(equations.weighted) / inflation;
+  result.sd = covariance.diagonal().cwiseSqrt();
+  result.points = equations.shift(true, result.estimate, information);
+  result.poses = equations.shift(false, result.estimate, information);
+  return result;
+}
+
+std::string why_not_believed(const SystematicErrors& errors) {
+  const auto reach_m = [](const MapShift& shift) { return shift.moved_m + deviations * shift.unseen_m; };
+  const auto is_wide = [&](const MapShift& shift) {
+    return shift.unseen_m > shift.most_m || (errors.gain > most_gain && reach_m(shift) > shift.most_m);
+  };
+  if (!is_wide(errors.points) && !is_wide(errors.poses)) return {};
+  const MapShift& shift = is_wide(errors.points) ? errors.points : errors.poses;
+  const auto percent = [&](Eigen::Index kind) { return 100.0 * shift.worst[kind]; };
+  return fmt::format(
+      "the measurements fit as well if odometry counts ways {:+.1f} % and turns {:+.1f} % too much and "
+      "ranges are "
+      "{:+.2f} m and {:+.1f} % too long, and then the map is off by {:.2f} m, so it may be of a wrong size",
+      percent(0), percent(1), shift.worst[3], percent(4), reach_m(shift));
+}
+
+}  // namespace outrider
