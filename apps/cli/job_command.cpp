@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -67,6 +69,37 @@ Status read_arguments(const Job& job, JobTask& task, JobRequest& request, const 
   return change(task, {{std::string(job.file_option), request.file}});
 }
 
+void add_unwritten(Run& run, const JobRequest& request) {
+  if (request.output.folder.empty()) return;
+  run.report.warnings.push_back("it was cancelled before it began, so nothing was written to " +
+                                request.output.folder);
+}
+
+/// Ends the tool at once when it is stopped while a task loads its files: nothing has begun then that is
+/// worth keeping, and not all libraries that read files can be interrupted.
+class LeavingWhileLoading final : public LogSink {
+ public:
+  LeavingWhileLoading(const Job& job, const JobRequest& request, const std::stop_token& stop)
+      : leave_(std::in_place, stop, [&job, &request] {
+          Run run;
+          run.report.job = job.name;
+          run.report.status = "cancelled";
+          run.report.reason = "it was cancelled while it loaded its files";
+          add_unwritten(run, request);
+          print_run(job, run, {}, request.output.json);
+          std::fflush(stdout);
+          std::_Exit(job_not_done);
+        }) {}
+  /// The task is loaded.
+  void stay() { leave_.reset(); }
+
+  void add_channel(const Channel& /*channel*/) override { stay(); }
+  void append(std::size_t /*channel*/, std::int64_t /*time_ns*/, std::string_view /*data*/) override {}
+
+ private:
+  std::optional<std::stop_callback<std::function<void()>>> leave_;
+};
+
 /// Runs the task. The sinks are its log file, a program behind OUTRIDER_LIVE, and a map on the terminal.
 Outcome<Run> run_watched(const Job& job, JobTask& task, const JobRequest& request, RunLog& file,
                          const std::stop_token& stop) {
@@ -75,12 +108,17 @@ Outcome<Run> run_watched(const Job& job, JobTask& task, const JobRequest& reques
   std::optional<LiveMap> map;
   RunWatch watch;
   watch.stop = stop;
-  if (!request.output.folder.empty()) watch.sinks.push_back(&file);
+  LeavingWhileLoading leaving(job, request, stop);
+  if (!request.output.folder.empty()) watch.sinks = {&leaving, &file};
   if (live.is_watched()) watch.sinks.push_back(&live);
   if (request.live) watch.sinks.push_back(&map.emplace());
-  watch.progress = [&](const RunStep& step) { progress.show(step); };
+  watch.progress = [&](const RunStep& step) {
+    leaving.stay();
+    progress.show(step);
+  };
   if (request.live) progress.end();
   auto run = run_task(job, task, watch);
+  leaving.stay();
   if (!run) return run;
   if (live.is_watched()) live.finish(result_text(*run));
   if (map) map->finish(run->log);
@@ -102,10 +140,7 @@ int execute(const Job& job, JobRequest& request, const Command& words, const std
   if (!run) return print_fault(run.error(), json);
   const auto files = write_run(job, *run, log, request.output);
   if (!files) return print_fault(files.error(), json);
-  if (files->empty() && !request.output.folder.empty()) {
-    run->report.warnings.push_back("it was cancelled before it began, so nothing was written to " +
-                                   request.output.folder);
-  }
+  if (files->empty()) add_unwritten(*run, request);
   print_run(job, *run, *files, json);
   return run->report.status == "done" ? job_done : job_not_done;
 }

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "area_formats.hpp"
@@ -77,8 +80,27 @@ Outcome<AreaRings> polygon_of(const FoundPolygon& found) {
   return rings;
 }
 
-/// Reads the member "crs" of the GeoJSON before RFC 7946: a name that is not of WGS 84 or ETRS 89 degrees
-/// stands for projected metres.
+/// Returns the code at the end of a name such as "EPSG:25832" or "urn:ogc:def:crs:EPSG::25832"; 0: none.
+int epsg_code(std::string_view name) {
+  if (name.find("EPSG") == std::string_view::npos) return 0;
+  const auto digits = name.substr(name.find_last_of(":/#") + 1);
+  int code = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code);
+  return error == std::errc() && end == digits.data() + digits.size() ? code : 0;
+}
+
+/// Returns the units of a named reference system. In the EPSG registry the codes from 4000 to 4999 stand for
+/// geographic, geocentric and projected systems, others with few exceptions for projected ones: of those
+/// only the common geographic ones are told by the name.
+Units units_of_crs(std::string_view name) {
+  constexpr std::array geographic{4258, 4267, 4269, 4283, 4326, 4490, 4612, 4674, 4979, 6318, 6668, 7844};
+  if (name.ends_with("CRS84") || name.ends_with("CRS83") || name.ends_with("CRS27")) return Units::degrees;
+  const int code = epsg_code(name);
+  if (std::ranges::count(geographic, code) > 0) return Units::degrees;
+  return code == 0 || (code >= 4000 && code < 5000) ? Units::told_by_size : Units::metres;
+}
+
+/// Reads the member "crs" of the GeoJSON before RFC 7946.
 void note_crs(const GeoJson& object, AreaFile& file) {
   const auto crs = object.find("crs");
   if (crs == object.end() || !crs->is_object()) return;
@@ -86,10 +108,9 @@ void note_crs(const GeoJson& object, AreaFile& file) {
   if (properties == crs->end() || !properties->is_object()) return;
   const auto name = properties->find("name");
   if (name == properties->end() || !name->is_string()) return;
-  const auto text = name->get<std::string>();
-  const bool degrees = text.ends_with("CRS84") || text.ends_with(":4326") || text.ends_with(":4258");
+  file.crs_name = name->get<std::string>();
   file.crs = crs->dump(-1, ' ', false, GeoJson::error_handler_t::replace);
-  file.units = degrees ? Units::degrees : Units::metres;
+  file.units = units_of_crs(file.crs_name);
 }
 
 }  // namespace

@@ -117,9 +117,21 @@ Outcome<AreaFile> read_area(std::string_view text, const std::string& name, bool
   return file;
 }
 
-/// Chooses the frame for coordinates in that box, and says in `note` if it had to guess.
-Outcome<AreaFrame> frame_of(const Box2& box, const std::string& name, Units units, bool geographic,
-                            std::string& note) {
+/// Says how numbers were told by their size, and what says it for sure.
+std::string sentence_of_guess(const Box2& box, const std::string& name, const AreaFile& file, bool degrees) {
+  const std::string crs = file.crs_name.empty()
+                              ? "no 'crs' says otherwise"
+                              : fmt::format("the crs '{}' is not known", excerpt(file.crs_name));
+  return fmt::format(
+      "{}: its numbers span {:g} by {:g} and are taken for {} by their size, as {}; say units: degrees or "
+      "units: metres",
+      name, box.size().x, box.size().y, degrees ? "degrees" : "metres", crs);
+}
+
+/// Chooses the frame for coordinates in that box, and says in `note` if it had to guess. RFC 7946 says
+/// degrees; numbers that cannot be degrees of an area are metres.
+Outcome<AreaFrame> frame_of(const Box2& box, const std::string& name, Units units, const AreaFile& file,
+                            bool geographic, std::string& note) {
   if (units == Units::degrees && !could_be_degrees(box, widest_said_deg)) {
     return bad_input(
         fmt::format("({:g}, {:g}) to ({:g}, {:g}) are no degrees of an area up to {:g} across; say "
@@ -128,14 +140,9 @@ Outcome<AreaFrame> frame_of(const Box2& box, const std::string& name, Units unit
         name);
   }
   const bool guess = units == Units::told_by_size && geographic;
-  if (units == Units::degrees || (guess && could_be_degrees(box, widest_deg))) {
-    return AreaFrame::of_degrees(box);
-  }
-  if (guess && in_range_of_degrees(box)) {
-    note = fmt::format("{}: as degrees it would span {:g} by {:g}; taken for metres", name, box.size().x,
-                       box.size().y);
-  }
-  return AreaFrame::of_metres(box, farthest_corner_m);
+  const bool degrees = units == Units::degrees || (guess && could_be_degrees(box, widest_deg));
+  if (guess && !(degrees && file.crs_name.empty())) note = sentence_of_guess(box, name, file, degrees);
+  return degrees ? AreaFrame::of_degrees(box) : AreaFrame::of_metres(box, farthest_corner_m);
 }
 
 }  // namespace
@@ -154,7 +161,7 @@ Outcome<CoverArea> cover_area_from_text(std::string_view text, const std::string
   if (auto good = check_rings(file->polygons); !good) return pass_on(good);
   CoverArea area;
   auto frame =
-      frame_of(box, name, units == Units::told_by_size ? file->units : units, json || xml, area.note);
+      frame_of(box, name, units == Units::told_by_size ? file->units : units, *file, json || xml, area.note);
   if (!frame) return pass_on(frame);
   area.frame = std::move(*frame);
   area.frame.crs = std::move(file->crs);

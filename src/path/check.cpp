@@ -144,9 +144,11 @@ Turning turning_of(const Plan& plan) {
 }
 
 /// Checks that the exposure counted in the cost is within the error that the planners state.
-Status check_exposure(const Plan& plan, const Problem& problem) {
+Status check_exposure(const Plan& plan, const Problem& problem, const std::stop_token& stop) {
   if (plan.weights.per_exposure_m == 0.0) return {};
-  const Safety truth = safety_of(plan, problem);
+  const Safety truth = safety_of(plan, problem, stop);
+  if (stop.stop_requested())
+    return fault(FaultCode::cancelled, "it was cancelled while the plan was checked");
   const bool good = plan.exposure >= (1.0 - quadrature) * truth.exposure_low &&
                     plan.exposure <= (1.0 + quadrature) * truth.exposure_high;
   if (good) return {};
@@ -165,7 +167,7 @@ double reversing_of(const Plan& plan) {
   return cost;
 }
 
-Status check_numbers(const Plan& plan, const Problem& problem) {
+Status check_numbers(const Plan& plan, const Problem& problem, const std::stop_token& stop) {
   const double length = length_of(plan);
   const Turning turning = plan.weights.per_rad == 0.0 ? Turning{} : turning_of(plan);
   const bool by_cell = plan.weights.by_cell && problem.grid && problem.costs;
@@ -181,7 +183,7 @@ Status check_numbers(const Plan& plan, const Problem& problem) {
     return refused(fmt::format("the lower bound {} does not lie between 0 and the cost {}", plan.lower_bound,
                                plan.cost));
   }
-  if (auto good = check_exposure(plan, problem); !good) return good;
+  if (auto good = check_exposure(plan, problem, stop); !good) return good;
   const double left = distance(plan.waypoints.back(), problem.goal);
   if (!(std::abs(plan.reached_within - left) <= relative * std::max(1.0, length))) {
     return refused(fmt::format("the path ends {} m from the goal, not {} m", left, plan.reached_within));
@@ -191,15 +193,15 @@ Status check_numbers(const Plan& plan, const Problem& problem) {
 
 }  // namespace
 
-Status check(const Plan& plan, const Problem& problem) {
+Status check(const Plan& plan, const Problem& problem, const std::stop_token& stop) {
   if (problem.polygons) {
     if (auto good = check_on_polygons(plan, problem); !good) return good;
-    return check_numbers(plan, problem);
+    return check_numbers(plan, problem, stop);
   }
   if (!problem.grid) return bad_input("the problem has no grid to check the plan on");
   if (plan.steering) {
     if (auto good = check_steering(plan, problem); !good) return good;
-    return check_numbers(plan, problem);
+    return check_numbers(plan, problem, stop);
   }
   const GridMap& ground = *problem.grid;
   if (plan.waypoints.empty() || plan.waypoints.size() != plan.vertices.size()) {
@@ -224,7 +226,7 @@ Status check(const Plan& plan, const Problem& problem) {
   if (!stands_for(ground, plan.vertices.front(), problem.start))
     return refused("it does not begin at the start");
   if (!stands_for(ground, plan.vertices.back(), problem.goal)) return refused("it does not end at the goal");
-  return check_numbers(plan, problem);
+  return check_numbers(plan, problem, stop);
 }
 
 Status check(const Plan& plan, const CollisionMap& ground, double radius_m) {

@@ -37,7 +37,8 @@ Outcome<GridFrame> frame_of(const PolygonGround& ground, const GridOptions& opti
 }
 
 /// Blocks the cells that are nearer to the edge than the radius.
-void block_beside(Grid<std::uint8_t>& blocked, const Segment& edge, double radius_m) {
+void block_beside(Grid<std::uint8_t>& blocked, const Segment& edge, double radius_m,
+                  const std::stop_token& stop) {
   const GridFrame& frame = blocked.frame;
   Box2 box;
   box.include(edge.a);
@@ -50,6 +51,7 @@ void block_beside(Grid<std::uint8_t>& blocked, const Segment& edge, double radiu
   const int last_x = cell(box.high.x - frame.origin.x + 1e-9, frame.width);
   const int last_y = cell(box.high.y - frame.origin.y + 1e-9, frame.height);
   for (int y = cell(box.low.y - frame.origin.y - 1e-9, frame.height); y <= last_y; ++y) {
+    if (stop.stop_requested()) return;
     for (int x = first_x; x <= last_x; ++x) {
       if (blocked[{x, y}] != 0) continue;
       if (outrider::distance(frame.centre({x, y}), edge) > radius_m + 0.71 * frame.resolution_m) continue;
@@ -62,17 +64,19 @@ void block_beside(Grid<std::uint8_t>& blocked, const Segment& edge, double radiu
 
 }  // namespace
 
-Outcome<Grid<std::uint8_t>> blocked_for_disk(const PolygonGround& ground, const GridOptions& options) {
+Outcome<Grid<std::uint8_t>> blocked_for_disk(const PolygonGround& ground, const GridOptions& options,
+                                             const std::stop_token& stop) {
   auto frame = frame_of(ground, options);
   if (!frame) return pass_on(frame);
   if (auto good = check_frame(*frame); !good) return pass_on(good);
   Grid<std::uint8_t> blocked(*frame);
-  for (const Segment& edge : ground.edges) block_beside(blocked, edge, ground.radius_m);
-  for (int y = 0; y < frame->height; ++y) {
+  for (const Segment& edge : ground.edges) block_beside(blocked, edge, ground.radius_m, stop);
+  for (int y = 0; y < frame->height && !stop.stop_requested(); ++y) {
     for (int x = 0; x < frame->width; ++x) {
       if (blocked[{x, y}] == 0 && ground.solid(frame->centre({x, y}))) blocked[{x, y}] = 1;
     }
   }
+  if (stop.stop_requested()) return fault(FaultCode::cancelled, "it was cancelled while it made the grid");
   return blocked;
 }
 

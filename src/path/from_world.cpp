@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "outrider/path/grid/from_occupancy.hpp"
+
 namespace outrider {
 namespace {
 
@@ -25,7 +27,8 @@ bool too_near(const Box2& square, const RoundedPolygon& obstacle, double radius_
   return false;
 }
 
-void block_near(Grid<std::uint8_t>& blocked, const RoundedPolygon& obstacle, double radius_m) {
+void block_near(Grid<std::uint8_t>& blocked, const RoundedPolygon& obstacle, double radius_m,
+                const std::stop_token& stop) {
   const GridFrame& frame = blocked.frame;
   const double half_diagonal = frame.resolution_m / std::numbers::sqrt2;
   const Box2 reach = obstacle.bounds().grown(radius_m + frame.resolution_m);
@@ -35,6 +38,7 @@ void block_near(Grid<std::uint8_t>& blocked, const RoundedPolygon& obstacle, dou
   const int x1 = cell(reach.high.x, frame.origin.x, frame.resolution_m, frame.width);
   const int y1 = cell(reach.high.y, frame.origin.y, frame.resolution_m, frame.height);
   for (int y = cell(reach.low.y, frame.origin.y, frame.resolution_m, frame.height); y <= y1; ++y) {
+    if (stop.stop_requested()) return;
     for (int x = cell(reach.low.x, frame.origin.x, frame.resolution_m, frame.width); x <= x1; ++x) {
       if (blocked[{x, y}] != 0) continue;
       const double from_centre = signed_distance(frame.centre({x, y}), obstacle);
@@ -100,20 +104,21 @@ std::vector<Option> describe(GridOptions& options) {
 }
 
 Outcome<Grid<std::uint8_t>> blocked_for_disk(const CollisionMap& ground, double radius_m,
-                                             const GridOptions& options) {
+                                             const GridOptions& options, const std::stop_token& stop) {
   auto frame = frame_for(ground, radius_m, options);
   if (!frame) return pass_on(frame);
   Grid<std::uint8_t> blocked(*frame);
   block_outside(blocked, ground.bounds().grown(-radius_m));
-  for (const RoundedPolygon& obstacle : ground.obstacles()) block_near(blocked, obstacle, radius_m);
+  for (const RoundedPolygon& obstacle : ground.obstacles()) block_near(blocked, obstacle, radius_m, stop);
+  if (stop.stop_requested()) return fault(FaultCode::cancelled, "it was cancelled while it made the grid");
   return blocked;
 }
 
 Outcome<GridMap> grid_from_world(const CollisionMap& ground, double radius_m, GridModel model,
-                                 const GridOptions& options) {
-  auto blocked = blocked_for_disk(ground, radius_m, options);
+                                 const GridOptions& options, const std::stop_token& stop) {
+  auto blocked = blocked_for_disk(ground, radius_m, options, stop);
   if (!blocked) return pass_on(blocked);
-  return GridMap::of(*blocked, model);
+  return grid_map_of(*blocked, model, stop);
 }
 
 }  // namespace outrider

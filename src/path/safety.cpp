@@ -72,10 +72,10 @@ Vec2 point_at(const PathPiece& piece, double along) {
 
 /// Adds the exposure of a piece; `clearance` is that of a point, in the unit of the piece.
 template <class Clearance>
-void add_exposure(Safety& safety, const PathPiece& piece, Clearance clearance) {
+void add_exposure(Safety& safety, const PathPiece& piece, const std::stop_token& stop, Clearance clearance) {
   const double length = length_of(piece);
   double near = clearance(piece.from);
-  for (double walked = 0.0; walked < length;) {
+  for (double walked = 0.0; walked < length && !stop.stop_requested();) {
     if (near < contact) {
       safety.exposure = safety.exposure_low = safety.exposure_high = infinite;
       return;
@@ -122,16 +122,17 @@ double clearance_m(const Plan& plan, const GridMap& ground, double most_m) {
   return ground.frame.resolution_m * least;
 }
 
-Safety safety_of(const Plan& plan, const Problem& problem) {
+Safety safety_of(const Plan& plan, const Problem& problem, const std::stop_token& stop) {
   Safety safety;
   for (const PathPiece& piece : pieces_of(plan)) {
     if (problem.polygons) {
       const PolygonGround& ground = *problem.polygons;
-      add_exposure(safety, piece, [&](Vec2 p) { return ground.edge_distance(p); });
+      add_exposure(safety, piece, stop, [&](Vec2 p) { return ground.edge_distance(p); });
       continue;
     }
     const GridMap& ground = *problem.grid;
-    add_exposure(safety, in_cells(piece, ground.frame), [&](Vec2 p) { return clearance_on_grid(ground, p); });
+    add_exposure(safety, in_cells(piece, ground.frame), stop,
+                 [&](Vec2 p) { return clearance_on_grid(ground, p); });
   }
   safety.clearance_m =
       problem.polygons ? clearance_m(plan, *problem.polygons) : clearance_m(plan, *problem.grid, infinite);

@@ -22,16 +22,17 @@ void leave_company(const Instance& instance, std::uint32_t goal, std::vector<std
 /// anew only where the route or the company of its stop has changed.
 class CheapestInsertion {
  public:
-  CheapestInsertion(const Instance& instance, double sharing)
-      : instance_(instance), sharing_(sharing), missing_(instance.goals), best_(instance.goals) {
+  CheapestInsertion(const Instance& instance, double sharing, const std::stop_token& stop)
+      : instance_(instance), sharing_(sharing), stop_(stop), missing_(instance.goals), best_(instance.goals) {
     std::iota(missing_.begin(), missing_.end(), 0U);
     company_ = count_company(instance, missing_);
   }
 
+  /// Returns the route; it lacks goals after a stop request.
   Route run() {
     for (const std::uint32_t goal : missing_)
       best_[goal] = best_insertion(instance_, route_, goal, sharing_, company_);
-    while (!missing_.empty()) {
+    while (!missing_.empty() && !stop_.stop_requested()) {
       const auto next = std::ranges::min_element(missing_, {}, [&](auto goal) { return best_[goal].score; });
       const std::uint32_t goal = *next;
       missing_.erase(next);
@@ -50,6 +51,7 @@ class CheapestInsertion {
     splice(instance_, route_, chosen.position, chosen.position, {&chosen.node, 1});
     const auto [begin, end] = changed_around(chosen.position);
     for (const std::uint32_t other : missing_) {
+      if (stop_.stop_requested()) return;
       Insertion& best = best_[other];
       const std::uint32_t stop = instance_.nodes[best.node].stop;
       const bool was_near = best.position + 1 >= begin && best.position < end;
@@ -77,17 +79,18 @@ class CheapestInsertion {
 
   const Instance& instance_;
   double sharing_;
+  const std::stop_token& stop_;
   Route route_;
   std::vector<std::uint32_t> missing_;
   std::vector<std::uint32_t> company_;
   std::vector<Insertion> best_;  // by goal
 };
 
-Route nearest_next(const Instance& instance) {
+Route nearest_next(const Instance& instance, const std::stop_token& stop) {
   Route route;
   State state = start_of(instance);
   std::vector<bool> served(instance.goals, false);
-  for (std::uint32_t count = 0; count < instance.goals; ++count) {
+  for (std::uint32_t count = 0; count < instance.goals && !stop.stop_requested(); ++count) {
     double least = infinity;
     std::uint32_t chosen = none;
     for (std::uint32_t n = 0; n < instance.nodes.size(); ++n) {
@@ -118,10 +121,11 @@ void insert_all(const Instance& instance, Route& route, const std::vector<std::u
   }
 }
 
-Route construct(const Instance& instance) {
-  Route best = nearest_next(instance);
+std::optional<Route> construct(const Instance& instance, const std::stop_token& stop) {
+  Route best = nearest_next(instance, stop);
   for (const double sharing : {0.0, 0.3, 1.0}) {
-    Route route = CheapestInsertion(instance, sharing).run();
+    Route route = CheapestInsertion(instance, sharing, stop).run();
+    if (stop.stop_requested()) return std::nullopt;
     if (route.cost < best.cost) best = std::move(route);
   }
   return best;

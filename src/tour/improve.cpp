@@ -14,10 +14,10 @@ constexpr double cold = 2e-3;  // at last
 std::uint32_t draw(Rng& rng, std::uint32_t count) { return static_cast<std::uint32_t>(rng.below(count)); }
 
 /// Goal -> the other goals, those with most stops in common first.
-std::vector<std::vector<std::uint32_t>> related_goals(const Instance& instance) {
+std::vector<std::vector<std::uint32_t>> related_goals(const Instance& instance, const std::stop_token& stop) {
   std::vector<std::vector<std::uint32_t>> related(instance.goals);
   std::vector<std::uint32_t> shared(instance.goals);
-  for (std::uint32_t goal = 0; goal < instance.goals; ++goal) {
+  for (std::uint32_t goal = 0; goal < instance.goals && !stop.stop_requested(); ++goal) {
     std::ranges::fill(shared, 0U);
     for (const std::uint32_t node : instance.nodes_of[goal]) {
       const std::uint32_t stop = instance.nodes[node].stop;
@@ -116,11 +116,12 @@ void recreate(const Instance& instance, Route& route, std::vector<std::uint32_t>
 }  // namespace
 
 Improvement improve(const Instance& instance, Route route, std::int64_t seed, std::int64_t iterations,
-                    BudgetMeter& meter, const Price& price, const Better& better) {
+                    BudgetMeter& meter, const std::stop_token& stop, const Price& price,
+                    const Better& better) {
   double present = price(route);
   const auto polish_if_better = [&](Route& candidate, double& worth) {
     Route polished = candidate;
-    polish(instance, polished);
+    polish(instance, polished, stop);
     const double polished_worth = price(polished);
     if (polished_worth > worth) return;
     candidate = std::move(polished);
@@ -131,7 +132,7 @@ Improvement improve(const Instance& instance, Route route, std::int64_t seed, st
   if (better) better(result.best);
   double least = present;
   Rng rng = Rng(static_cast<std::uint64_t>(seed)).child("tour");
-  const auto related = related_goals(instance);
+  const auto related = related_goals(instance, stop);
   const auto total = static_cast<double>(iterations);
   for (; result.iterations < static_cast<std::uint64_t>(iterations) && meter.spend(); ++result.iterations) {
     const double temperature =

@@ -24,6 +24,7 @@ using Better = std::function<void(const Route&)>;
 /// Starts from `route` and never ends worse, by its price. One expansion of the budget an iteration.
 /// Sources: Shaw (1998), large neighbourhood search; Schrimpf et al. (2000), ruin and recreate.
 Improvement improve(const Instance& instance, Route route, std::int64_t seed, std::int64_t iterations,
-                    BudgetMeter& meter, const Price& price = &cost_of, const Better& better = {});
+                    BudgetMeter& meter, const std::stop_token& stop, const Price& price = &cost_of,
+                    const Better& better = {});
 
 }  // namespace outrider::tour

@@ -27,10 +27,10 @@ std::uint32_t rarest_goal(const Instance& instance, const Route& route, std::uin
   return rarest;
 }
 
-bool relocate_goals(const Instance& instance, Route& route) {
+bool relocate_goals(const Instance& instance, Route& route, const std::stop_token& stop) {
   const std::vector<std::uint32_t> alone(instance.stops, 0);
   bool improved = false;
-  for (std::uint32_t goal = 0; goal < instance.goals; ++goal) {
+  for (std::uint32_t goal = 0; goal < instance.goals && !stop.stop_requested(); ++goal) {
     Route without = route;
     std::erase_if(without.nodes, [&](std::uint32_t n) { return instance.nodes[n].goal == goal; });
     refresh(instance, without);
@@ -68,10 +68,11 @@ bool rearrange(const Instance& instance, Route& route, std::uint32_t begin, std:
   return take_if_better(instance, route, changed);
 }
 
-bool rearrange_visits(const Instance& instance, Route& route) {
+bool rearrange_visits(const Instance& instance, Route& route, const std::stop_token& stop) {
   for (std::uint32_t begin = 0; begin < route.size(); begin = route.visit_end[begin] + 1) {
     std::uint32_t last = route.visit_end[begin];
     while (last + 1 < route.size()) {
+      if (stop.stop_requested()) return false;
       last = route.visit_end[last + 1];
       if (rearrange(instance, route, begin, last)) return true;
     }
@@ -100,15 +101,15 @@ bool restop(const Instance& instance, Route& route, std::uint32_t begin) {
   return true;
 }
 
-void polish(const Instance& instance, Route& route) {
+void polish(const Instance& instance, Route& route, const std::stop_token& stop) {
   bool improved = true;
-  while (improved) {
+  while (improved && !stop.stop_requested()) {
     improved = false;
     for (std::uint32_t begin = 0; begin < route.size(); begin = route.visit_end[begin] + 1) {
       improved |= restop(instance, route, begin);
     }
-    improved |= relocate_goals(instance, route);
-    improved |= rearrange_visits(instance, route);
+    improved |= relocate_goals(instance, route, stop);
+    improved |= rearrange_visits(instance, route, stop);
   }
 }
 

@@ -1,6 +1,8 @@
 // Descent to a local optimum: a route that no single change of a few kinds makes faster.
 #pragma once
 
+#include <stop_token>
+
 #include "route.hpp"
 
 namespace outrider::tour {
@@ -10,7 +12,7 @@ namespace outrider::tour {
 bool restop(const Instance& instance, Route& route, std::uint32_t begin);
 
 /// Repeats until nothing helps: another stop for a visit, another place and stop for a goal, a visit
-/// moved, a run of visits reversed. The cost never rises.
-void polish(const Instance& instance, Route& route);
+/// moved, a run of visits reversed. The cost never rises. Ends early after a stop request.
+void polish(const Instance& instance, Route& route, const std::stop_token& stop);
 
 }  // namespace outrider::tour

@@ -65,13 +65,14 @@ void solve_exactly(const tour::Instance& instance, const TourOptions& options, B
 
 /// Improves the route for some rounds of ruin and recreate, and counts them.
 void improve(const tour::Instance& instance, const TourOptions& options, std::int64_t iterations,
-             BudgetMeter& meter, const TourObserver& found, tour::Route& route, Tour& tour) {
+             BudgetMeter& meter, const std::stop_token& stop, const TourObserver& found, tour::Route& route,
+             Tour& tour) {
   tour::Better better;
   if (found) {
     better = [&](const tour::Route& one) { found(visits_of(instance, one.nodes), one.cost); };
   }
   tour::Improvement improved =
-      tour::improve(instance, route, options.seed, iterations, meter, &tour::cost_of, better);
+      tour::improve(instance, route, options.seed, iterations, meter, stop, &tour::cost_of, better);
   route = std::move(improved.best);
   tour.iterations += improved.iterations;
 }
@@ -122,13 +123,17 @@ Outcome<Tour> solve_with(const TourProblem& problem, const std::vector<Visit>* b
     tour.proven_optimal = true;
     return tour;
   }
-  tour::Route route = begun == nullptr ? tour::construct(*instance) : route_of(*instance, *begun);
+  std::optional<tour::Route> begin =
+      begun == nullptr ? tour::construct(*instance, budget.stop) : route_of(*instance, *begun);
+  if (!begin) return meter.refusal();
+  tour::Route& route = *begin;
   if (instance->goals <= options.exact_goals && tour::exact_is_possible(*instance)) {
-    improve(*instance, options, options.iterations / 8, meter, found, route, tour);  // enough to prune by
+    improve(*instance, options, options.iterations / 8, meter, budget.stop, found, route,
+            tour);  // enough to prune by
     solve_exactly(*instance, options, meter, route, tour);
   }
   if (!tour.proven_optimal) {
-    improve(*instance, options, options.iterations, meter, found, route, tour);
+    improve(*instance, options, options.iterations, meter, budget.stop, found, route, tour);
     if (options.gap < 1.0) prove(*instance, options, meter, route, tour);
   }
   tour.visits = visits_of(*instance, route.nodes);

@@ -20,16 +20,17 @@ Status check_options(SupplyOptions options) {
   return {};
 }
 
-/// The best order found, with its stations.
-tour::Refuelled search(const tour::Supplied& supplied, const SupplyOptions& options, BudgetMeter& meter,
-                       SupplyTour& tour) {
-  tour::Route route = tour::construct(supplied.instance);
+/// Returns the best order found, with its stations; nothing if it was stopped before it had one.
+std::optional<tour::Refuelled> search(const tour::Supplied& supplied, const SupplyOptions& options,
+                                      BudgetMeter& meter, const std::stop_token& stop, SupplyTour& tour) {
+  std::optional<tour::Route> route = tour::construct(supplied.instance, stop);
+  if (!route) return std::nullopt;
   const auto price = [&](const tour::Route& candidate) {
     const tour::Refuelled refuelled = tour::refuel(supplied, candidate.nodes, {});
     return refuelled.time + price_of_a_goal_s * static_cast<double>(refuelled.dropped.size());
   };
-  tour::Improvement better =
-      tour::improve(supplied.instance, std::move(route), options.seed, options.iterations, meter, price);
+  tour::Improvement better = tour::improve(supplied.instance, std::move(*route), options.seed,
+                                           options.iterations, meter, stop, price);
   tour.iterations = better.iterations;
   return tour::refuel(supplied, better.best.nodes, {.labels = 64, .chain = 3});
 }
@@ -59,7 +60,9 @@ Outcome<SupplyTour> solve_supplied(const SupplyProblem& problem, const SupplyOpt
     tour.proven_optimal = true;
     return tour;
   }
-  tour::Refuelled best = search(*supplied, options, meter, tour);
+  std::optional<tour::Refuelled> found = search(*supplied, options, meter, budget.stop, tour);
+  if (!found) return meter.refusal();
+  tour::Refuelled& best = *found;
   if (supplied->instance.goals <= options.exact_goals && tour::exact_is_possible(*supplied)) {
     const bool whole = best.dropped.empty();
     const tour::SupplyExact exact = tour::search_exactly(

@@ -13,19 +13,21 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t positive) {
 }
 
 /// Returns the distance from each cell to the nearest blocked cell of its column, or `none`.
-std::vector<std::int64_t> along_columns(const Grid<std::uint8_t>& blocked) {
+std::vector<std::int64_t> along_columns(const Grid<std::uint8_t>& blocked, const std::stop_token& stop) {
   const auto width = static_cast<std::size_t>(blocked.frame.width), size = blocked.cells.size();
   std::vector<std::int64_t> apart(size, none);
   const auto next_to = [&](std::size_t i, std::size_t neighbour) {
     if (apart[neighbour] != none) apart[i] = std::min(apart[i], apart[neighbour] + 1);
   };
   for (std::size_t i = 0; i < size; ++i) {
+    if (i % width == 0 && stop.stop_requested()) return apart;
     if (blocked.cells[i] != 0)
       apart[i] = 0;
     else if (i >= width)
       next_to(i, i - width);
   }
   for (std::size_t i = size; i-- > 0;) {
+    if (i % width == 0 && stop.stop_requested()) return apart;
     if (i + width < size) next_to(i, i + width);
   }
   return apart;
@@ -61,12 +63,12 @@ struct Envelope {
 
 }  // namespace
 
-Grid<std::uint32_t> squared_clearance(const Grid<std::uint8_t>& blocked) {
+Grid<std::uint32_t> squared_clearance(const Grid<std::uint8_t>& blocked, const std::stop_token& stop) {
   Grid<std::uint32_t> result(blocked.frame, no_obstacle);
-  const std::vector<std::int64_t> apart = along_columns(blocked);
+  const std::vector<std::int64_t> apart = along_columns(blocked, stop);
   const auto width = static_cast<std::size_t>(blocked.frame.width);
   Envelope envelope;
-  for (std::size_t row = 0; row < result.cells.size(); row += width) {
+  for (std::size_t row = 0; row < result.cells.size() && !stop.stop_requested(); row += width) {
     envelope.clear();
     for (std::size_t x = 0; x < width; ++x) {
       const std::int64_t y = apart[row + x];

@@ -7,10 +7,11 @@
 //
 // GeoJSON and GML give longitude and latitude in degrees (WGS 84). They are projected to metres east and
 // north of the south-west corner of the area (io/area_frame.hpp); distances are right within 2e-6 of them.
-// If the area would span more than 0.2 degrees, the numbers are assumed to be metres, and `note` says so; if
-// they exceed the range of degrees, they are metres. The member "crs" of older GeoJSON files decides, and
-// Units overrides all. Metres far from the origin, such as UTM coordinates, are moved; `frame` has the way
-// back. Files may be gzip-compressed.
+// A named reference system in the member "crs" of older GeoJSON files decides: CRS84 and geographic EPSG
+// codes mean degrees, other EPSG codes metres. Without one, or with one that is not known, numbers that span
+// more than 0.2 degrees or exceed their range are metres, and `note` says so. Units overrides all. Metres far
+// from the origin, such as UTM coordinates, are moved; `frame` has the way back. Files may be
+// gzip-compressed.
 //
 // Faults: bad_input with file and line, or the position in the JSON. Bounds: those of
 // path/visibility/polygon_ground.hpp. cover_ground() checks that the polygons are simple.

@@ -17,13 +17,15 @@
 // stated error of the pieces. O(pieces * edges). The fault states what is wrong and at which leg.
 #pragma once
 
+#include <stop_token>
+
 #include "outrider/path/plan.hpp"
 #include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 
-/// Verifies the plan as described above.
-Status check(const Plan& plan, const Problem& problem);
+/// Verifies the plan as described above. Fault besides: cancelled.
+Status check(const Plan& plan, const Problem& problem, const std::stop_token& stop = {});
 
 /// Returns the least distance between the path and an edge, m. The path is made of the pieces of the plan, or
 /// of the legs between its waypoints if it has no pieces.

@@ -6,9 +6,11 @@
 // models, is collision-free for the disk. So is the straight line from any point of a free cell to its
 // centre. Complete up to the resolution: a blocked cell has a point within the radius of an obstacle, so the
 // whole cell lies within radius + sqrt(2) resolution of it. A path with more clearance than that uses only
-// free cells. Derivation: docs/planners/grid-from-world.md. O(cells near obstacles). Fault: bad_input if the
-// numbers make no grid or more cells than `most_cells`.
+// free cells. Derivation: docs/planners/grid-from-world.md. O(cells near obstacles). Faults: bad_input if the
+// numbers make no grid or more cells than `most_cells`; cancelled.
 #pragma once
+
+#include <stop_token>
 
 #include "outrider/core/options.hpp"
 #include "outrider/path/grid/grid_map.hpp"
@@ -25,10 +27,10 @@ std::vector<Option> describe(GridOptions& options);
 
 /// Returns a grid with 1 in each blocked cell, as defined above, and 0 in each free cell.
 Outcome<Grid<std::uint8_t>> blocked_for_disk(const CollisionMap& ground, double radius_m,
-                                             const GridOptions& options);
+                                             const GridOptions& options, const std::stop_token& stop = {});
 
 /// Returns the grid as a GridMap, for use in a Problem.
 Outcome<GridMap> grid_from_world(const CollisionMap& ground, double radius_m, GridModel model,
-                                 const GridOptions& options);
+                                 const GridOptions& options, const std::stop_token& stop = {});
 
 }  // namespace outrider

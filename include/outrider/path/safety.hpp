@@ -14,6 +14,8 @@
 // infinite then. Complexity: O(exposure) clearances, each O(clearance^2) cells of a grid or O(n) for n edges.
 #pragma once
 
+#include <stop_token>
+
 #include "outrider/path/plan.hpp"
 
 namespace outrider {
@@ -31,6 +33,6 @@ struct Safety {
 double clearance_m(const Plan& plan, const GridMap& ground, double most_m);
 
 /// Computes the safety of the pieces of the plan, or of the legs between its waypoints if it has no pieces.
-Safety safety_of(const Plan& plan, const Problem& problem);
+Safety safety_of(const Plan& plan, const Problem& problem, const std::stop_token& stop = {});
 
 }  // namespace outrider

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <stop_token>
 
 #include "outrider/world/grid.hpp"
 
@@ -15,7 +16,8 @@ namespace outrider {
 inline constexpr std::uint32_t no_obstacle = std::numeric_limits<std::uint32_t>::max();
 
 /// Returns the squared distance, in cells^2, from the centre of each cell to the centre of the nearest cell
-/// that is not 0. The grid must have at most 32768 cells on each side.
-Grid<std::uint32_t> squared_clearance(const Grid<std::uint8_t>& blocked);
+/// that is not 0. The grid must have at most 32768 cells on each side. After a stop request the result is
+/// meaningless.
+Grid<std::uint32_t> squared_clearance(const Grid<std::uint8_t>& blocked, const std::stop_token& stop = {});
 
 }  // namespace outrider

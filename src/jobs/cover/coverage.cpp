@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "bar_sweep.hpp"
 #include "outrider/core/units.hpp"
@@ -82,6 +83,7 @@ class BarSweep final : public Sweep {
 /// to `overlap`, in parts that may overlap. Returns nothing once the token is raised.
 Region covered_by(const Sweep& sweep, std::size_t first, std::size_t last, std::vector<Region>& overlap,
                   const std::stop_token& stop) {
+  if (stop.stop_requested()) return {};
   if (last <= first + 1) return sweep.leg(first, last);
   const std::size_t middle = first + (last + 1 - first) / 2;
   const Region before = covered_by(sweep, first, middle, overlap, stop);
@@ -96,13 +98,24 @@ Region covered_by(const Sweep& sweep, std::vector<Region>& overlap, const std::s
   return covered_by(sweep, 0, sweep.points - 1, overlap, stop);
 }
 
+/// Returns the union; of many regions in parts, between which it asks whether to stop.
+Region united_in_parts(std::span<const Region> all, const std::stop_token& stop) {
+  constexpr std::size_t at_once = 256;
+  if (stop.stop_requested()) return {};
+  if (all.size() <= at_once) return united(std::vector<Region>(all.begin(), all.end()));
+  const std::size_t half = all.size() / 2;
+  const Region before = united_in_parts(all.first(half), stop);
+  const Region after = united_in_parts(all.subspan(half), stop);
+  return united(before, after);
+}
+
 Coverage measured(const Sweep& sweep, const Region& area, const std::stop_token& stop) {
   Coverage coverage;
   std::vector<Region> overlap;
   if (sweep.points > 0) coverage.covered = common(covered_by(sweep, overlap, stop), area);
   if (stop.stop_requested()) return coverage;
   coverage.missed = without(area, coverage.covered);
-  coverage.overlap = common(united(overlap), area);
+  coverage.overlap = common(united_in_parts(overlap, stop), area);
   coverage.covered_m2 = area_of(coverage.covered);
   coverage.missed_m2 = area_of(coverage.missed);
   coverage.overlap_m2 = area_of(coverage.overlap);

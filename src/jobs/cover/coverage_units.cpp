@@ -1,5 +1,7 @@
 #include "coverage_units.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +13,7 @@ namespace outrider::cover {
 namespace {
 
 constexpr double same_place_m = 1e-9;
+constexpr std::size_t most_ways = 4095;  // that a tour takes, beside its start (tour/problem.hpp)
 
 void add(Traversal& traversal, const std::vector<PathPiece>& pieces, PieceRole role) {
   traversal.pieces.insert(traversal.pieces.end(), pieces.begin(), pieces.end());
@@ -52,6 +55,8 @@ Outcome<std::vector<PathPiece>> TransitPlanner::way(Vec2 from, Vec2 to) {
 }
 
 Outcome<std::vector<std::vector<PathPiece>>> TransitPlanner::ways(Vec2 from, const std::vector<Vec2>& to) {
+  if (budget_.stop.stop_requested())
+    return fault(FaultCode::cancelled, "it was cancelled while it planned moves");
   std::vector<std::vector<PathPiece>> found(to.size());
   const std::size_t part = part_of(from);
   for (const bool inside : {true, false}) {
@@ -194,10 +199,20 @@ Outcome<std::vector<Drive>> drives_between(const std::vector<Stop>& stops, const
 
 }  // namespace
 
+Status check_ways(std::size_t ways) {
+  if (ways <= most_ways) return {};
+  return bad_input(
+      fmt::format("the track would have {} ways to begin its laps and lanes, more than the {} that "
+                  "are put in order; give a wider robot, or cover the area in parts",
+                  ways, most_ways),
+      "width");
+}
+
 Outcome<OrderedUnits> ordered(const std::vector<CoverageUnit>& units, const std::optional<Pose2>& start,
                               const Pace& pace, const TourOptions& options, const Budget& budget,
                               TransitPlanner& transit) {
   const std::vector<Stop> stops = stops_of(units, pace);
+  if (auto good = check_ways(stops.size()); !good) return pass_on(good);
   auto drives = drives_between(stops, start, pace, transit);
   if (!drives) return pass_on(drives);
   TourProblem problem;
@@ -210,7 +225,8 @@ Outcome<OrderedUnits> ordered(const std::vector<CoverageUnit>& units, const std:
   if (!tour) return pass_on(tour);
 
   OrderedUnits result;
-  result.bound_s = std::max(tour->lower_bound_s, order_bound_s(problem, start.has_value(), tour->cost_s));
+  result.bound_s =
+      std::max(tour->lower_bound_s, order_bound_s(problem, start.has_value(), tour->cost_s, budget.stop));
   const PathPiece& first = stops[tour->visits.front().stop - 1].traversal->pieces.front();
   result.track.start = start ? *start : Pose2{first.from, heading_in(first)};
   Vec2 at = result.track.start.position;

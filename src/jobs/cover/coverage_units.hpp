@@ -59,6 +59,9 @@ struct OrderedUnits {
   double bound_s = 0.0;
 };
 
+/// Refuses so many ways to begin laps and lanes that no tour takes them, before tables of them are made.
+Status check_ways(std::size_t ways);
+
 /// All units, one after another, in the order and the variants that take the least time; begun at the start,
 /// or without one where the first begins.
 Outcome<OrderedUnits> ordered(const std::vector<CoverageUnit>& units, const std::optional<Pose2>& start,

@@ -86,7 +86,7 @@ CellChoices cells_of(const Region& core, const CoverProblem& problem, const std:
   const Strides strides(problem);
   const double change_m = problem.pace.speed_mps * change_time_s(problem);
   const auto cut = [&](const Region& region, double heading) {
-    return sweep_cells(region, heading, strides.slab_m, strides.slack_m, change_m);
+    return sweep_cells(region, heading, strides.slab_m, strides.slack_m, change_m, stop);
   };
   std::vector<SweepCell> best;
   for (const RingedPolygon& part : core) {

@@ -55,9 +55,12 @@ void add_cut(std::vector<Cut>& cuts, const Lap& lap, Vec2 end, double near_m) {
 }  // namespace
 
 std::vector<Lap> lap_sections(const Lap& lap, const std::vector<SweepCell>& cells, double far_m,
-                              double near_m) {
+                              double near_m, const std::stop_token& stop) {
   std::vector<Cut> cuts;
-  for (const Vec2 end : ends_apart(cells, far_m)) add_cut(cuts, lap, end, near_m);
+  for (const Vec2 end : ends_apart(cells, far_m)) {
+    if (stop.stop_requested()) break;
+    add_cut(cuts, lap, end, near_m);
+  }
   if (cuts.empty()) return {lap};
   std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) {
     return a.piece != b.piece ? a.piece < b.piece : a.at_m < b.at_m;

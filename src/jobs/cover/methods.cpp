@@ -55,7 +55,8 @@ Outcome<std::vector<CoverageUnit>> units_of(const std::vector<FieldWork>& works,
 }
 
 /// Returns the works with their laps cut into sections, where lanes of tapers end.
-std::vector<FieldWork> sectioned(const std::vector<FieldWork>& works, const CoverProblem& problem) {
+std::vector<FieldWork> sectioned(const std::vector<FieldWork>& works, const CoverProblem& problem,
+                                 const std::stop_token& stop) {
   std::vector<FieldWork> cut;
   for (const FieldWork& work : works) {
     std::vector<SweepCell> cells;
@@ -63,7 +64,7 @@ std::vector<FieldWork> sectioned(const std::vector<FieldWork>& works, const Cove
     cut.push_back({{}, work.cells, {}});
     for (const Lap& lap : work.laps) {
       const auto sections =
-          lap_sections(lap, cells, far_strides * problem.stride_m(), 1.5 * problem.stride_m());
+          lap_sections(lap, cells, far_strides * problem.stride_m(), 1.5 * problem.stride_m(), stop);
       auto& into = sections.size() > 1 ? cut.back().sections : cut.back().laps;
       into.insert(into.end(), sections.begin(), sections.end());
     }
@@ -101,10 +102,14 @@ Outcome<CoverPlan> assembled_once(CoverageArea ground, std::vector<FieldWork> wo
   return plan;
 }
 
+bool is_cancelled(const Outcome<CoverPlan>& plan) {
+  return !plan && plan.error().code == FaultCode::cancelled;
+}
+
 /// Orders whole laps and cells, or sections of laps and cells, whichever takes less time.
 Outcome<CoverPlan> assembled(CoverageArea ground, std::vector<FieldWork> works, const CoverProblem& problem,
                              const CoverOptions& options, const Budget& budget) {
-  std::vector<FieldWork> cut = sectioned(works, problem);
+  std::vector<FieldWork> cut = sectioned(works, problem, budget.stop);
   std::size_t units = 0, sections = 0;
   for (const FieldWork& work : cut) {
     sections += work.sections.size();
@@ -113,7 +118,8 @@ Outcome<CoverPlan> assembled(CoverageArea ground, std::vector<FieldWork> works, 
   auto whole = assembled_once(ground, std::move(works), problem, options, budget);
   if (!whole || sections == 0 || units > most_proven) return whole;
   auto other = assembled_once(std::move(ground), std::move(cut), problem, options, budget);
-  return other && other->sums.time_s < whole->sums.time_s ? std::move(other) : std::move(whole);
+  return is_cancelled(other) || (other && other->sums.time_s < whole->sums.time_s) ? std::move(other)
+                                                                                   : std::move(whole);
 }
 
 FieldWork sweep(const CoverField& field, double arc_m, const CoverProblem& problem,
@@ -195,7 +201,7 @@ Outcome<CoverPlan> quickest(const CoverProblem& problem, const CoverOptions& opt
   auto best = boustrophedon(problem, options, budget);
   if (!best) return best;
   auto other = spiral(problem, options, budget);
-  if (other && other->sums.time_s < best->sums.time_s) return other;
+  if (is_cancelled(other) || (other && other->sums.time_s < best->sums.time_s)) return other;
   return best;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace outrider::cover {
@@ -21,11 +22,14 @@ class Assignment {
 
   double& cost(std::size_t row, std::size_t column) { return costs_[row * size_ + column]; }
 
-  /// Finds the assignment with potentials, row by row. Returns its cost.
-  double solve() {
+  /// Finds the assignment with potentials, row by row. Returns its cost; nothing after a stop request.
+  std::optional<double> solve(const std::stop_token& stop) {
     std::vector<double> row_price(size_ + 1, 0.0), column_price(size_ + 1, 0.0);
     std::vector<std::size_t> row_of(size_ + 1, 0);  // by column from 1; 0: none
-    for (std::size_t row = 1; row <= size_; ++row) add_row(row, row_price, column_price, row_of);
+    for (std::size_t row = 1; row <= size_; ++row) {
+      if (stop.stop_requested()) return std::nullopt;
+      add_row(row, row_price, column_price, row_of);
+    }
     columns.assign(size_, 0);
     double sum = 0.0;
     for (std::size_t column = 1; column <= size_; ++column) {
@@ -89,7 +93,8 @@ class Relaxation {
   Relaxation(const TourProblem& problem, bool started)
       : problem_(problem), started_(started), stops_(problem.services.size()), size_(problem.goals + 1) {}
 
-  double solve(const std::vector<double>& prices, std::vector<int>& surplus) {
+  std::optional<double> solve(const std::vector<double>& prices, std::vector<int>& surplus,
+                              const std::stop_token& stop) {
     Assignment costs(size_);
     std::vector<std::size_t> from(size_ * size_, 0), to(size_ * size_, 0);
     for (std::size_t i = 0; i < stops_; ++i) {
@@ -103,7 +108,8 @@ class Relaxation {
         to[u * size_ + v] = j;
       }
     }
-    const double bound = costs.solve();
+    const std::optional<double> bound = costs.solve(stop);
+    if (!bound) return bound;
     surplus.assign(stops_, 0);
     for (std::size_t u = 0; u < size_; ++u) {
       const std::size_t arc = u * size_ + costs.columns[u];
@@ -133,17 +139,18 @@ class Relaxation {
 
 }  // namespace
 
-double order_bound_s(const TourProblem& problem, bool started, double aim_s) {
+double order_bound_s(const TourProblem& problem, bool started, double aim_s, const std::stop_token& stop) {
   Relaxation relaxation(problem, started);
   std::vector<double> prices(relaxation.stops(), 0.0);
   std::vector<int> surplus;
   double best = 0.0, step = 1.0;
   int stale = 0;
   for (int round = 0; round < most_rounds && step > least_step; ++round) {
-    const double bound = relaxation.solve(prices, surplus);
+    const std::optional<double> bound = relaxation.solve(prices, surplus, stop);
+    if (!bound) break;
     ++stale;
-    if (bound > best) {
-      best = bound;
+    if (*bound > best) {
+      best = *bound;
       stale = 0;
     }
     double square = 0.0;
@@ -153,7 +160,7 @@ double order_bound_s(const TourProblem& problem, bool started, double aim_s) {
       step *= 0.5;
       stale = 0;
     }
-    const double scale = step * std::max(aim_s - bound, 1e-6 * aim_s) / square;
+    const double scale = step * std::max(aim_s - *bound, 1e-6 * aim_s) / square;
     for (std::size_t i = 0; i < prices.size(); ++i) prices[i] += scale * surplus[i];
   }
   return best * (1.0 - rounding);

@@ -7,12 +7,16 @@
 // make the bound better (Held and Karp 1971).
 #pragma once
 
+#include <stop_token>
+
 #include "outrider/tour/problem.hpp"
 
 namespace outrider::cover {
 
 /// Returns the bound, s, for stops that serve one goal each. Without `started` the first unit is reached for
-/// nothing. `aim_s`: prices are changed no longer once the bound is as large. O(rounds (stops^2 + goals^3)).
-double order_bound_s(const TourProblem& problem, bool started, double aim_s);
+/// nothing. `aim_s`: prices are changed no longer once the bound is as large. After a stop request, the best
+/// bound so far. O(rounds (stops^2 + goals^3)).
+double order_bound_s(const TourProblem& problem, bool started, double aim_s,
+                     const std::stop_token& stop = {});
 
 }  // namespace outrider::cover

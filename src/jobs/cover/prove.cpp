@@ -60,9 +60,9 @@ Status check_curvature(const CoverTrack& track, const CoverProblem& problem) {
 }
 
 /// Checks that the bar stays within the area.
-Status check_bar(const CoverPlan& plan, const Bar& bar) {
+Status check_bar(const CoverPlan& plan, const Bar& bar, const std::stop_token& stop) {
   const Region out =
-      cover::outside_of(cover::poses_along(plan.track.start, plan.track.pieces), bar, plan.ground.area);
+      cover::outside_of(cover::poses_along(plan.track.start, plan.track.pieces), bar, plan.ground.area, stop);
   if (out.empty()) return {};
   const Vec2 at = out.front().outer.front();
   return refused(fmt::format("the bar leaves the area about ({:.6g}, {:.6g}), by {:.3g} m2 in all", at.x,
@@ -82,23 +82,18 @@ std::vector<MissedPlace> places_of(const Region& missed, double reach_m2) {
 
 /// Returns the smallest distance of the track from an edge of the field that each piece is in, and of
 /// transfers from an edge of the ground of all.
-double clearance_of(const CoverPlan& plan) {
+double clearance_of(const CoverPlan& plan, const std::stop_token& stop) {
   const auto& fields = plan.ground.fields;
-  std::vector<Plan> inside(fields.size());
-  Plan all;
-  for (std::size_t i = 0; i < plan.track.pieces.size(); ++i) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < plan.track.pieces.size() && !stop.stop_requested(); ++i) {
     const PathPiece& piece = plan.track.pieces[i];
     const auto field = std::find_if(fields.begin(), fields.end(), [&](const CoverField& one) {
       return fields.size() == 1 || contains(one.area, piece.from);
     });
     const bool transfer = plan.roles[i] == PieceRole::transfer || field == fields.end();
-    Plan& part = transfer ? all : inside[static_cast<std::size_t>(field - fields.begin())];
+    Plan part;
     part.pieces.push_back(piece);
-  }
-  double least =
-      all.pieces.empty() ? std::numeric_limits<double>::infinity() : clearance_m(all, *plan.ground.ground);
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (!inside[i].pieces.empty()) least = std::min(least, clearance_m(inside[i], *fields[i].ground));
+    least = std::min(least, clearance_m(part, transfer ? *plan.ground.ground : *field->ground));
   }
   return least;
 }
@@ -132,15 +127,16 @@ Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, co
   if (auto good = problem.curves() ? check_curvature(plan.track, problem) : Status{}; !good)
     return pass_on(good);
   CoverProof proof;
-  proof.clearance_m = clearance_of(plan);
+  proof.clearance_m = clearance_of(plan, budget.stop);
   if (!(proof.clearance_m >= problem.body_radius_m() - slack_m)) {
     return refused(fmt::format("it comes within {} m of an edge, nearer than the radius of {} m",
                                proof.clearance_m, problem.body_radius_m()));
   }
   if (plan.ground.ground->solid(plan.track.start.position)) return refused("it begins outside of the area");
-  if (auto good = problem.bar() ? check_bar(plan, *problem.bar()) : Status{}; !good) return pass_on(good);
+  if (auto good = problem.bar() ? check_bar(plan, *problem.bar(), budget.stop) : Status{}; !good)
+    return pass_on(good);
   const double error_m = problem.tracking_error_m;
-  proof.length_bound_m = least_length_m(plan.ground, problem);
+  proof.length_bound_m = least_length_m(plan.ground, problem, budget.stop);
   const auto covered = [&](bool surely) {
     return cover::coverage_along(plan.track.start, plan.track.pieces, problem, plan.ground.reach, surely,
                                  budget.stop);

@@ -95,10 +95,12 @@ double cost_of(const std::vector<Interval>& lanes, double change_m) {
 
 }  // namespace
 
-std::vector<double> slab_cuts(const RingedPolygon& polygon, double stride_m, double change_m) {
+std::vector<double> slab_cuts(const RingedPolygon& polygon, double stride_m, double change_m,
+                              const std::stop_token& stop) {
   const std::vector<double> heights = heights_of(polygon, stride_m);
   std::vector<std::vector<Interval>> strips;  // what lies between two heights
   for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
+    if (stop.stop_requested()) return {heights.front(), heights.back()};
     const double low = heights[i], rise = heights[i + 1] - low;
     std::vector<Interval> strip;
     for (const double part : {0.02, 0.5, 0.98}) unite(strip, stretches(polygon, low + part * rise));
@@ -108,6 +110,7 @@ std::vector<double> slab_cuts(const RingedPolygon& polygon, double stride_m, dou
   std::vector<std::size_t> from(heights.size(), 0);
   least[0] = 0.0;
   for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
+    if (stop.stop_requested()) return {heights.front(), heights.back()};
     std::vector<Interval> lanes;
     for (std::size_t k = i; k + 1 < heights.size(); ++k) {
       if (heights[k + 1] - heights[i] > stride_m * (1.0 + 1e-9)) break;

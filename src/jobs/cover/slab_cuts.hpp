@@ -7,6 +7,7 @@
 // slabs are at most a stride high.
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "outrider/jobs/cover/region.hpp"
@@ -14,7 +15,8 @@
 namespace outrider::cover {
 
 /// Returns the cuts in rising order, with both ends. O(c n + c k) for n edges, c heights, of which k lie
-/// within a stride.
-std::vector<double> slab_cuts(const RingedPolygon& polygon, double stride_m, double change_m);
+/// within a stride. After a stop request, only the ends.
+std::vector<double> slab_cuts(const RingedPolygon& polygon, double stride_m, double change_m,
+                              const std::stop_token& stop = {});
 
 }  // namespace outrider::cover

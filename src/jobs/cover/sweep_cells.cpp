@@ -67,12 +67,13 @@ Segment lane_of(const RingedPolygon& part, double y, double least_m) {
 }
 
 /// One connected polygon cut into slabs; parts in the order of their slabs.
-std::vector<Part> parts_of(const RingedPolygon& polygon, double stride_m, double least_m, double change_m) {
+std::vector<Part> parts_of(const RingedPolygon& polygon, double stride_m, double least_m, double change_m,
+                           const std::stop_token& stop) {
   const Box2 box = bounds_of({polygon});
-  const std::vector<double> cuts = slab_cuts(polygon, stride_m, change_m);
+  const std::vector<double> cuts = slab_cuts(polygon, stride_m, change_m, stop);
   std::vector<Part> parts;
   std::size_t before = 0, here = 0;  // where the parts of the slab before and of this one begin
-  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+  for (std::size_t k = 0; k + 1 < cuts.size() && !stop.stop_requested(); ++k) {
     const double low = cuts[k], high = cuts[k + 1];
     const double left = box.low.x - 1.0, right = box.high.x + 1.0;
     const Region cut = common({polygon}, {{{{left, low}, {right, low}, {right, high}, {left, high}}, {}}});
@@ -100,13 +101,13 @@ std::size_t next_of(const std::vector<Part>& parts, std::size_t i) {
 }  // namespace
 
 std::vector<SweepCell> sweep_cells(const Region& region, double heading_rad, double stride_m, double least_m,
-                                   double change_m) {
+                                   double change_m, const std::stop_token& stop) {
   const Vec2 axis = direction(heading_rad);
   const auto back = [&](Vec2 p) { return turned_back(p, axis); };
   std::vector<SweepCell> cells;
   for (const RingedPolygon& polygon : region) {
     const auto parts =
-        parts_of(each(polygon, [&](Vec2 p) { return turned(p, axis); }), stride_m, least_m, change_m);
+        parts_of(each(polygon, [&](Vec2 p) { return turned(p, axis); }), stride_m, least_m, change_m, stop);
     std::vector<bool> used(parts.size(), false);
     for (std::size_t begin = 0; begin < parts.size(); ++begin) {
       if (used[begin]) continue;

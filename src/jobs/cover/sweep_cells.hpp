@@ -10,6 +10,8 @@
 // where the robot may stand, the lane is free, and a disk of that radius covers the part.
 #pragma once
 
+#include <stop_token>
+
 #include "outrider/geometry/convex.hpp"
 #include "outrider/jobs/cover/region.hpp"
 
@@ -22,8 +24,8 @@ struct SweepCell {
 
 /// Cells of the region for lanes of that heading, no farther than `stride_m` from one to the next. Lanes
 /// shorter than `least_m` are made so long. The slabs make the lanes short and few, where one more is worth
-/// `change_m` (slab_cuts.hpp). O(slabs n log n).
+/// `change_m` (slab_cuts.hpp). After a stop request, only some cells. O(slabs n log n).
 std::vector<SweepCell> sweep_cells(const Region& region, double heading_rad, double stride_m, double least_m,
-                                   double change_m = 0.0);
+                                   double change_m = 0.0, const std::stop_token& stop = {});
 
 }  // namespace outrider::cover

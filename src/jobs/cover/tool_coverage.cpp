@@ -94,11 +94,12 @@ Coverage coverage_of_drive(const PieceDrive& drive, const CoverProblem& problem,
   return std::move(all).value_or(Coverage{});
 }
 
-Region outside_of(const std::vector<Pose2>& poses, const Bar& bar, const Region& area) {
+Region outside_of(const std::vector<Pose2>& poses, const Bar& bar, const Region& area,
+                  const std::stop_token& stop) {
   const std::vector<Pose2> all = with_small_turns(poses);
   const Region allowed = grown(area, outside_m, 0.1 * outside_m);
   std::vector<Region> parts, sweeps;
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (std::size_t i = 0; i < all.size() && !stop.stop_requested(); ++i) {
     sweeps.push_back(bar_sweep(all[i > 0 ? i - 1 : 0], all[i], bar, Approximation::around));
     if (sweeps.size() < batch && i + 1 < all.size()) continue;
     Region part = without(united(sweeps), allowed);

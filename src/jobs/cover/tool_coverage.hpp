@@ -25,7 +25,8 @@ Coverage coverage_of_drive(const PieceDrive& drive, const CoverProblem& problem,
                            const std::stop_token& stop = {});
 
 /// Returns the part of what the bar passes over on those poses that is outside of the area, by more than
-/// rounding. It contains every such place.
-Region outside_of(const std::vector<Pose2>& poses, const Bar& bar, const Region& area);
+/// rounding. It contains every such place, unless a stop was requested.
+Region outside_of(const std::vector<Pose2>& poses, const Bar& bar, const Region& area,
+                  const std::stop_token& stop = {});
 
 }  // namespace outrider::cover

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "coverage_units.hpp"
 #include "order_bound.hpp"
 
 namespace outrider::cover {
@@ -87,7 +88,7 @@ double length_of(const std::vector<PathPiece>& pieces) {
 }
 
 /// Keeps the drivable strokes that lead to each other: of some bases, the one with the longest strokes.
-std::vector<Drivable> joined(const Roadmap& map) {
+std::vector<Drivable> joined(const Roadmap& map, const std::stop_token& stop) {
   std::vector<const Drivable*> bases;
   for (const Drivable& one : map.drivables) bases.push_back(&one);
   std::stable_sort(bases.begin(), bases.end(), [](const Drivable* a, const Drivable* b) {
@@ -99,6 +100,7 @@ std::vector<Drivable> joined(const Roadmap& map) {
   std::vector<Drivable> best;
   double most_m = 0.0;
   for (const Drivable* base : bases) {
+    if (stop.stop_requested()) break;
     if (map.start && !std::isfinite(from_start[base->entry])) continue;
     const auto there = map.transit.ways_from(base->exit), back = map.transit.ways_to(base->entry);
     std::vector<Drivable> kept;
@@ -121,7 +123,8 @@ struct OrderProblem {
   TourProblem tour;
   std::vector<TurningTransit::Ways> ways;  ///< by stop; of stop 0 only with a start
 
-  OrderProblem(const Roadmap& map, const std::vector<Drivable>& stops) {
+  /// It is incomplete after a stop request.
+  OrderProblem(const Roadmap& map, const std::vector<Drivable>& stops, const std::stop_token& stop_token) {
     const std::size_t n = stops.size() + 1;
     tour.turning = {1e9, std::numeric_limits<double>::infinity()};
     tour.services.resize(1);
@@ -129,6 +132,7 @@ struct OrderProblem {
     ways.emplace_back();
     if (map.start) ways[0] = map.transit.ways_from(*map.start);
     for (std::size_t i = 1; i < n; ++i) {
+      if (stop_token.stop_requested()) return;
       const Drivable& stop = stops[i - 1];
       if (i == 1 || stop.stroke != stops[i - 2].stroke) ++tour.goals;
       tour.services.push_back({{static_cast<std::uint32_t>(tour.goals - 1), 0.0, 0.0, stop.time_s}});
@@ -152,16 +156,20 @@ void append(CoverPlan& plan, const std::vector<PathPiece>& pieces, PieceRole rol
 Outcome<CoverPlan> ordered_strokes(const std::vector<Stroke>& strokes, const CoverProblem& problem,
                                    const TourOptions& options, const FreeRoom& room, const Budget& budget) {
   const Roadmap map(strokes, problem, room, budget.stop);
-  const std::vector<Drivable> stops = joined(map);
-  if (budget.stop.stop_requested())
+  const std::vector<Drivable> stops = joined(map, budget.stop);
+  const auto cancelled = [] {
     return fault(FaultCode::cancelled, "it was cancelled while it planned turns");
+  };
+  if (budget.stop.stop_requested()) return cancelled();
   if (stops.empty()) {
     return fault(FaultCode::start_blocked,
                  fmt::format("no curve of {:g} m or wider leads from there to a lap or lane",
                              problem.turning_radius_m),
                  "start");
   }
-  const OrderProblem order(map, stops);
+  if (auto good = check_ways(stops.size()); !good) return pass_on(good);
+  const OrderProblem order(map, stops, budget.stop);
+  if (budget.stop.stop_requested()) return cancelled();
   TourOptions search = options;
   if (order.tour.goals > most_proven) search.gap = 1.0;
   auto tour = solve(order.tour, search, budget);
@@ -169,7 +177,7 @@ Outcome<CoverPlan> ordered_strokes(const std::vector<Stroke>& strokes, const Cov
   CoverPlan plan;
   plan.order_bound_s = tour->lower_bound_s;
   if (options.gap < 1.0) {
-    const double bound_s = order_bound_s(order.tour, problem.start.has_value(), tour->cost_s);
+    const double bound_s = order_bound_s(order.tour, problem.start.has_value(), tour->cost_s, budget.stop);
     plan.order_bound_s = std::max(plan.order_bound_s, bound_s);
   }
   const Drivable& first = stops[tour->visits.front().stop - 1];

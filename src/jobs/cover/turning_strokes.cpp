@@ -28,11 +28,11 @@ class Exits {
  public:
   Exits(const std::vector<Stroke>& laps, const CoverProblem& problem, const FreeRoom& room,
         const std::stop_token& stop)
-      : problem_(problem), room_(room) {
+      : problem_(problem), room_(room), stop_(stop) {
     TurningTransit transit(problem, room);
     const auto nodes = add_strokes(transit, laps);
     transit.connect(nodes, nodes, stop);
-    for (std::size_t k = 0; k < most_probes && k < nodes.size(); ++k) {
+    for (std::size_t k = 0; k < most_probes && k < nodes.size() && !stop.stop_requested(); ++k) {
       const std::size_t base = k * nodes.size() / std::min(most_probes, nodes.size());
       const auto there = transit.ways_from(nodes[base]), back = transit.ways_to(nodes[base]);
       std::vector<Pose2> joined;
@@ -44,7 +44,9 @@ class Exits {
     }
   }
 
+  /// Returns true if a way leads from there to one of the nearest exits; after a stop request as well.
   [[nodiscard]] bool lead_on(const Pose2& from) const {
+    if (stop_.stop_requested()) return true;
     std::vector<std::pair<double, std::size_t>> near;
     for (std::size_t i = 0; i < poses_.size(); ++i)
       near.emplace_back(distance(from.position, poses_[i].position), i);
@@ -62,6 +64,7 @@ class Exits {
  private:
   const CoverProblem& problem_;
   const FreeRoom& room_;
+  const std::stop_token& stop_;
   std::vector<Pose2> poses_;
 };
 
@@ -142,9 +145,9 @@ class Collection {
 
 /// The straight sides of the exact laps, which rounded ones may leave.
 Outcome<std::vector<Segment>> sides_of(const CoverProblem& problem, const CoverField& field, double arc_m,
-                                       int laps) {
+                                       int laps, const std::stop_token& stop) {
   std::vector<Segment> sides;
-  for (int k = 0; k < laps; ++k) {
+  for (int k = 0; k < laps && !stop.stop_requested(); ++k) {
     const double depth = problem.radius_m() + k * problem.stride_m();
     if (depth > most_polygon_radius_m) break;
     auto ground = PolygonGround::of(field.ground->boundary, field.ground->obstacles, depth);
@@ -222,7 +225,7 @@ Outcome<std::vector<Stroke>> turning_strokes(const CoverProblem& problem, const 
     return lanes_of(cells_of(region, problem, headings, stop));
   };
   const Region inside = core_of(problem, field, problem.sure_radius_m() - 2.0 * strides.slack_m);
-  auto sides = sides_of(problem, field, arc_m, std::max(1, std::min(laps, made + 1)));
+  auto sides = sides_of(problem, field, arc_m, std::max(1, std::min(laps, made + 1)), stop);
   if (!sides) return pass_on(sides);
   std::vector<Stroke> chains = all.strokes;
   if (chains.empty()) {  // too narrow for any lap: lanes lead to lanes
@@ -234,12 +237,14 @@ Outcome<std::vector<Stroke>> turning_strokes(const CoverProblem& problem, const 
   if (laps != all_laps) {
     const double depth = (laps - 1) * problem.stride_m() + 0.5 * strides.slab_m;
     for (const Segment& lane : lanes(core_of(problem, field, depth))) {
+      if (stop.stop_requested()) break;
       const auto kept = trimmed(lane, problem, exits, least_lane * problem.stride_m());
       if (kept) all.add({{{kept->a, kept->b, {}, 0.0}}, PieceRole::lane, false});
     }
   }
   const auto add_rest = [&](const std::vector<Segment>& segments) {
     for (const Segment& one : segments) {
+      if (stop.stop_requested()) return;
       const auto kept = trimmed(one, problem, exits, least_lane * problem.stride_m());
       if (kept) all.add_if_worth(*kept, PieceRole::lane);
     }

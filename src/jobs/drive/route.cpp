@@ -14,7 +14,7 @@ namespace outrider {
 namespace {
 
 Outcome<Problem> problem_for(const PathPlanner& planner, const CollisionMap& ground, double radius_m,
-                             Vec2 start, Vec2 goal, double resolution_m) {
+                             Vec2 start, Vec2 goal, double resolution_m, const std::stop_token& stop) {
   Problem problem{nullptr, start, goal};
   if (planner.models.empty()) {
     auto polygons = polygons_from_world(ground, radius_m);
@@ -25,7 +25,7 @@ Outcome<Problem> problem_for(const PathPlanner& planner, const CollisionMap& gro
   const GridModel model = planner.takes(GridModel::corners) ? GridModel::corners : planner.models.front();
   GridOptions options;
   options.resolution_m = resolution_m;
-  auto grid = grid_from_world(ground, radius_m, model, options);
+  auto grid = grid_from_world(ground, radius_m, model, options, stop);
   if (!grid) return pass_on(grid);
   problem.grid = std::make_shared<const GridMap>(std::move(*grid));
   return problem;
@@ -115,8 +115,8 @@ Outcome<DriveRoute> plan_route(const DriveTask& task, const CollisionMap& ground
         "planner");
   }
   const double radius_m = task.radius_m + options.margin_m;
-  auto problem =
-      problem_for(*row, ground, radius_m, task.start.position, goal.position, options.resolution_m);
+  auto problem = problem_for(*row, ground, radius_m, task.start.position, goal.position, options.resolution_m,
+                             budget.stop);
   if (!problem) return pass_on(problem);
   Workspace workspace;
   auto plan = row->configure().plan(*problem, budget, workspace);

@@ -194,8 +194,11 @@ Status check_start(const GuardProblem& problem, const CollisionMap& ground) {
   return {};
 }
 
-void find_standable(FiringMap& firing_map, double radius_m, double spare_m) {
+constexpr std::size_t cells_an_ask = 256;  // of the stop token
+
+void find_standable(FiringMap& firing_map, double radius_m, double spare_m, const std::stop_token& stop) {
   for (std::size_t i = 0; i < firing_map.frame.size(); ++i) {
+    if (i % cells_an_ask == 0 && stop.stop_requested()) return;
     const double clearance =
         firing_map.ground.clearance(firing_map.frame.centre(firing_map.frame.cell(i)), radius_m + spare_m);
     firing_map.clearance_m[i] = static_cast<float>(clearance);
@@ -204,7 +207,7 @@ void find_standable(FiringMap& firing_map, double radius_m, double spare_m) {
 }
 
 /// Breadth-first from the cells that the start sees within two steps; every step is swept exactly.
-void find_reachable(FiringMap& firing_map, Vec2 start, double radius_m) {
+void find_reachable(FiringMap& firing_map, Vec2 start, double radius_m, const std::stop_token& stop) {
   const GridFrame& frame = firing_map.frame;
   const double step = frame.resolution_m;
   std::queue<std::size_t> open;
@@ -221,7 +224,8 @@ void find_reachable(FiringMap& firing_map, Vec2 start, double radius_m) {
   for (int dy = -2; dy <= 2; ++dy) {
     for (int dx = -2; dx <= 2; ++dx) reach(start, {}, {home.x + dx, home.y + dy}, false);
   }
-  while (!open.empty()) {
+  for (std::size_t popped = 0; !open.empty(); ++popped) {
+    if (popped % cells_an_ask == 0 && stop.stop_requested()) return;
     const std::size_t i = open.front();
     open.pop();
     const Cell c = frame.cell(i);
@@ -307,8 +311,12 @@ Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOpti
   if (auto ok = check_start(problem, firing_map.ground); !ok) return pass_on(ok);
 
   const double spare = std::max(problem.errors.position_m, 1.5 * options.resolution_m);
-  find_standable(firing_map, problem.robot.radius_m, spare);
-  find_reachable(firing_map, problem.start.position, problem.robot.radius_m);
+  const auto cancelled = [] {
+    return fault(FaultCode::cancelled, "it was cancelled while it looked for places to shoot from");
+  };
+  find_standable(firing_map, problem.robot.radius_m, spare, budget.stop);
+  find_reachable(firing_map, problem.start.position, problem.robot.radius_m, budget.stop);
+  if (budget.stop.stop_requested()) return cancelled();
   if (search == RegionSearch::none) return firing_map;
   auto corners = find_corners(firing_map.ground, problem.robot, {}, {}, budget);
   if (!corners) return pass_on(corners);
@@ -320,8 +328,7 @@ Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOpti
     if (firing_map.regions[i].hits == 0 && search == RegionSearch::exhaustive)
       try_all(firing_map, target, i, budget.stop);
   });
-  if (budget.stop.stop_requested())
-    return fault(FaultCode::cancelled, "it was cancelled while it looked for places to shoot from");
+  if (budget.stop.stop_requested()) return cancelled();
   return firing_map;
 }
 

@@ -74,14 +74,17 @@ double clearance_of(const PlanGround& ground, const Plan& plan) {
   return clearance_m(plan, *ground.standing, std::numeric_limits<double>::infinity());
 }
 
-/// How safe the plan is on the ground that is known best. Breaks off where the plan is not one.
-Safety judge(const PathPlanner& planner, const PlanGround& ground, const PlanQuery& query, const Plan& plan) {
+/// How safe the plan is on the ground that is known best. Breaks off where the plan is not one. After a stop
+/// request the result is meaningless.
+Safety judge(const PathPlanner& planner, const PlanGround& ground, const PlanQuery& query, const Plan& plan,
+             const std::stop_token& stop) {
   const Problem problem = problem_of(planner, ground, query);
-  auto verdict = check(plan, problem);
+  auto verdict = check(plan, problem, stop);
   if (verdict && ground.shapes) verdict = check(plan, *ground.shapes, ground.radius_m);
   Problem exact = problem;
   if (ground.polygons) exact = {nullptr, problem.start, problem.goal, ground.polygons};
-  Safety safety = safety_of(plan, exact);
+  Safety safety = safety_of(plan, exact, stop);
+  if (stop.stop_requested()) return safety;
   if (!ground.polygons) safety.clearance_m = clearance_of(ground, plan);
   if (verdict && ground.polygons && !(safety.clearance_m >= ground.radius_m - 2.0 * contact_m)) {
     verdict = bad_input("the disk touches an edge");
@@ -93,8 +96,9 @@ Safety judge(const PathPlanner& planner, const PlanGround& ground, const PlanQue
   return safety;
 }
 
-void fill(PlanRow& row, const PathPlanner& planner, const PlanGround& ground, Plan plan) {
-  const Safety safety = judge(planner, ground, row.query, plan);
+void fill(PlanRow& row, const PathPlanner& planner, const PlanGround& ground, Plan plan,
+          const std::stop_token& stop) {
+  const Safety safety = judge(planner, ground, row.query, plan, stop);
   row.cost = plan.cost;
   row.length_m = length_of(plan);
   row.lower_bound = plan.lower_bound;
@@ -114,7 +118,7 @@ void fill(PlanRow& row, const PathPlanner& planner, const PlanGround& ground, Pl
 /// On polygons a start or a goal that they do not allow is refused in their words, with the distance, also
 /// to a planner on the grid.
 PlanRow row_of(const PathPlanner& planner, const PlanGround& ground, const PlanQuery& query,
-               Outcome<Plan> plan) {
+               Outcome<Plan> plan, const std::stop_token& stop) {
   PlanRow row{std::string(planner.name), query};
   const Guarantee& guarantee = planner.guarantee_on(ground.polygons != nullptr);
   row.cost_unit = unit_of(guarantee.measure);
@@ -124,7 +128,7 @@ PlanRow row_of(const PathPlanner& planner, const PlanGround& ground, const PlanQ
     if (!stands) plan = pass_on(stands);
   }
   if (plan) {
-    fill(row, planner, ground, std::move(*plan));
+    fill(row, planner, ground, std::move(*plan), stop);
     return row;
   }
   row.status = to_string(plan.error().code);
@@ -153,7 +157,7 @@ struct Asked {
                      : plan_each(planner.second, problem, goals, budget, workspace);
     const double share_s = (wall_s() - begin_s) / static_cast<double>(queries.size());
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      rows.push_back(row_of(planner.first, ground, queries[i], std::move(plans[i])));
+      rows.push_back(row_of(planner.first, ground, queries[i], std::move(plans[i]), budget.stop));
       rows.back().time_s = share_s;
       if (rows.back().found()) rows.back().drive_s = drive_s(*rows.back().plan);
     }
@@ -228,6 +232,7 @@ Outcome<PlanAnswer> answer(const PlanQuestion& question, const PlanTools& tools,
       rows.push_back(std::move(row));
     }
   }
+  if (budget.stop.stop_requested()) return BudgetMeter(budget).refusal();
   PlanAnswer by_query;
   const std::size_t queries = question.queries.size();
   for (std::size_t q = 0; q < queries; ++q) {

@@ -25,7 +25,7 @@ Status change_cells(GridMap& grid, const std::vector<PlanCellChange>& changes) {
 
 Status set_grid(PlanGround& ground, Outcome<Grid<std::uint8_t>> blocked, const PlanGroundOptions& options) {
   if (!blocked) return pass_on(blocked);
-  auto grid = GridMap::of(*blocked, options.model);
+  auto grid = grid_map_of(*blocked, options.model, options.stop);
   if (!grid) return pass_on(grid);
   if (!options.changes.empty()) {
     if (auto ok = change_cells(*grid, options.changes); !ok) return ok;
@@ -42,17 +42,17 @@ Status set_polygons(PlanGround& ground, Outcome<PolygonGround> polygons, const P
   if (!polygons) return pass_on(polygons);
   ground.polygons = std::make_shared<const PolygonGround>(std::move(*polygons));
   if (!options.needs_grid) return {};
-  return set_grid(ground, blocked_for_disk(*ground.polygons, options.grid), options);
+  return set_grid(ground, blocked_for_disk(*ground.polygons, options.grid, options.stop), options);
 }
 
 Status set_shape(PlanGround& ground, const MapShape& map, const PlanGroundOptions& options) {
   if (const auto* cells = std::get_if<MapCells>(&map)) {
     ground.yaw_rad = cells->yaw_rad;
     ground.occupied = cells->occupancy;
-    auto standing = GridMap::of(cells->occupancy, options.model);
+    auto standing = grid_map_of(cells->occupancy, options.model, options.stop);
     if (!standing) return pass_on(standing);
     ground.standing = std::make_shared<const GridMap>(std::move(*standing));
-    return set_grid(ground, inflated(cells->occupancy, options.radius_m), options);
+    return set_grid(ground, inflated(cells->occupancy, options.radius_m, options.stop), options);
   }
   if (!options.changes.empty()) {
     return bad_input("it changes cells, and this map has exact shapes; leave it out, or take a map of cells",
@@ -67,7 +67,8 @@ Status set_shape(PlanGround& ground, const MapShape& map, const PlanGroundOption
     return set_polygons(ground, polygons_from_world(shapes, options.radius_m), options);
   }
   ground.shapes = std::move(shapes);
-  return set_grid(ground, blocked_for_disk(*ground.shapes, options.radius_m, options.grid), options);
+  return set_grid(ground, blocked_for_disk(*ground.shapes, options.radius_m, options.grid, options.stop),
+                  options);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ Outcome<Warnings> PlanJob::load() {
 Status PlanJob::run(Run& run, const RunWatch& watch) {
   RunSteps steps(watch, 1 + static_cast<int>(task->planners.size()));
   if (auto ok = steps.next("preparing the map"); !ok) return ok;
-  const auto question = question_of(*task);
+  const auto question = question_of(*task, watch.stop);
   if (!question) return tl::unexpected<Fault>(question.error());
   if (question->queries.size() == 1) {
     if (auto ok = check_query(*question->ground, question->queries.front()); !ok) return ok;

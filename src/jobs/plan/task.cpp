@@ -127,8 +127,10 @@ Outcome<PlanTask> load_plan(const PlanScenario& scenario, const std::set<std::st
   return task;
 }
 
-Outcome<PlanQuestion> question_of(const PlanTask& task) {
-  auto ground = plan_ground(task.map.shape, task.ground);
+Outcome<PlanQuestion> question_of(const PlanTask& task, const std::stop_token& stop) {
+  PlanGroundOptions options = task.ground;
+  options.stop = stop;
+  auto ground = plan_ground(task.map.shape, options);
   if (!ground) return pass_on(ground);
   return PlanQuestion{std::make_shared<const PlanGround>(std::move(*ground)), task.planners, task.queries,
                       task.settled.drive};

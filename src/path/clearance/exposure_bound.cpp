@@ -75,7 +75,7 @@ std::vector<double> least_costs(const ExposureQuestion& question, const Lattice&
   std::vector<double> costs(lattice.cell(0, lattice.height), 0.0);
   const double half_diagonal = std::sqrt(0.5) * lattice.cell_m;
   std::vector<const Segment*> near;
-  for (int by = 0; by < lattice.height; by += block) {
+  for (int by = 0; by < lattice.height && !question.stop.stop_requested(); by += block) {
     for (int bx = 0; bx < lattice.width; bx += block) {
       const Vec2 middle = lattice.at(bx + 0.5 * block, by + 0.5 * block);
       const double reach = ground.edge_distance(middle) + 2.001 * block * half_diagonal;
@@ -121,7 +121,7 @@ class March {
     });
   }
 
-  void run(Vec2 start, Vec2 goal) {
+  void run(Vec2 start, Vec2 goal, const std::stop_token& stop) {
     value_.assign(cost_.size(), never);
     known_.assign(cost_.size(), 0);
     heap_ = {};
@@ -133,7 +133,11 @@ class March {
     const auto [to, there] = lattice_.place(goal);
     const auto goals = nodes_of(to[0], to[1]);
     double reached = 0.0;
-    while (!heap_.empty() && !std::ranges::all_of(goals, [&](std::size_t n) { return known_[n] != 0; })) {
+    const auto arrived = [&] {
+      return stop.stop_requested() ||
+             std::ranges::all_of(goals, [&](std::size_t n) { return known_[n] != 0; });
+    };
+    while (!heap_.empty() && !arrived()) {
       const auto [value, node] = heap_.top();
       heap_.pop();
       if (known_[node] != 0) continue;
@@ -234,7 +238,8 @@ double least_cost_bound(const ExposureQuestion& question, int cells) {
   March march(lattice, costs);
   double best = 0.0;
   for (int round = 0; round < most_rounds; ++round) {
-    march.run(question.start, question.goal);
+    march.run(question.start, question.goal, question.stop);
+    if (question.stop.stop_requested()) return 0.0;
     const double rise = march.value(question.goal) - march.value(question.start);
     const double excess = march.relax();
     if (std::isfinite(rise)) best = std::max(best, rise / excess);

@@ -12,6 +12,8 @@
 // dual of the path, Mitchell and Papadimitriou, The weighted region problem (1991).
 #pragma once
 
+#include <stop_token>
+
 #include "outrider/path/visibility/polygon_ground.hpp"
 
 namespace outrider {
@@ -22,7 +24,8 @@ struct ExposureQuestion {
   Vec2 start;
   Vec2 goal;
   double weight_m = 0.0;
-  double least_m = 0.0;  ///< clearance that the paths keep
+  double least_m = 0.0;       ///< clearance that the paths keep
+  std::stop_token stop = {};  ///< after a stop request nothing more is shown
 };
 
 /// Returns the bound; 0 if the cells show nothing. `cells` is their number along the longer side of the

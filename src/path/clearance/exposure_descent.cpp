@@ -105,6 +105,7 @@ struct Bend {
 
 double LegCost::operator()(Vec2 a, Vec2 b) const {
   const Segment leg{a, b};
+  if (stop.stop_requested()) return std::numeric_limits<double>::infinity();
   if (leg_clearance(ground, leg) < least_m) return std::numeric_limits<double>::infinity();
   return distance(a, b) + weight_m * leg_exposure(ground, leg);
 }

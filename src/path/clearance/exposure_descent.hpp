@@ -5,6 +5,7 @@
 // never grows.
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "outrider/path/visibility/polygon_ground.hpp"
@@ -15,7 +16,8 @@ namespace outrider {
 struct LegCost {
   const PolygonGround& ground;
   double weight_m = 0.0;
-  double least_m = 0.0;  ///< clearance that a leg keeps
+  double least_m = 0.0;       ///< clearance that a leg keeps
+  std::stop_token stop = {};  ///< after a stop request every cost is infinite
 
   /// Returns the cost; infinite where the leg does not keep the clearance.
   [[nodiscard]] double operator()(Vec2 a, Vec2 b) const;

@@ -40,10 +40,10 @@ bool wider_between(const GridClearance& clearance, Vec2 a, double at_a, Vec2 b, 
 
 }  // namespace
 
-GridClearance GridClearance::of(const GridMap& ground) {
+GridClearance GridClearance::of(const GridMap& ground, const std::stop_token& stop) {
   const int width = 2 * ground.frame.width + 1, height = 2 * ground.frame.height + 1;
   Grid<std::uint8_t> solid(GridFrame{{0.0, 0.0}, 0.5, width, height});
-  for (int y = -1; y <= ground.frame.height; ++y) {
+  for (int y = -1; y <= ground.frame.height && !stop.stop_requested(); ++y) {
     for (int x = -1; x <= ground.frame.width; ++x) {
       if (!ground.blocked({x, y})) continue;
       for (int j = std::max(2 * y, 0); j <= std::min(2 * y + 2, height - 1); ++j) {
@@ -54,7 +54,7 @@ GridClearance GridClearance::of(const GridMap& ground) {
   GridClearance made;
   made.ground = &ground;
   made.stride = static_cast<std::size_t>(width);
-  made.squared = squared_clearance(solid).cells;
+  made.squared = squared_clearance(solid, stop).cells;
   made.widest_squared = *std::max_element(made.squared.begin(), made.squared.end());
   return made;
 }

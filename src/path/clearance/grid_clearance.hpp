@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "outrider/path/grid/grid_map.hpp"
@@ -22,7 +23,7 @@ struct GridClearance {
   std::uint32_t widest_squared = 0;    ///< the largest of them
 
   /// Computes the clearance of a ground, which must outlive the result. O(cells).
-  static GridClearance of(const GridMap& ground);
+  static GridClearance of(const GridMap& ground, const std::stop_token& stop = {});
 
   /// Returns the lattice index of the centre of a cell.
   [[nodiscard]] std::size_t place(Cell v) const {

@@ -66,11 +66,13 @@ struct PointsOfWay {
 };
 
 PointsOfWay points_of(const std::vector<Bisector>& way, const PolygonGround& ground, const Problem& problem,
-                      double weight_m, double least_m) {
+                      double weight_m, double least_m, const std::stop_token& stop) {
   PointsOfWay fine{ground, weight_m, least_m};
   fine.points = {problem.start};
   fine.cost = {0.0};
-  for (const Bisector& part : way) fine.add(part);
+  for (const Bisector& part : way) {
+    if (!stop.stop_requested()) fine.add(part);
+  }
   if (fine.points.size() > 1 && distance(fine.points.back(), problem.goal) < least_apart_m) {
     fine.points.back() = problem.goal;
   } else {
@@ -153,7 +155,8 @@ double bound_of(const MedialGraph& graph, const LegCost& cost, const Problem& pr
                 const MedialAxisOptions& options) {
   const double simple = least_cost(graph, problem.start, problem.goal, options.weight_m);
   if (options.bound_cells == 0 || simple >= tight * found) return simple;
-  const ExposureQuestion question{cost.ground, problem.start, problem.goal, options.weight_m, cost.least_m};
+  const ExposureQuestion question{cost.ground,      problem.start, problem.goal,
+                                  options.weight_m, cost.least_m,  cost.stop};
   return std::max(simple, least_cost_bound(question, static_cast<int>(options.bound_cells)));
 }
 
@@ -186,8 +189,8 @@ Outcome<Plan> medial_axis(const Problem& problem, const MedialAxisOptions& optio
   if (!way) return pass_on(way);
 
   const double least = std::max((*ground)->radius_m, legs_keep * kept);
-  const LegCost cost{**ground, options.weight_m, least};
-  const PointsOfWay fine = points_of(*way, **ground, problem, options.weight_m, least);
+  const LegCost cost{**ground, options.weight_m, least, budget.stop};
+  const PointsOfWay fine = points_of(*way, **ground, problem, options.weight_m, least, budget.stop);
   Budget left = budget;
   left.expansions -= meter.spent();
   auto wide = shortest_wide(problem, kept * (1.0 - rounding) - graph.rounding_m, left, workspace);
@@ -201,6 +204,7 @@ Outcome<Plan> medial_axis(const Problem& problem, const MedialAxisOptions& optio
   Plan plan = plan_of(problem, best, options.weight_m);
   plan.lower_bound = std::min(plan.cost, bound_of(graph, cost, problem, plan.cost, options));
   plan.counters = counters;
+  if (budget.stop.stop_requested()) return meter.refusal();
   return plan;
 }
 

@@ -110,11 +110,13 @@ struct ClearanceMemory {
   GridClearance clearance;
 };
 
-const GridClearance& clearance_of(const std::shared_ptr<const GridMap>& ground, Workspace& workspace) {
+/// Returns the clearance, which is meaningless after a stop request.
+const GridClearance& clearance_of(const std::shared_ptr<const GridMap>& ground, const std::stop_token& stop,
+                                  Workspace& workspace) {
   auto& memory = workspace.get<ClearanceMemory>();
   if (memory.made_for != ground) {
-    memory.clearance = GridClearance::of(*ground);
-    memory.made_for = ground;
+    memory.clearance = GridClearance::of(*ground, stop);
+    memory.made_for = stop.stop_requested() ? nullptr : ground;
   }
   return memory.clearance;
 }
@@ -209,7 +211,7 @@ Outcome<Plan> safest(const Problem& problem, const SafestOptions& options, const
   auto query = query_of(problem);
   if (!query) return pass_on(query);
   const GridMap& ground = query->ground;
-  const GridClearance& clearance = clearance_of(problem.grid, workspace);
+  const GridClearance& clearance = clearance_of(problem.grid, budget.stop, workspace);
   auto& memory = workspace.get<SearchMemory<double>>();
   BudgetMeter meter(budget);
 

@@ -12,13 +12,13 @@ namespace {
 constexpr int longest_side = 32766;  // with the border still within squared_clearance()
 
 /// Returns the occupied cells and the eight cells around each, in a grid with a border of one occupied cell.
-Grid<std::uint8_t> grown_by_a_cell(const Grid<std::uint8_t>& occupied) {
+Grid<std::uint8_t> grown_by_a_cell(const Grid<std::uint8_t>& occupied, const std::stop_token& stop) {
   GridFrame frame = occupied.frame;
   frame.width += 2;
   frame.height += 2;
   Grid<std::uint8_t> grown(frame, 1);
   const auto taken = [&](int x, int y) { return !occupied.contains({x, y}) || occupied[{x, y}] != 0; };
-  for (int y = 0; y < occupied.frame.height; ++y) {
+  for (int y = 0; y < occupied.frame.height && !stop.stop_requested(); ++y) {
     for (int x = 0; x < occupied.frame.width; ++x) {
       bool any = false;
       for (int i = 0; i < 9 && !any; ++i) any = taken(x + i % 3 - 1, y + i / 3 - 1);
@@ -30,7 +30,8 @@ Grid<std::uint8_t> grown_by_a_cell(const Grid<std::uint8_t>& occupied) {
 
 }  // namespace
 
-Outcome<Grid<std::uint8_t>> inflated(const Grid<std::uint8_t>& occupied, double radius_m) {
+Outcome<Grid<std::uint8_t>> inflated(const Grid<std::uint8_t>& occupied, double radius_m,
+                                     const std::stop_token& stop) {
   if (auto good = check_frame(occupied.frame); !good) return pass_on(good);
   const GridFrame& frame = occupied.frame;
   if (occupied.cells.size() != frame.size() || frame.width > longest_side || frame.height > longest_side) {
@@ -46,14 +47,15 @@ Outcome<Grid<std::uint8_t>> inflated(const Grid<std::uint8_t>& occupied, double 
   }
   const double cells = radius_m / frame.resolution_m;
   const double least = cells * cells * (1.0 - 1e-12);  // a radius of whole cells may touch
-  const Grid<std::uint32_t> apart = squared_clearance(grown_by_a_cell(occupied));
+  const Grid<std::uint32_t> apart = squared_clearance(grown_by_a_cell(occupied, stop), stop);
   Grid<std::uint8_t> blocked(frame);
-  for (int y = 0; y < frame.height; ++y) {
+  for (int y = 0; y < frame.height && !stop.stop_requested(); ++y) {
     for (int x = 0; x < frame.width; ++x) {
       const bool taken = occupied[{x, y}] != 0 || static_cast<double>(apart[{x + 1, y + 1}]) < least;
       blocked[{x, y}] = taken ? 1 : 0;
     }
   }
+  if (stop.stop_requested()) return fault(FaultCode::cancelled, "it was cancelled while it grew obstacles");
   return blocked;
 }
 

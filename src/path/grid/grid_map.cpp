@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "outrider/path/grid/from_occupancy.hpp"
+
 namespace outrider {
 namespace {
 
@@ -50,11 +52,11 @@ void set_vertex(GridMap& ground, Cell v) {
 }
 
 /// Sets the vertices from `low` to `high` that are in the grid.
-void set_vertices(GridMap& ground, Cell low, Cell high) {
+void set_vertices(GridMap& ground, Cell low, Cell high, const std::stop_token& stop = {}) {
   const int more = ground.model == GridModel::corners ? 1 : 0;
   const Cell last{std::min(high.x, ground.frame.width - 1 + more),
                   std::min(high.y, ground.frame.height - 1 + more)};
-  for (int y = std::max(low.y, 0); y <= last.y; ++y) {
+  for (int y = std::max(low.y, 0); y <= last.y && !stop.stop_requested(); ++y) {
     for (int x = std::max(low.x, 0); x <= last.x; ++x) set_vertex(ground, {x, y});
   }
 }
@@ -93,7 +95,8 @@ Status check_frame(const GridFrame& frame) {
   return {};
 }
 
-Outcome<GridMap> GridMap::of(const Grid<std::uint8_t>& blocked, GridModel model) {
+Outcome<GridMap> grid_map_of(const Grid<std::uint8_t>& blocked, GridModel model,
+                             const std::stop_token& stop) {
   if (auto good = check_frame(blocked.frame); !good) return pass_on(good);
   if (blocked.cells.size() != blocked.frame.size()) {
     return bad_input(fmt::format("a grid of {} x {} cells came with {} values; give one for each cell",
@@ -104,15 +107,20 @@ Outcome<GridMap> GridMap::of(const Grid<std::uint8_t>& blocked, GridModel model)
   ground.model = model;
   ground.stride = static_cast<std::uint32_t>(blocked.frame.width) + 2;
   const std::size_t size = std::size_t{ground.stride} * (static_cast<std::size_t>(blocked.frame.height) + 2);
-  ground.marks.assign(size, blocked_bit);
+  ground.marks.assign(size, GridMap::blocked_bit);
   ground.moves.assign(size, 0);
-  for (int y = 0; y < blocked.frame.height; ++y) {
+  for (int y = 0; y < blocked.frame.height && !stop.stop_requested(); ++y) {
     for (int x = 0; x < blocked.frame.width; ++x) {
       if (blocked[{x, y}] == 0) ground.marks[ground.index({x, y})] = 0;
     }
   }
-  set_vertices(ground, {0, 0}, {blocked.frame.width, blocked.frame.height});
+  set_vertices(ground, {0, 0}, {blocked.frame.width, blocked.frame.height}, stop);
+  if (stop.stop_requested()) return fault(FaultCode::cancelled, "it was cancelled while it made the grid");
   return ground;
+}
+
+Outcome<GridMap> GridMap::of(const Grid<std::uint8_t>& blocked, GridModel model) {
+  return grid_map_of(blocked, model, {});
 }
 
 Outcome<GridMap> GridMap::with(const std::vector<CellChange>& changes) const {

@@ -30,10 +30,12 @@ bool stops_at(const GridMap& ground, const std::vector<Distances>& distances, un
 }
 
 /// Computes the distances of one move for all cells, starting at the far end of each run.
-void fill(const GridMap& ground, unsigned move, std::vector<Distances>& distances) {
-  backwards_along(ground, move, [&](std::size_t v, std::size_t next) {
+void fill(const GridMap& ground, unsigned move, const std::stop_token& stop,
+          std::vector<Distances>& distances) {
+  const auto visit = [&](std::size_t v, std::size_t next) {
     distances[v][move] = longer(stops_at(ground, distances, move, next), distances[next][move]);
-  });
+  };
+  backwards_along(ground, move, visit, stop);
 }
 
 using Vertices = std::vector<std::size_t>;
@@ -95,9 +97,9 @@ unsigned forced_sides(unsigned moves, unsigned direction) {
   return sides;
 }
 
-std::vector<Distances> distances_of(const GridMap& ground) {
+std::vector<Distances> distances_of(const GridMap& ground, const std::stop_token& stop) {
   std::vector<Distances> distances(ground.marks.size(), Distances{});
-  for (unsigned move = 0; move < 8; ++move) fill(ground, move, distances);
+  for (unsigned move = 0; move < 8; ++move) fill(ground, move, stop, distances);
   return distances;
 }
 

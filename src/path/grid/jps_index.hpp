@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "outrider/path/grid/grid_map.hpp"
@@ -30,7 +31,8 @@ constexpr unsigned diagonal_of(unsigned horizontal, unsigned vertical) {
   return to_east ? 7 : 6;
 }
 
-std::vector<Distances> distances_of(const GridMap& ground);
+/// Returns the distances of all vertices; they are meaningless after a stop request.
+std::vector<Distances> distances_of(const GridMap& ground, const std::stop_token& stop = {});
 
 /// Updates the distances of a ground that differs in those cells to this ground; the result equals distances
 /// computed from scratch. Each run is followed backwards from a change until a distance stays the same:

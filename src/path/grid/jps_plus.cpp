@@ -121,13 +121,17 @@ Outcome<Plan> jps_plus(const Problem& problem, const JpsPlusOptions& /*options*/
   follow(
       memory.ground, problem.grid,
       [&] {
-        memory.distances = jump::distances_of(ground);
+        memory.distances = jump::distances_of(ground, budget.stop);
         memory.ends.make(ground);
       },
       [&](const auto& changed) {
         jump::walk_again(memory.distances, ground, changed);
         if (!changed.empty()) memory.ends.change();
       });
+  if (budget.stop.stop_requested()) {
+    memory.ground = nullptr;
+    return BudgetMeter(budget).refusal();
+  }
   return jump::search(problem, *query, memory.frontier, memory.ends, budget, workspace.trace,
                       jump::IndexedExpansion(ground, memory.distances, memory.frontier));
 }

@@ -30,13 +30,14 @@ std::vector<Cell> places_of(const NavigationMesh& mesh) {
 class LandmarkLengths {
  public:
   LandmarkLengths(const GridMap& ground, const NavigationMesh& mesh, const TurnGraph& graph,
-                  const AnyAngleGraph& guided)
+                  const AnyAngleGraph& guided, const std::stop_token& stop)
       : ground_(ground),
         mesh_(mesh),
         guided_(guided),
+        stop_(stop),
         arrive_(guided.landmarks.size()),
         seen_(arrive_.size()) {
-    parallel_for(arrive_.size(), [&](std::size_t k) {
+    parallel_for(arrive_.size(), stop_, [&](std::size_t k) {
       TautSight sight(ground, mesh);
       const Cell at = place(k);
       std::vector<FirstLeg<AnyAngleMetric>> legs;
@@ -53,7 +54,7 @@ class LandmarkLengths {
   [[nodiscard]] std::vector<AnyAngleGraph::Lengths> all() const {
     constexpr std::size_t block = 64;  // turns of a task
     std::vector<AnyAngleGraph::Lengths> lengths(guided_.turns());
-    parallel_for((lengths.size() + block - 1) / block, [&](std::size_t task) {
+    parallel_for((lengths.size() + block - 1) / block, stop_, [&](std::size_t task) {
       TautSight sight(ground_, mesh_);
       const std::size_t end = std::min(lengths.size(), (task + 1) * block);
       for (std::size_t turn = task * block; turn < end; ++turn) lengths[turn] = of(turn, sight);
@@ -84,6 +85,7 @@ class LandmarkLengths {
   const GridMap& ground_;
   const NavigationMesh& mesh_;
   const AnyAngleGraph& guided_;
+  const std::stop_token& stop_;
   std::vector<std::vector<double>> arrive_;  ///< by landmark and turn
   std::vector<std::vector<bool>> seen_;
 };
@@ -160,8 +162,8 @@ std::unique_ptr<const AnyAngleIndex> AnyAngleIndex::of(const GridMap& ground, st
   if (!index.labels) {
     if (try_labels && !worth_guiding(*graph)) return nullptr;
     AnyAngleGraph guided = with_landmarks<AnyAngleMetric>(*graph, places_of(mesh));
-    guided.lengths = StoredArray(LandmarkLengths(ground, mesh, *graph, guided).all());
-    if (guided.memory() + mesh.memory() > most_bytes) return nullptr;
+    guided.lengths = StoredArray(LandmarkLengths(ground, mesh, *graph, guided, stop).all());
+    if (stop.stop_requested() || guided.memory() + mesh.memory() > most_bytes) return nullptr;
     index.work = guided.to.size() / edges_an_expansion;
     index.turns = std::make_unique<const AnyAngleTurns>(AnyAngleTurns{std::move(mesh), std::move(guided)});
     if (try_labels && !leads_better(index, ground, stop)) return nullptr;

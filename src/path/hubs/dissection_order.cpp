@@ -35,12 +35,12 @@ std::vector<Cell> line_of(const Part& part, bool column, int at) {
 }
 
 /// Returns the coordinate of the best cut.
-int best_cut(const GridMap& ground, const Part& part, bool column) {
+int best_cut(const GridMap& ground, const Part& part, bool column, const std::stop_token& stop) {
   const int low = column ? part.low.x : part.low.y, high = column ? part.high.x : part.high.y;
   const int third = (high - low) / 3, middle = low + (high - low) / 2;
   int best = middle;
   auto least = std::numeric_limits<std::ptrdiff_t>::max();
-  for (int at = low + third; at <= high - third; ++at) {
+  for (int at = low + third; at <= high - third && !stop.stop_requested(); ++at) {
     const auto line = line_of(part, column, at);
     const auto free = std::count_if(line.begin(), line.end(), [&](Cell c) { return !ground.blocked(c); });
     const bool nearer = std::abs(at - middle) < std::abs(best - middle);
@@ -54,14 +54,14 @@ int best_cut(const GridMap& ground, const Part& part, bool column) {
 
 }  // namespace
 
-std::vector<std::uint32_t> dissection_order(const GridMap& ground) {
+std::vector<std::uint32_t> dissection_order(const GridMap& ground, const std::stop_token& stop) {
   std::vector<std::uint32_t> order;
   std::vector<Part> parts = {{{0, 0}, {ground.frame.width - 1, ground.frame.height - 1}}};
-  for (std::size_t k = 0; k < parts.size(); ++k) {
+  for (std::size_t k = 0; k < parts.size() && !stop.stop_requested(); ++k) {
     const Part part = parts[k];
     if (part.low.x > part.high.x || part.low.y > part.high.y) continue;
     const bool column = part.high.x - part.low.x >= part.high.y - part.low.y;
-    const int cut = best_cut(ground, part, column);
+    const int cut = best_cut(ground, part, column, stop);
     append_line(ground, line_of(part, column, cut), order);
     Part lower = part, higher = part;
     (column ? lower.high.x : lower.high.y) = cut - 1;

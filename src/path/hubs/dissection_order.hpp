@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "outrider/path/grid/grid_map.hpp"
@@ -13,6 +14,6 @@ namespace outrider::hub_labelling {
 
 /// Returns the indices of the free cells. Each rectangle is cut across its longer side, in the middle third,
 /// where the fewest cells are free; of a cut the cells in the middle come first. O(cells * log(cells)).
-std::vector<std::uint32_t> dissection_order(const GridMap& ground);
+std::vector<std::uint32_t> dissection_order(const GridMap& ground, const std::stop_token& stop = {});
 
 }  // namespace outrider::hub_labelling

@@ -35,9 +35,10 @@ std::optional<OctileLists> labels_of(const GridMap& ground, const OctileRuns& ru
 }
 
 /// Lengths of the shortest paths from the landmarks to all subgoals.
-std::vector<OctileGraph::Lengths> landmark_lengths(const TurnGraph& graph, const OctileGraph& guided) {
+std::vector<OctileGraph::Lengths> landmark_lengths(const TurnGraph& graph, const OctileGraph& guided,
+                                                   const std::stop_token& stop) {
   std::vector<OctileGraph::Lengths> lengths(guided.turns());
-  parallel_for(guided.landmarks.size(), [&](std::size_t k) {
+  parallel_for(guided.landmarks.size(), stop, [&](std::size_t k) {
     const FirstLeg<OctileMetric> here{guided.landmarks[k], {}, {}};
     const auto exact = lengths_from<OctileMetric>(graph, guided, {&here, 1});
     for (std::size_t turn = 0; turn < exact.size(); ++turn) {
@@ -69,8 +70,9 @@ std::unique_ptr<const OctileIndex> OctileIndex::of(const GridMap& ground, std::s
   const std::size_t bytes_of_runs = ground.marks.size() * sizeof(index.runs.free.front());
   if (bytes_of_runs > most_bytes / 2) return nullptr;
   const std::size_t left = most_bytes - bytes_of_runs;
-  index.runs = octile_runs(ground);
-  Subgoals subgoals = subgoals_of(ground);
+  index.runs = octile_runs(ground, stop);
+  Subgoals subgoals = subgoals_of(ground, stop);
+  if (stop.stop_requested()) return nullptr;
   const auto graph = subgoal_graph(ground, index.runs, subgoals, left / bytes_an_edge, stop);
   if (!graph) return nullptr;
   index.work_of_search = ground.frame.size() / cells_an_expansion;
@@ -79,8 +81,8 @@ std::unique_ptr<const OctileIndex> OctileIndex::of(const GridMap& ground, std::s
   if (!index.labels) {
     if (try_labels && !worth_guiding(*graph)) return nullptr;
     OctileGraph guided = with_landmarks<OctileMetric>(*graph, subgoals.cells);
-    guided.lengths = StoredArray(landmark_lengths(*graph, guided));
-    if (guided.memory() + memory_of(subgoals) > left) return nullptr;
+    guided.lengths = StoredArray(landmark_lengths(*graph, guided, stop));
+    if (stop.stop_requested() || guided.memory() + memory_of(subgoals) > left) return nullptr;
     index.work = guided.to.size() / edges_an_expansion;
     index.subgoals =
         std::make_unique<const OctileSubgoals>(OctileSubgoals{std::move(subgoals), std::move(guided)});

@@ -28,13 +28,14 @@ bool at_convex_corner(unsigned moves) {
 
 }  // namespace
 
-OctileRuns octile_runs(const GridMap& ground) {
+OctileRuns octile_runs(const GridMap& ground, const std::stop_token& stop) {
   OctileRuns runs{std::vector<std::array<std::int16_t, 4>>(ground.marks.size()), ground.stride};
   constexpr std::array<unsigned, 4> moves = {east, north, north_east, north_west};
   for (std::size_t k = 0; k < moves.size(); ++k) {
-    backwards_along(ground, moves[k], [&](std::size_t v, std::size_t next) {
+    const auto visit = [&](std::size_t v, std::size_t next) {
       runs.free[v][k] = static_cast<std::int16_t>(runs.free[next][k] + 1);
-    });
+    };
+    backwards_along(ground, moves[k], visit, stop);
   }
   return runs;
 }
@@ -47,7 +48,7 @@ bool OctileRuns::leg(Cell a, Cell b) const {
   return moves(first, bend.y == b.y ? 0 : 1) >= std::abs(b.x - bend.x) + std::abs(b.y - bend.y);
 }
 
-Subgoals subgoals_of(const GridMap& ground) {
+Subgoals subgoals_of(const GridMap& ground, const std::stop_token& stop) {
   Subgoals subgoals;
   subgoals.number.assign(ground.marks.size(), Subgoals::none);
   subgoals.ahead.resize(ground.marks.size());
@@ -57,11 +58,12 @@ Subgoals subgoals_of(const GridMap& ground) {
     subgoals.cells.push_back(ground.at(v));
   }
   for (unsigned move = 0; move < 4; ++move) {
-    backwards_along(ground, move, [&](std::size_t v, std::size_t next) {
+    const auto visit = [&](std::size_t v, std::size_t next) {
       const bool here = subgoals.number[next] != Subgoals::none;
       const int beyond = subgoals.ahead[next][move];
       if (here || beyond > 0) subgoals.ahead[v][move] = static_cast<std::int16_t>(here ? 1 : beyond + 1);
-    });
+    };
+    backwards_along(ground, move, visit, stop);
   }
   return subgoals;
 }

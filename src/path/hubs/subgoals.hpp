@@ -36,7 +36,7 @@ struct OctileRuns {
                [direction];
   }
 };
-OctileRuns octile_runs(const GridMap& ground);
+OctileRuns octile_runs(const GridMap& ground, const std::stop_token& stop = {});
 
 /// Returns the cell at which the leg from a to b, diagonal first, becomes straight.
 inline Cell bend_of(Cell a, Cell b) {
@@ -51,7 +51,7 @@ struct Subgoals {
   /// By index of the map and straight move: moves to the next subgoal; 0 if a blocked cell comes first.
   std::vector<std::array<std::int16_t, 4>> ahead;
 };
-Subgoals subgoals_of(const GridMap& ground);
+Subgoals subgoals_of(const GridMap& ground, const std::stop_token& stop = {});
 
 /// Finds subgoals on the legs from a cell: the first ones, but of two of them mostly only the nearer one
 /// where a shortest path to the other leads over it. O(diagonal moves from the cell). Thread rule: one

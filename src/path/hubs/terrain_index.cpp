@@ -28,12 +28,13 @@ std::size_t neighbour(const GridMap& ground, std::size_t cell, unsigned move) {
 /// earlier hubs know a path that is as cheap.
 class TerrainLabelling {
  public:
-  TerrainLabelling(const GridMap& ground, const CellCosts* costs, std::size_t most_bytes)
+  TerrainLabelling(const GridMap& ground, const CellCosts* costs, std::size_t most_bytes,
+                   const std::stop_token& stop)
       : ground_(ground),
         costs_(costs),
         most_entries_(most_bytes / (sizeof(std::uint32_t) + sizeof(double))),
         most_work_(std::uint64_t{most_bytes} << 4U),
-        order_(dissection_order(ground)),
+        order_(dissection_order(ground, stop)),
         labels_(ground.marks.size()),
         cost_(ground.marks.size(), infinite),
         back_(ground.marks.size(), 0),
@@ -42,9 +43,9 @@ class TerrainLabelling {
   std::unique_ptr<const TerrainIndex> build(const std::stop_token& stop) {
     for (std::uint32_t rank = 0; rank < order_.size(); ++rank) {
       if (entries_ > most_entries_ || work_ > most_work_ || stop.stop_requested()) return nullptr;
-      search_from(rank);
+      search_from(rank, stop);
     }
-    return entries_ > most_entries_ ? nullptr : collect();
+    return entries_ > most_entries_ || stop.stop_requested() ? nullptr : collect();
   }
 
  private:
@@ -64,11 +65,11 @@ class TerrainLabelling {
     return costs_ == nullptr ? 1.0 : double{costs_->per_m[ground_.at(index)]};
   }
 
-  void search_from(std::uint32_t rank) {
+  void search_from(std::uint32_t rank, const std::stop_token& stop) {
     const std::uint32_t hub = order_[rank];
     for (const Entry& entry : labels_[hub]) to_hub_[entry.hub >> 3U] = entry.cost;
     reach(hub, 0.0, 0);
-    while (!queue_.empty()) {
+    while (!queue_.empty() && !stop.stop_requested()) {
       const auto [cost, cell] = queue_.top();
       queue_.pop();
       if (cost > cost_[cell] || known(cell, cost)) continue;
@@ -149,7 +150,8 @@ class TerrainLabelling {
 std::unique_ptr<const TerrainIndex> TerrainIndex::of(const GridMap& ground, const CellCosts* costs,
                                                      std::size_t most_bytes, const std::stop_token& stop) {
   if (ground.marks.size() * sizeof(std::size_t) > most_bytes) return nullptr;
-  return TerrainLabelling(ground, costs, most_bytes - ground.marks.size() * sizeof(std::size_t)).build(stop);
+  return TerrainLabelling(ground, costs, most_bytes - ground.marks.size() * sizeof(std::size_t), stop)
+      .build(stop);
 }
 
 /// Returns the entry of a cell for a hub, or where it would be.

@@ -98,7 +98,7 @@ std::vector<std::uint32_t> by_importance(const TurnGraph& graph, const std::stop
   std::priority_queue<HubEntry> open;
   for (std::uint32_t turn = 0; turn < count; ++turn) open.push(entry(turn));
   std::vector<std::uint32_t> stack;
-  while (!open.empty()) {
+  while (!open.empty() && !stop.stop_requested()) {
     const auto [most, edges, name] = open.top();
     const std::uint32_t turn = ~name;
     open.pop();

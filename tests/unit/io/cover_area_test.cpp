@@ -1,5 +1,6 @@
 #include "outrider/io/cover_area.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/data.hpp"
@@ -74,18 +75,59 @@ TEST(CoverArea, UtmCoordinatesAreMoved) {
   EXPECT_EQ(area->note, "") << "no degrees are so large";
 }
 
+/// A triangle as wide as that, from (8, 49) on, in a file whose member "crs" has that name; "": no member.
+Outcome<CoverArea> triangle(const std::string& crs, double wide) {
+  const std::string member = R"(, "crs": {"type": "name", "properties": {"name": ")" + crs + "\"}}";
+  return cover_area_from_text(
+      fmt::format(R"({{"type": "Polygon", "coordinates": [[[8,49],[{0},49],[{0},{1}]]]{2}}})", 8.0 + wide,
+                  49.0 + wide, crs.empty() ? "" : member),
+      "a.geojson", Units::told_by_size);
+}
+
 TEST(CoverArea, TheReferenceSystemOfTheFileDecides) {
-  const auto loaded = [](const char* crs) {
-    const std::string text =
-        R"({"type": "Polygon", "coordinates": [[[8,49],[8.08,49],[8.08,49.08]]], "crs":)" +
-        std::string(R"({"type": "name", "properties": {"name": ")") + crs + "\"}}}";
-    const auto area = cover_area_from_text(text, "a.geojson", Units::told_by_size);
-    EXPECT_TRUE(area) << to_string(area.error());
-    return area && area->frame.degrees;
-  };
-  EXPECT_TRUE(loaded("urn:ogc:def:crs:OGC:1.3:CRS84"));
-  EXPECT_TRUE(loaded("EPSG:4326"));
-  EXPECT_FALSE(loaded("EPSG:32632"));
+  for (const char* crs : {"urn:ogc:def:crs:OGC:1.3:CRS84", "EPSG:4326", "urn:ogc:def:crs:EPSG::4258",
+                          "http://www.opengis.net/def/crs/EPSG/0/4326", "EPSG:7844"}) {
+    for (const double wide : {0.08, 0.8}) {
+      const auto area = triangle(crs, wide);
+      ASSERT_TRUE(area) << to_string(area.error());
+      EXPECT_TRUE(area->frame.degrees) << crs;
+      EXPECT_EQ(area->note, "") << crs;
+    }
+  }
+  for (const char* crs : {"EPSG:32632", "urn:ogc:def:crs:EPSG::25832", "EPSG:3857", "EPSG:28992"}) {
+    for (const double wide : {0.08, 80.0, 800.0}) {
+      const auto area = triangle(crs, wide);
+      ASSERT_TRUE(area) << to_string(area.error());
+      EXPECT_FALSE(area->frame.degrees) << crs;
+      EXPECT_EQ(area->note, "") << crs;
+    }
+  }
+  EXPECT_FALSE(triangle("EPSG:4326", 80.0)) << "an area 80 degrees wide";
+}
+
+/// RFC 7946: without a reference system the numbers are degrees. Those that cannot be are metres.
+TEST(CoverArea, SizeDecidesOnlyWithAWarning) {
+  const auto small = triangle("", 0.08);
+  ASSERT_TRUE(small);
+  EXPECT_TRUE(small->frame.degrees);
+  EXPECT_EQ(small->note, "");
+  for (const double wide : {0.8, 40.0, 500.0}) {
+    const auto area = triangle("", wide);
+    ASSERT_TRUE(area);
+    EXPECT_FALSE(area->frame.degrees) << wide;
+    EXPECT_NE(area->note.find("taken for metres by their size, as no 'crs' says otherwise"),
+              std::string::npos)
+        << area->note;
+  }
+  for (const char* crs : {"local grid", "EPSG:4647", "EPSG:four"}) {
+    for (const double wide : {0.08, 80.0}) {
+      const auto area = triangle(crs, wide);
+      ASSERT_TRUE(area);
+      EXPECT_EQ(area->frame.degrees, wide < 1.0) << crs;
+      EXPECT_NE(area->note.find(crs), std::string::npos) << area->note;
+      EXPECT_NE(area->note.find(wide < 1.0 ? "taken for degrees" : "taken for metres"), std::string::npos);
+    }
+  }
 }
 
 TEST(CoverArea, EveryPolygonOfGeoJsonInItsOrder) {

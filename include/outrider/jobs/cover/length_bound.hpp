@@ -12,12 +12,15 @@
 // The planner may leave a fraction `uncovered` of the reach out, and may then fall below by little.
 #pragma once
 
+#include <stop_token>
+
 #include "outrider/jobs/cover/problem.hpp"
 
 namespace outrider {
 
 /// Returns the bound, m; 0 for a bar, which covers without driving where it turns in place. O(n) unions for n
-/// walls.
-double least_length_m(const CoverageArea& area, const CoverProblem& problem);
+/// walls. Ends soon after `stop` is requested; the result is then meaningless.
+double least_length_m(const CoverageArea& area, const CoverProblem& problem,
+                      const std::stop_token& stop = {});
 
 }  // namespace outrider

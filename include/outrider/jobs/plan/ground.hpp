@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -58,11 +59,12 @@ struct PlanGroundOptions {
   bool needs_grid = true;                    ///< make a grid for polygons too
   std::vector<PlanCellChange> changes = {};  ///< changes of blocked cells, applied in this order
   PlanCostOptions costs = {};                ///< costs of the ground
+  std::stop_token stop = {};                 ///< cancels the preparation
 };
 
 /// Prepares a map. Faults: bad_input for numbers that make no ground, for changes outside the grid, for
-/// changes of a map without cells, and for costs that do not fit the grid. O(cells), plus the complexity of
-/// making grids and polygons.
+/// changes of a map without cells, and for costs that do not fit the grid; cancelled. O(cells), plus the
+/// complexity of making grids and polygons.
 Outcome<PlanGround> plan_ground(const MapShape& map, const PlanGroundOptions& options);
 
 }  // namespace outrider

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <set>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,6 @@ struct PlanTask {
 Outcome<PlanTask> load_plan(const PlanScenario& scenario, const std::set<std::string>& given);
 
 /// Makes the ground and the queries of the task. Faults: those of plan_ground().
-Outcome<PlanQuestion> question_of(const PlanTask& task);
+Outcome<PlanQuestion> question_of(const PlanTask& task, const std::stop_token& stop = {});
 
 }  // namespace outrider
