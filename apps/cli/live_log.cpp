@@ -24,7 +24,7 @@ LiveLog::LiveLog() {
   const int descriptor = watched_descriptor("OUTRIDER_LIVE");
   // Lines of progress between the bytes of a log would damage it.
   if (descriptor < 0 || variable("OUTRIDER_LIVE") == variable("OUTRIDER_PROGRESS")) return;
-  auto output = make_descriptor_sink(descriptor);
+  auto output = make_descriptor_sink(descriptor, "OUTRIDER_LIVE");
   if (!output) return;
   auto writer =
       McapWriter::begin(std::move(*output), {.compression = Codec::none, .chunk_bytes = viewer_chunk_bytes});

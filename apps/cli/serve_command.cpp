@@ -46,6 +46,22 @@ OptionGroup describe(ServeCommand& command) {
 
 constexpr std::size_t shortest_token = 16;
 
+/// Refuses a file from which others could learn the token.
+Status check_token_file(const ServeCommand& command) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const auto others = fs::perms::group_all | fs::perms::others_all;
+  if ((fs::status(command.token_file, error).permissions() & others) != fs::perms::none) {
+    return bad_input(
+        fmt::format("others can read or change it; say 'chmod 600 {}' first", command.token_file),
+        "--token-file");
+  }
+  const fs::path file = fs::canonical(command.token_file, error);
+  const fs::path folder = error ? fs::path() : fs::canonical(command.folder, error);
+  if (error || std::ranges::mismatch(folder, file).in1 != folder.end()) return {};
+  return bad_input("it lies in the folder that is served; move it elsewhere", "--token-file");
+}
+
 /// Reads the token from the flag, the file, or the variable; refuses more than one of them.
 Status find_token(ServeCommand& command) {
   const char* variable = std::getenv("OUTRIDER_TOKEN");
@@ -58,6 +74,7 @@ Status find_token(ServeCommand& command) {
   if (command.token_file.empty()) return {};
   auto text = read_file(command.token_file, 4096);
   if (!text) return bad_input(text.error().sentence, "--token-file");
+  if (auto ok = check_token_file(command); !ok) return ok;
   command.token = text->substr(0, text->find_first_of("\r\n"));
   if (command.token.empty())
     return bad_input("its first line is empty; write the token there", "--token-file");
@@ -93,8 +110,7 @@ void print_address(const ServeCommand& command, int port, const server::Folder& 
   const bool six = command.listen.find(':') != std::string::npos;
   const std::string host = six ? "[" + command.listen + "]" : command.listen;
   const std::string query = command.token.empty() ? "" : "?token=" + command.token;
-  show("  page     http://{}:{}/{}\n  files    {}\n  Ctrl-C ends it.\n", host, port, query,
-       folder.root().string());
+  show("  page     http://{}:{}/{}\n  files    {}\n  Ctrl-C ends it.\n", host, port, query, folder.path());
   std::fflush(stdout);
   if (page::files().empty()) {
     warn(fmt::format("{}; the interface under /api/v1 works", page::missing));
@@ -142,7 +158,7 @@ void add_serve(Command& tool, const std::vector<Job>& jobs) {
   serve.footer("\nExample: outrider serve scenarios");
 
   Command& reader = tool.add("serve-reader", "reads files for 'outrider serve'").hidden();
-  reader.does([](const Command&) { return server::serve_reader(); });
+  reader.does([jobs](const Command&) { return server::serve_reader(jobs); });
 }
 
 }  // namespace outrider::cli

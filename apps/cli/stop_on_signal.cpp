@@ -9,7 +9,7 @@ namespace {
 sigset_t awaited() {
   sigset_t set;
   ::sigemptyset(&set);
-  for (const int number : {SIGINT, SIGTERM, SIGUSR2}) ::sigaddset(&set, number);
+  for (const int number : {SIGINT, SIGTERM, SIGXCPU, SIGUSR2}) ::sigaddset(&set, number);
   return set;
 }
 

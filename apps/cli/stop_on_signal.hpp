@@ -1,4 +1,5 @@
-// Ctrl-C and SIGTERM as a stop token: the run ends soon, and its results so far are written.
+// Ctrl-C, SIGTERM and the end of the allowed processor time as a stop token: the run ends soon, and its
+// results so far are written.
 #pragma once
 
 #include <stop_token>
@@ -6,7 +7,7 @@
 
 namespace outrider::cli {
 
-/// Requests a stop on SIGINT or SIGTERM while the object exists; a second signal ends the process as by
+/// Requests a stop on SIGINT, SIGTERM or SIGXCPU while the object exists; a second signal ends the process as by
 /// default. Construct it before starting other threads, so that they leave these signals to it.
 class StopOnSignal {
  public:

@@ -89,6 +89,12 @@ bool is_image(const std::string& name) {
   return plain.ends_with(".png") || plain.ends_with(".pgm");
 }
 
+Response wait_a_second(const std::string& why) {
+  Response response = error_response(429, "too_many", why + "; wait a second");
+  response.headers.emplace_back("Retry-After", "1");
+  return response;
+}
+
 void add_headers(Response& response, std::string_view policy, std::string_view cache) {
   response.headers.emplace_back("Content-Security-Policy", policy);
   response.headers.emplace_back("X-Content-Type-Options", "nosniff");
@@ -102,10 +108,11 @@ void add_headers(Response& response, std::string_view policy, std::string_view c
 App::App(Folder folder, AppSettings settings)
     : folder_(std::move(folder)),
       settings_(std::move(settings)),
+      files_(folder_, settings_.read),
       rate_(requests_per_second, requests_at_once),
       strangers_(refusals_per_second, refusals_at_once),
       shared_(planning_slots()),
-      runs_(folder_, settings_.runs, settings_.jobs),
+      runs_(folder_, settings_.runs, settings_.read),
       live_(runs_, shared_, settings_.version) {}
 
 void App::close() {
@@ -145,13 +152,23 @@ std::vector<Route> App::routes() {
 /// Limits refused requests separately, so that a flood of them does not affect the others.
 std::optional<Response> App::limit_rate(bool refused) {
   if ((refused ? strangers_ : rate_).take(RateLimit::Clock::now())) return std::nullopt;
-  Response response = error_response(429, "too_many", "too many requests; wait a second");
-  response.headers.emplace_back("Retry-After", "1");
-  return response;
+  return wait_a_second("too many requests");
+}
+
+/// Applies the guard. Once an address has shown many wrong tokens, no token of it is looked at for a while,
+/// the right one neither: else every guess would have its answer.
+std::optional<Response> App::refused_by_guard(const Request& request) {
+  GuessLimit& guesses = guesses_[std::hash<std::string>()(request.client) % guesses_.size()];
+  const bool guess = !settings_.token.empty() && !token_shown(request).empty();
+  const auto now = RateLimit::Clock::now();
+  if (guess && !guesses.take(now, 0.0)) return wait_a_second("too many wrong tokens came from this address");
+  auto refused = refusal(request, settings_.token);
+  if (guess && refused && refused->status == 401) guesses.take(now);
+  return refused;
 }
 
 std::optional<Response> App::refuse_socket(const Request& request) {
-  std::optional<Response> refused = refusal(request, settings_.token);
+  std::optional<Response> refused = refused_by_guard(request);
   if (auto limited = limit_rate(refused.has_value())) return limited;
   if (refused || request.path == live_path) return refused;
   if (request.path != "/" && request.path != "/foxglove") {
@@ -178,7 +195,7 @@ std::shared_ptr<Viewer> App::open_viewer(const Request& request) {
 }
 
 std::optional<Response> App::refuse(const Request& request) {
-  auto refused = refusal(request, settings_.token);
+  auto refused = refused_by_guard(request);
   if (!refused) return std::nullopt;
   if (auto limited = limit_rate(true)) refused = std::move(limited);
   add_headers(*refused, data_policy, "no-store");
@@ -232,9 +249,10 @@ Response App::version(const Request&, const Parts&) {
 
 /// Lists the files. A scenario of an unknown job is listed as an ordinary file; one without a description has
 /// that of its job.
-Response App::list_files(const Request&, const Parts&) {
-  auto listed = folder_.list();
-  for (auto& file : listed["files"]) {
+Response App::list_files(const Request& request, const Parts&) {
+  auto listed = files_.list(request.stop);
+  if (!listed) return error_response(listed.error());
+  for (auto& file : (*listed)["files"]) {
     if (file["kind"] != "scenario") continue;
     const auto job = std::ranges::find(settings_.jobs, file.value("job", ""), &Job::name);
     const bool known = job != settings_.jobs.end();
@@ -242,7 +260,7 @@ Response App::list_files(const Request&, const Parts&) {
     if (!known) file.erase("description");
     if (known && !file.contains("description")) file["description"] = job->sentence;
   }
-  return json_response(listed);
+  return json_response(*listed);
 }
 
 Response App::read_file(const Request&, const Parts& parts) { return folder_.read(parts[0]); }
@@ -252,7 +270,7 @@ Response App::save_file(const Request& request, const Parts& parts) {
 }
 
 Response App::read_scenario(const Request& request, const Parts& parts) {
-  if (!folder_.text(parts[0], largest_saved_bytes)) {
+  if (!folder_.has_file(parts[0])) {
     return not_found("there is no such scenario", parts[0].substr(0, 200));
   }
   auto scenario = settings_.read(folder_, {{"scenario", parts[0]}}, request.stop);
@@ -261,7 +279,7 @@ Response App::read_scenario(const Request& request, const Parts& parts) {
 }
 
 Response App::read_scene(const Request& request, const Parts& parts) {
-  if (!folder_.text(parts[0], largest_saved_bytes)) {
+  if (!folder_.has_file(parts[0])) {
     return not_found("there is no such scenario", parts[0].substr(0, 200));
   }
   const auto scene = settings_.read(folder_, {{"scene", parts[0]}}, request.stop);
@@ -294,9 +312,9 @@ Outcome<KnownMap> App::read_dropped_map(const std::vector<NamedContent>& files, 
   if (!folder) return pass_on(folder);
   std::string map;
   for (const auto& [name, bytes] : files) {
-    const auto place = folder->resolve(name);
-    if (!place || name.find('/') != std::string::npos) return bad_input("it is no name of a file", name);
-    if (auto ok = write_file(place->string(), bytes); !ok) return pass_on(ok);
+    if (!good_name(name) || name.find('/') != std::string::npos)
+      return bad_input("it is no name of a file", name);
+    if (auto ok = folder->gate().write({{name, bytes}}); !ok) return pass_on(ok);
     if (map.empty() || (is_image(map) && !is_image(name))) map = name;
   }
   return read_known_map(*folder, map, stop);
@@ -350,7 +368,7 @@ Response App::start_run(const Request& request, const Parts&) {
   const auto body = parse_json(request.body, "body");
   if (!body) return error_response(body.error());
   const auto run = run_request(*body);
-  return run ? runs_.start(*run) : error_response(run.error());
+  return run ? runs_.start(*run, request.stop) : error_response(run.error());
 }
 
 Response App::list_runs(const Request&, const Parts&) { return json_response(runs_.list()); }

@@ -2,6 +2,7 @@
 // interface; docs/openapi.yaml describes it for machines.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "catalogue.hpp"
+#include "file_list.hpp"
 #include "folder.hpp"
 #include "guard.hpp"
 #include "live.hpp"
@@ -95,11 +97,14 @@ class App {
   Outcome<KnownMap> read_known_map(const Folder& folder, const std::string& path,
                                    const std::stop_token& stop);
   std::optional<Response> limit_rate(bool refused);
+  std::optional<Response> refused_by_guard(const Request& request);
 
   Folder folder_;
   AppSettings settings_;
-  RateLimit rate_;       // for accepted requests
-  RateLimit strangers_;  // for refused requests, so they do not slow the accepted ones
+  FileList files_;
+  RateLimit rate_;                        // for accepted requests
+  RateLimit strangers_;                   // for refused requests, so they do not slow the accepted ones
+  std::array<GuessLimit, 1024> guesses_;  // by a hash of the address
   Shared shared_;
   Runs runs_;
   Live live_;

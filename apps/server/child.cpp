@@ -26,6 +26,7 @@ constexpr std::size_t longest_line = std::size_t{64} << 10U;
 constexpr std::size_t most_log_at_once = std::size_t{1} << 20U;  // more than a pipe holds
 constexpr int progress_descriptor = 3;
 constexpr int log_descriptor = 4;
+constexpr int out_descriptor = 5;  // child_out
 constexpr int poll_ms = 20;
 constexpr std::chrono::seconds grace{1};  // between SIGTERM and SIGKILL
 
@@ -101,14 +102,14 @@ class Input {
 struct Start {
   char* const* words;
   char* const* environment;
-  const char* folder;
-  rlim_t memory_bytes;
-  int in, out, err, progress, log;
+  rlim_t memory_bytes, processor_s;
+  int folder, in, out, err, progress, log, out_folder;
 };
 
-/// Returns the environment for the child, with its folder and the descriptors for its progress and its log.
-std::vector<std::string> environment(const std::string& folder) {
-  std::vector<std::string> all = {"OUTRIDER_CONFINE=" + folder};
+/// Returns the environment for the child, confined to its working folder, with the descriptors for its
+/// progress and its log.
+std::vector<std::string> environment() {
+  std::vector<std::string> all = {"OUTRIDER_CONFINE=."};
   const std::string_view ours[] = {
       "OUTRIDER_PROGRESS=", "OUTRIDER_LIVE=", "OUTRIDER_CONFINE=", "OUTRIDER_TOKEN="};
   for (char** entry = environ; *entry != nullptr; ++entry) {
@@ -131,21 +132,24 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 [[noreturn]] void become(const Start& start, pid_t parent) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent || ::chdir(start.folder) != 0) ::_exit(127);  // the parent has already ended
+  if (::getppid() != parent || ::fchdir(start.folder) != 0) ::_exit(127);  // the parent has already ended
   const rlimit none{0, 0};
   ::setrlimit(RLIMIT_CORE, &none);
   const rlimit memory{start.memory_bytes, start.memory_bytes};
   if (limits_memory && start.memory_bytes > 0) ::setrlimit(RLIMIT_DATA, &memory);
+  const rlimit processor{start.processor_s, start.processor_s + 1};
+  ::setrlimit(RLIMIT_CPU, &processor);
   ::setpriority(PRIO_PROCESS, 0, 5);  // keeps the page responsive while a mission is planned
   sigset_t all;
   ::sigemptyset(&all);
   ::sigprocmask(SIG_SETMASK, &all, nullptr);
-  for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGHUP}) ::signal(number, SIG_DFL);
+  for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGHUP, SIGXCPU}) ::signal(number, SIG_DFL);
   // Moves the descriptors to high numbers first, because one may have the number that another one needs.
-  const int from[] = {::fcntl(start.in, F_DUPFD_CLOEXEC, 10), ::fcntl(start.out, F_DUPFD_CLOEXEC, 10),
-                      ::fcntl(start.err, F_DUPFD_CLOEXEC, 10), ::fcntl(start.progress, F_DUPFD_CLOEXEC, 10),
-                      ::fcntl(start.log, F_DUPFD_CLOEXEC, 10)};
-  for (int to = 0; to <= log_descriptor; ++to) {
+  int from[out_descriptor + 1];  // NOLINT: the loop fills it
+  const int given[] = {start.in, start.out, start.err, start.progress, start.log, start.out_folder};
+  const int last = start.out_folder < 0 ? log_descriptor : out_descriptor;
+  for (int to = 0; to <= last; ++to) from[to] = ::fcntl(given[to], F_DUPFD_CLOEXEC, 10);
+  for (int to = 0; to <= last; ++to) {
     if (::dup2(from[to], to) < 0) ::_exit(127);
   }
   ::execve(start.words[0], start.words, start.environment);
@@ -163,6 +167,10 @@ void give_lines(std::string& pending, const std::function<void(std::string_view)
   if (pending.size() > longest_line) pending.clear();
 }
 
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 /// Asks the child to end, kills it after the grace period, and reaps it in every case.
 class Ending {
  public:
@@ -173,8 +181,10 @@ class Ending {
     ::kill(-child_, SIGKILL);  // also kills processes that it left behind
     if (!ended_) ::waitpid(child_, nullptr, 0);
   }
-  /// Returns true if the child has ended.
-  bool ended(int& status) { return ended_ = ::waitpid(child_, &status, WNOHANG) == child_; }
+  /// Returns true if the child has ended; tells what it has used.
+  bool ended(int& status, rusage& used) {
+    return ended_ = ::wait4(child_, &status, WNOHANG, &used) == child_;
+  }
   void ask() {
     if (!asked_) ::kill(-child_, SIGTERM);
     if (!asked_) last_moment_ = Clock::now() + grace;
@@ -196,12 +206,20 @@ ChildResult run_child(const ChildProgram& program, const std::stop_token& stop,
   ChildResult result;
   Reader out, err, progress, log;
   const Input input(program.input);
-  std::vector<std::string> word_copies = program.words, variables = environment(program.folder);
+  std::vector<std::string> word_copies = program.words, variables = environment();
   const std::vector<char*> word_pointers = pointers(word_copies), variable_pointers = pointers(variables);
   const pid_t parent = ::getpid();
-  const Start start{word_pointers.data(), variable_pointers.data(), program.folder.c_str(),
-                    program.memory_bytes, input.descriptor(),       out.writer(),
-                    err.writer(),         progress.writer(),        log.writer()};
+  const Start start{word_pointers.data(),
+                    variable_pointers.data(),
+                    program.memory_bytes,
+                    static_cast<rlim_t>(program.limit.count()),
+                    program.folder.descriptor(),
+                    input.descriptor(),
+                    out.writer(),
+                    err.writer(),
+                    progress.writer(),
+                    log.writer(),
+                    program.out ? program.out->descriptor() : -1};
   const bool room = std::min({start.in, start.out, start.err, start.progress, start.log}) >= 0;
   const pid_t child = room ? ::fork() : -1;
   if (child == 0) become(start, parent);
@@ -213,19 +231,18 @@ ChildResult run_child(const ChildProgram& program, const std::stop_token& stop,
   for (Reader* reader : {&out, &err, &progress, &log}) reader->close_writer();
 
   Ending ending(child);
-  const auto end = Clock::now() + program.limit;
   std::string pending;
   int status = 0;
+  rusage used{};
   for (bool running = true; running;) {
     std::array<pollfd, 4> waits = {{{out.descriptor(), POLLIN, 0},
                                     {err.descriptor(), POLLIN, 0},
                                     {progress.descriptor(), POLLIN, 0},
                                     {log.descriptor(), POLLIN, 0}}};
     ::poll(waits.data(), waits.size(), poll_ms);
-    result.timed_out = result.timed_out || Clock::now() > end;
     result.cancelled = result.cancelled || stop.stop_requested();
-    if (result.cancelled || result.timed_out) ending.ask();
-    running = !ending.ended(status);
+    if (result.cancelled) ending.ask();
+    running = !ending.ended(status, used);
     bool open = out.read(result.output, program.most_output_bytes);
     open = err.read(result.errors, most_errors) && open;
     open = progress.read(pending, 2 * longest_line) && open;
@@ -237,6 +254,10 @@ ChildResult run_child(const ChildProgram& program, const std::stop_token& stop,
     if (running && !open) ::usleep(1000 * poll_ms);  // polling a closed pipe would not wait
   }
   result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  constexpr double nearly = 0.9;  // the kernel counts for the limit in ticks, and here exactly
+  const double limit_s = std::chrono::duration<double>(program.limit).count();
+  result.timed_out =
+      result.status != 0 && seconds(used.ru_utime) + seconds(used.ru_stime) >= nearly * limit_s;
   return result;
 }
 

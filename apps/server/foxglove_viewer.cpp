@@ -59,7 +59,7 @@ FoxgloveViewer::Step FoxgloveViewer::turn_to_newest(const SendFrame& send) {
   const std::size_t count = followed_ ? followed_->advertised : 0;
   if (count > 0 && !send(FrameKind::text, foxglove::unadvertise(first_channel_, count))) return Step::gone;
   first_channel_ += static_cast<std::uint32_t>(count);
-  const std::string path = message->log->path().string();
+  const std::string path = message->log->path();
   followed_.emplace(Followed{run, std::move(message->log), LogFeed(path)});
   return Step::more;
 }

@@ -1,6 +1,5 @@
 #include "growing_log.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -20,19 +19,21 @@ std::string disk_failed(int error) {
 
 }  // namespace
 
-GrowingLog::GrowingLog(std::filesystem::path path, std::uint64_t most_bytes, ByteBudget& shared)
-    : path_(std::move(path)),
+GrowingLog::GrowingLog(OpenFolder folder, std::string name, std::uint64_t most_bytes, ByteBudget& shared)
+    : folder_(std::move(folder)),
+      name_(std::move(name)),
       most_bytes_(most_bytes),
       shared_(shared),
-      descriptor_(::open(path_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0600)) {
+      descriptor_(folder_.create_file(name_)) {
   if (descriptor_ < 0) stop(disk_failed(errno));
 }
 
 GrowingLog::~GrowingLog() {
   if (descriptor_ >= 0) ::close(descriptor_);
-  std::error_code ignored;
-  std::filesystem::remove(path_, ignored);
+  if (descriptor_ >= 0) folder_.remove(name_);
 }
+
+std::string GrowingLog::path() const { return fmt::format("/proc/self/fd/{}", descriptor_); }
 
 bool GrowingLog::append(std::string_view bytes) {
   if (!stopped().empty()) return true;

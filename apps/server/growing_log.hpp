@@ -7,22 +7,22 @@
 
 #include <atomic>
 #include <cstdint>
-#include <filesystem>
 #include <mutex>
 #include <string>
 #include <string_view>
 
 #include "byte_budget.hpp"
 #include "outrider/core/outcome.hpp"
+#include "outrider/io/open_folder.hpp"
 
 namespace outrider::server {
 
 class GrowingLog {
  public:
-  /// Makes the file. It has at most `most_bytes` bytes, and all logs together what is left in `shared`, which
-  /// must outlive it. A file that cannot be made is a log that has stopped.
-  GrowingLog(std::filesystem::path path, std::uint64_t most_bytes, ByteBudget& shared);
-  ~GrowingLog();  ///< removes the file
+  /// Makes the file `name` in a folder. It has at most `most_bytes` bytes, and all logs together what is left
+  /// in `shared`, which must outlive it. A file that cannot be made is a log that has stopped.
+  GrowingLog(OpenFolder folder, std::string name, std::uint64_t most_bytes, ByteBudget& shared);
+  ~GrowingLog();  ///< removes the file, unless it has another name by now
   GrowingLog(const GrowingLog&) = delete;
   GrowingLog& operator=(const GrowingLog&) = delete;
 
@@ -41,10 +41,12 @@ class GrowingLog {
   [[nodiscard]] bool ended() const { return ended_; }
   /// Returns why the log stopped before its mission ended; empty if it did not.
   [[nodiscard]] std::string stopped() const;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Returns a path that leads to the file in this process, whatever its name is by now.
+  [[nodiscard]] std::string path() const;
 
  private:
-  std::filesystem::path path_;
+  OpenFolder folder_;
+  std::string name_;
   std::uint64_t most_bytes_;
   ByteBudget& shared_;
   int descriptor_;

@@ -5,29 +5,47 @@
 namespace outrider::server {
 namespace {
 
-/// Removes the port: "127.0.0.1:8080" -> "127.0.0.1"; "[::1]:8080" -> "::1".
+/// Returns the host of "127.0.0.1:8080" or "[::1]:8080"; empty if anything but a port follows it.
 std::string_view without_port(std::string_view host) {
-  if (host.starts_with('[')) return host.substr(1, std::min(host.find(']'), host.size()) - 1);
-  return host.substr(0, host.find(':'));
+  const bool bracketed = host.starts_with('[') && host.find(']') != std::string_view::npos;
+  const std::string_view name = host.substr(0, bracketed ? host.find(']') + 1 : host.find(':'));
+  const std::string_view port = host.substr(name.size());
+  const bool is_port =
+      port.size() > 1 && port[0] == ':' && port.find_first_not_of("0123456789", 1) == std::string_view::npos;
+  if (!port.empty() && !is_port) return {};
+  return bracketed ? name.substr(1, name.size() - 2) : name;
 }
 
 bool opens_socket(const Request& request) {
   return !request.header("sec-websocket-key").empty() || !request.header("upgrade").empty();
 }
 
-bool changes_something(const Request& request) {
-  return opens_socket(request) || (request.method != "GET" && request.method != "HEAD");
+bool is_for_interface(const Request& request) {
+  return request.path.starts_with("/api") || opens_socket(request);
 }
 
-/// Returns the token of the request: `Authorization: Bearer T`, else ?token=T.
+/// Returns true for all but the files of the page, which are in memory.
+bool costs(const Request& request) {
+  return is_for_interface(request) || (request.method != "GET" && request.method != "HEAD");
+}
+
+/// Returns true if a page of another site sent the request. Browsers add Sec-Fetch-Site where they send no
+/// Origin, as for images.
+bool is_foreign(const Request& request) {
+  const auto origin = request.headers.find("origin");
+  const std::string own = "://" + request.header("host"), site = request.header("sec-fetch-site");
+  if (origin == request.headers.end()) return site == "cross-site" || site == "same-site";
+  return origin->second != "http" + own && origin->second != "https" + own;
+}
+
+}  // namespace
+
 std::string token_shown(const Request& request) {
   const std::string authorization = request.header("authorization");
   constexpr std::string_view scheme = "Bearer ";
   if (authorization.starts_with(scheme)) return authorization.substr(scheme.size());
   return request.parameter("token");
 }
-
-}  // namespace
 
 bool same_secret(std::string_view given, std::string_view secret) {
   if (secret.empty()) return false;
@@ -52,15 +70,11 @@ std::optional<Response> refusal(const Request& request, const std::string& token
     return error_response(403, "forbidden",
                           "the Host is not this machine; open the page at 127.0.0.1 or localhost", "Host");
   }
-  const auto origin = request.headers.find("origin");
-  const bool ours = origin == request.headers.end() || origin->second == "http://" + host ||
-                    origin->second == "https://" + host;
   const bool trusted = same_secret(token_shown(request), token);
-  if (changes_something(request) && !ours && !(trusted && opens_socket(request))) {
+  if (costs(request) && is_foreign(request) && !(trusted && opens_socket(request))) {
     return error_response(403, "forbidden", "the request comes from a page of another site", "Origin");
   }
-  const bool guarded = !token.empty() && (request.path.starts_with("/api") || opens_socket(request));
-  if (guarded && !trusted) {
+  if (!token.empty() && is_for_interface(request) && !trusted) {
     return error_response(401, "unauthorized",
                           "the token is missing or wrong; send 'Authorization: Bearer TOKEN' or ?token=TOKEN",
                           "token");
@@ -68,13 +82,13 @@ std::optional<Response> refusal(const Request& request, const std::string& token
   return std::nullopt;
 }
 
-bool RateLimit::take(Clock::time_point now) {
+bool RateLimit::take(Clock::time_point now, double events) {
   const std::lock_guard lock(mutex_);
   const double passed_s = last_ ? std::chrono::duration<double>(now - *last_).count() : 0.0;
   last_ = now;
   left_ = std::min(burst_, left_ + per_second_ * passed_s);
   if (left_ < 1.0) return false;
-  left_ -= 1.0;
+  left_ -= events;
   return true;
 }
 

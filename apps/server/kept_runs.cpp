@@ -3,18 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <tuple>
 
 #include "message.hpp"
-#include "outrider/io/files.hpp"
 
 namespace outrider::server {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr std::size_t largest_state_bytes = std::size_t{1} << 20U;
-constexpr std::size_t most_found = 1000;
+constexpr std::size_t most_state_bytes = std::size_t{1} << 20U;  // of memory, see memory_of_json()
+constexpr std::size_t most_names = 10'000;
+constexpr std::size_t most_found = 200;
+constexpr std::size_t most_together = 16;  // states of a question
 constexpr std::int64_t latest_s = 100'000'000'000;
 constexpr double longest_s = 1e9;
 
@@ -29,60 +29,52 @@ bool is_id(const std::string& name) {
          only(all.substr(dash + 1), "0123456789");
 }
 
-/// Returns true for a folder that is no link.
-bool is_folder(const fs::path& path) {
-  std::error_code error;
-  return fs::symlink_status(path, error).type() == fs::file_type::directory;
-}
-
-/// Makes a folder, unless it is there. Returns why there is none; empty if there is.
-std::string made(const fs::path& path) {
-  std::error_code error;
-  fs::create_directory(path, error);
-  if (is_folder(path)) return {};
-  return error ? error.message() : "it is no folder, or a link to one";
-}
-
-std::string why_not_kept(const fs::path& served) {
-  for (const fs::path& path : {served / ".outrider", served / ".outrider/runs"}) {
-    const std::string why = made(path);
-    if (!why.empty()) {
-      return fmt::format("runs are kept only until the server ends, since {} cannot be written ({})",
-                         path.lexically_relative(served).string(), why);
-    }
+/// Opens the folder of runs, and makes it if there is none. Fault: it cannot be written.
+Outcome<OpenFolder> writable_folder(const OpenFolder& served) {
+  auto above = served.make_folder(".outrider");
+  auto runs = above ? above->make_folder("runs") : above;
+  const Status trial = runs ? runs->write({{".trial", ""}}) : Status();
+  if (runs && trial) {
+    runs->remove(".trial");
+    return runs;
   }
-  const fs::path trial = served / ".outrider/runs/.trial";
-  if (const auto ok = write_file(trial.string(), ""); !ok) {
-    return fmt::format(
-        "runs are kept only until the server ends, since .outrider/runs cannot be written ({})",
-        ok.error().sentence);
-  }
-  std::error_code ignored;
-  fs::remove(trial, ignored);
-  return {};
-}
-
-std::optional<KeptRun> read_state(const fs::path& folder) {
-  const fs::path file = folder / "state.json";
-  std::error_code error;
-  if (fs::symlink_status(file, error).type() != fs::file_type::regular) return std::nullopt;
-  const auto text = read_file(file.string(), largest_state_bytes);
-  if (!text) return std::nullopt;
-  const auto state = parse_json(*text, "state.json");
-  if (!state) return std::nullopt;
-  auto run = kept_run_from_json(*state);
-  if (!run || run->id != folder.filename()) return std::nullopt;
-  return std::move(*run);
+  return fault(
+      FaultCode::cannot_write,
+      fmt::format("runs are kept only until the server ends, since {} cannot be written ({})",
+                  above ? ".outrider/runs" : ".outrider", (runs ? trial.error() : runs.error()).sentence));
 }
 
 /// The server died: what came of the log until then is the log.
-void cut_short(const fs::path& folder, KeptRun& run) {
+void cut_short(const OpenFolder& folder, KeptRun& run) {
   run.state = "cut_short";
   run.error = "the server ended before the mission did; it is shown as far as it came";
-  std::error_code ignored;
-  if (!fs::exists(folder / "run.mcap", ignored))
-    fs::rename(folder / "live.mcap", folder / "run.mcap", ignored);
+  if (!folder.status("run.mcap")) (void)folder.rename("live.mcap", "run.mcap");
   (void)write_state(folder, run);  // else the next server does it
+}
+
+/// Appends those of the runs that no server carries out now.
+void find_some(std::span<const std::string> ids, const OpenFolder& runs, const Folder& served,
+               const ReadFiles& read, std::vector<KeptRun>& found) {
+  std::vector<std::pair<OpenFolder, bool>> folders;  // and whether this server has locked it
+  std::vector<FileLock> locks;
+  Json asked = Json::array();
+  for (const std::string& id : ids) {
+    const auto folder = runs.folder(id);
+    auto lock = folder ? RunsFolder::lock(*folder) : Outcome<FileLock>(FileLock());
+    if (lock && !lock->held()) continue;
+    folders.emplace_back(*folder, lock.has_value());
+    if (lock) locks.push_back(std::move(*lock));
+    asked.push_back(id);
+  }
+  const auto answer = read(served, {{"states", std::move(asked)}}, {});
+  for (std::size_t i = 0; answer && i < folders.size(); ++i) {
+    auto run = kept_run_from_json(answer->at("states").at(i));
+    if (!run) continue;
+    const bool has_ended = run->state != "queued" && run->state != "running";
+    if (!has_ended && !folders[i].second) continue;  // nothing tells whether another server carries it out
+    if (!has_ended) cut_short(folders[i].first, *run);
+    found.push_back(std::move(*run));
+  }
 }
 
 }  // namespace
@@ -125,56 +117,52 @@ Outcome<KeptRun> kept_run_from_json(const Json& state) {
   return run;
 }
 
-Outcome<RunsFolder> RunsFolder::open(const fs::path& served) {
-  RunsFolder folder;
-  folder.notice_ = why_not_kept(served);
-  folder.path_ = served / ".outrider/runs";
-  if (folder.notice_.empty()) return folder;
+Json kept_state(const std::string& id, const Folder& served) {
+  const auto file = OpenFile::in(served.gate(), fmt::format(".outrider/runs/{}/state.json", id));
+  if (!file || file->bytes() > most_state_bytes) return {};
+  const std::string text = file->part(0, file->bytes());
+  if (memory_of_json(text) > most_state_bytes) return {};
+  const auto state = parse_json(text, "state.json");
+  const auto run = state ? kept_run_from_json(*state) : Outcome<KeptRun>(tl::unexpected(state.error()));
+  return run && run->id == id ? *state : Json();
+}
+
+Outcome<RunsFolder> RunsFolder::open(const OpenFolder& served) {
+  auto kept = writable_folder(served);
+  if (kept) return RunsFolder(std::move(*kept), "");
   auto temporary = TemporaryFolder::make();
   if (!temporary) return pass_on(temporary);
-  folder.path_ = temporary->path();
+  auto gate = OpenFolder::open(temporary->path().string());
+  if (!gate) return pass_on(gate);
+  RunsFolder folder(std::move(*gate), kept.error().sentence);
   folder.temporary_ = std::move(*temporary);
   return folder;
 }
 
-fs::path RunsFolder::place(const fs::path& served, const std::string& id) {
-  return served / ".outrider/runs" / id;
-}
-
-Outcome<FileLock> RunsFolder::lock(const fs::path& run) { return FileLock::take((run / ".lock").string()); }
-
-std::vector<KeptRun> RunsFolder::find(const fs::path& served) {
+std::vector<KeptRun> RunsFolder::find(const Folder& served, const ReadFiles& read) {
   std::vector<KeptRun> found;
-  const fs::path runs = served / ".outrider/runs";
-  std::error_code error;
-  if (!is_folder(runs.parent_path()) || !is_folder(runs)) return found;
-  fs::directory_iterator it(runs, error);
-  for (const fs::directory_iterator end; !error && it != end && found.size() < most_found;
-       it.increment(error)) {
-    const fs::path& folder = it->path();
-    if (!is_id(folder.filename().string()) || !is_folder(folder)) continue;
-    const auto held = lock(folder);
-    if (held && !held->held()) continue;
-    auto run = read_state(folder);
-    if (!run) continue;
-    const bool has_ended = run->state != "queued" && run->state != "running";
-    if (!has_ended && !held) continue;  // nothing tells whether another server carries it out
-    if (!has_ended) cut_short(folder, *run);
-    found.push_back(std::move(*run));
+  const auto runs = below(served.gate());
+  if (!runs) return found;
+  std::vector<std::string> ids = runs->names(most_names);  // an id begins with the time
+  std::erase_if(ids, [](const std::string& name) { return !is_id(name); });
+  std::span<const std::string> rest = ids;
+  rest = rest.last(std::min(most_found, rest.size()));
+  for (; !rest.empty(); rest = rest.subspan(std::min(most_together, rest.size()))) {
+    find_some(rest.first(std::min(most_together, rest.size())), *runs, served, read, found);
   }
   std::ranges::sort(found, {},
                     [](const KeptRun& run) { return std::tuple(run.began_s, run.id.size(), run.id); });
   return found;
 }
 
-Status write_state(const fs::path& folder, const KeptRun& run) {
+Status write_state(const OpenFolder& folder, const KeptRun& run) {
   Json state = state_json(run);
   std::string text = text_of(state);
-  if (text.size() >= largest_state_bytes) {  // run.json has it
+  if (memory_of_json(text) >= most_state_bytes) {  // run.json has it
     state["summary"] = Json();
     text = text_of(state);
   }
-  return write_file((folder / "state.json").string(), text + "\n");
+  return folder.write({{"state.json", text + "\n"}});
 }
 
 }  // namespace outrider::server

@@ -2,11 +2,11 @@
 //
 // state.json is written when a run is asked for and again when it has ended, through a temporary name. While
 // the run is under way its folder is locked. So a server that starts can tell a run that was cut short, since
-// its server died, from one that another server carries out now. Links on the way to the runs are not
-// followed. If the folder cannot be written, runs are kept in a temporary folder until the server ends.
+// its server died, from one that another server carries out now. All files are reached through open folders
+// (open_folder.hpp), and no link is followed. If the folder cannot be written, runs are kept in a temporary
+// folder until the server ends.
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -14,6 +14,8 @@
 
 #include "fields.hpp"
 #include "outrider/io/file_lock.hpp"
+#include "outrider/io/open_folder.hpp"
+#include "reading.hpp"
 #include "temporary_folder.hpp"
 
 namespace outrider::server {
@@ -36,32 +38,36 @@ struct KeptRun {
 Json state_json(const KeptRun& run);
 Outcome<KeptRun> kept_run_from_json(const Json& state);
 
+/// Returns state.json of the run with that id, or null if there is none that is as a server writes it. Call
+/// it in the reader process (reading.hpp).
+Json kept_state(const std::string& id, const Folder& served);
+
 class RunsFolder {
  public:
   /// Chooses DIR/.outrider/runs, or a temporary folder if that cannot be written. Creates it. Fault:
   /// bad_input if neither can be made.
-  static Outcome<RunsFolder> open(const std::filesystem::path& served);
-  /// Returns the runs below DIR/.outrider/runs that no server carries out now, the oldest first. The state of
-  /// one that was under way is `cut_short` then, in its file too.
-  static std::vector<KeptRun> find(const std::filesystem::path& served);
+  static Outcome<RunsFolder> open(const OpenFolder& served);
+  /// Returns the runs below DIR/.outrider/runs that no server carries out now, the oldest first, at most the
+  /// newest 200. The state of one that was under way is `cut_short` then, in its file too.
+  static std::vector<KeptRun> find(const Folder& served, const ReadFiles& read);
+  /// Opens DIR/.outrider/runs. Fault: bad_input if there is no such folder.
+  static Outcome<OpenFolder> below(const OpenFolder& served) { return served.folder(".outrider/runs"); }
   /// Locks a run's folder against other servers, by a file in it. The mission itself locks the folder while
   /// it renames its files. The lock is empty if another server carries the run out. Fault: cannot_write.
-  static Outcome<FileLock> lock(const std::filesystem::path& run);
+  static Outcome<FileLock> lock(const OpenFolder& run) { return FileLock::take(".lock", run.descriptor()); }
 
-  /// Returns the folder of a run.
-  [[nodiscard]] static std::filesystem::path place(const std::filesystem::path& served,
-                                                   const std::string& id);
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const OpenFolder& gate() const { return gate_; }
   /// Returns why the runs are not kept, in one sentence; empty if they are.
   [[nodiscard]] const std::string& notice() const { return notice_; }
 
  private:
-  std::filesystem::path path_;
+  RunsFolder(OpenFolder gate, std::string notice) : gate_(std::move(gate)), notice_(std::move(notice)) {}
+  OpenFolder gate_;
   std::string notice_;
   std::optional<TemporaryFolder> temporary_;
 };
 
 /// Writes state.json of a run into its folder.
-Status write_state(const std::filesystem::path& folder, const KeptRun& run);
+Status write_state(const OpenFolder& folder, const KeptRun& run);
 
 }  // namespace outrider::server

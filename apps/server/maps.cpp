@@ -125,16 +125,13 @@ Json points_json(const std::vector<Vec2>& points) {
 
 double usual_radius_m(MapKind kind) { return settle({}, kind, {}).radius_m; }
 
-Outcome<ReadMap> read_map(const std::string& path, const Folder& folder, double robot_height_m) {
-  const auto place = folder.resolve(path);
-  if (!place) return bad_input("it lies outside the folder that is served", path);
-  auto map = load_map(place->string(), {.most_cells = most_map_cells});
-  if (!map) return tl::unexpected(without_folder(std::move(map.error()), folder.root()));
+Outcome<ReadMap> read_map(const std::string& path, double robot_height_m) {
+  auto map = load_map(path, {.most_cells = most_map_cells});
+  if (!map) return pass_on(map);
   auto shape = shape_of(std::move(map->shape), robot_height_m);
   if (!shape) return pass_on(shape);
-  for (std::string& warning : map->warnings) warning = without_folder(std::move(warning), folder.root());
   return ReadMap{{{},
-                  place->filename().string(),
+                  path.substr(path.rfind('/') + 1),
                   std::move(*shape),
                   std::move(map->warnings),
                   usual_radius_m(map->kind)},

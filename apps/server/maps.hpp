@@ -52,8 +52,7 @@ struct ReadMap {
   KnownMap map;
   MapKind kind;
 };
-Outcome<ReadMap> read_map(const std::string& path, const Folder& folder,
-                          double robot_height_m = PlanGroundOptions{}.height_m);
+Outcome<ReadMap> read_map(const std::string& path, double robot_height_m = PlanGroundOptions{}.height_m);
 
 /// Keeps the most recently used maps: at most 32, and at most 64 MiB of cells in all. Thread rule: any thread
 /// may call.

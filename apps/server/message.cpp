@@ -1,5 +1,6 @@
 #include "message.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -9,6 +10,14 @@
 namespace outrider::server {
 
 OpenFile::~OpenFile() { ::close(descriptor_); }
+
+std::shared_ptr<const OpenFile> OpenFile::in(const OpenFolder& folder, const std::string& path) {
+  const auto descriptor = folder.open_file(path);
+  struct stat status{};
+  if (!descriptor) return nullptr;
+  (void)::fstat(*descriptor, &status);
+  return std::make_shared<const OpenFile>(*descriptor, static_cast<std::uintmax_t>(status.st_size));
+}
 
 std::string OpenFile::part(std::uintmax_t offset, std::size_t most) const {
   std::string bytes(most, '\0');
@@ -79,9 +88,8 @@ Response error_response(int status, std::string_view code, const std::string& se
 }
 
 Response error_response(const Fault& fault) {
-  const int status = fault.code == FaultCode::budget_exhausted ? 503
-                     : fault.code == FaultCode::cannot_write   ? 507
-                                                               : 400;
+  const bool ask_again = fault.code == FaultCode::budget_exhausted || fault.code == FaultCode::cancelled;
+  const int status = ask_again ? 503 : fault.code == FaultCode::cannot_write ? 507 : 400;
   return error_response(status, to_string(fault.code), fault.sentence, fault.where);
 }
 

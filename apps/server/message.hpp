@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
+#include "outrider/io/open_folder.hpp"
 
 namespace outrider::server {
 
@@ -24,6 +25,7 @@ struct Request {
   std::map<std::string, std::string> headers;  ///< names in lower case
   std::string body;
   std::stop_token stop = {};  ///< raised when the client has left
+  std::string client = {};    ///< bytes of its address, of IPv6 those of its network
 
   /// Returns the value of the header; empty if there is none. `name` is in lower case.
   [[nodiscard]] std::string header(const std::string& name) const;
@@ -38,6 +40,8 @@ class OpenFile {
   OpenFile(const OpenFile&) = delete;
   OpenFile& operator=(const OpenFile&) = delete;
   ~OpenFile();
+  /// Opens a regular file beneath a folder; null if there is none.
+  static std::shared_ptr<const OpenFile> in(const OpenFolder& folder, const std::string& path);
 
   [[nodiscard]] std::uintmax_t bytes() const { return bytes_; }
   /// Returns at most `most` bytes from `offset` on; fewer than expected if the file was truncated meanwhile.
@@ -80,7 +84,8 @@ nlohmann::ordered_json error_json(const std::string& sentence, std::string_view 
                                   const std::string& where = {});
 Response error_response(int status, std::string_view code, const std::string& sentence,
                         const std::string& where = {});
-/// Returns the response for a fault: status 400; 503 if a budget is exhausted, 507 if the disk failed.
+/// Returns the response for a fault: status 400; 503 if a budget is exhausted or it was not begun, 507 if the
+/// disk failed.
 Response error_response(const Fault& fault);
 Response not_found(const std::string& sentence, const std::string& where = {});
 

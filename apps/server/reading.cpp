@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "child.hpp"
+#include "file_kinds.hpp"
+#include "kept_runs.hpp"
 #include "maps.hpp"
 #include "message.hpp"
 #include "outrider/core/base64.hpp"
@@ -23,13 +25,13 @@ namespace {
 
 constexpr std::size_t most_answer_bytes = std::size_t{64} << 20U;
 
-Outcome<Json> packed_map(const std::string& path, const Folder& folder) {
-  const auto read = read_map(path, folder);
+Outcome<Json> packed_map(const std::string& path) {
+  const auto read = read_map(path);
   return read ? Outcome<Json>(packed(read->map)) : tl::unexpected(read.error());
 }
 
-Outcome<Json> changed_yard(const Json& request, const std::string& path, const Folder& folder) {
-  auto files = yard_files(path, request, folder);
+Outcome<Json> changed_yard(const Json& request, const std::string& path) {
+  auto files = yard_files(path, request);
   if (!files) return pass_on(files);
   Json list = Json::array();
   for (const auto& [name, content] : *files) {
@@ -46,9 +48,10 @@ Json fault_json(const Fault& fault) {
 Outcome<Json> answer_of(const ChildResult& child, const ReaderSettings& settings) {
   if (child.cancelled) return fault(FaultCode::cancelled, "nobody waits for it any more");
   if (child.timed_out) {
-    return fault(FaultCode::budget_exhausted,
-                 fmt::format("reading it takes longer than {} s, and is given up; use a simpler file",
-                             settings.limit.count()));
+    return fault(
+        FaultCode::budget_exhausted,
+        fmt::format("reading it takes more than {} s of a processor, and is given up; use a simpler file",
+                    settings.limit.count()));
   }
   Json answer = Json::parse(child.output, nullptr, false);
   if (!answer.is_object()) {
@@ -64,15 +67,18 @@ Outcome<Json> answer_of(const ChildResult& child, const ReaderSettings& settings
                refused.value("where", ""));
 }
 
-/// Lets a limited number of threads pass at once; others wait, up to a time limit.
+/// Lets a limited number of threads pass at once; a limited number of others waits.
 class Turnstile {
  public:
-  explicit Turnstile(int places) : places_(places) {}
-  bool enter(std::chrono::seconds longest_wait, const std::stop_token& stop) {
+  Turnstile(int places, int waiting) : places_(places), may_wait_(waiting) {}
+  bool enter(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
-    if (!left_.wait_for(lock, stop, longest_wait, [this] { return places_ > 0; })) return false;
-    --places_;
-    return true;
+    if (places_ == 0 && may_wait_ == 0) return false;
+    --may_wait_;
+    const bool entered = left_.wait(lock, stop, [this] { return places_ > 0; });
+    ++may_wait_;
+    if (entered) --places_;
+    return entered;
   }
   void leave() {
     {
@@ -86,35 +92,47 @@ class Turnstile {
   std::mutex mutex_;
   std::condition_variable_any left_;
   int places_;
+  int may_wait_;
 };
 
 }  // namespace
 
-Outcome<Json> answer_reading(const Json& question, const Folder& folder) {
+Outcome<Json> answer_reading(const Json& question, const Folder& folder, const std::vector<Job>& jobs) {
   Fields fields(question, "");
+  for (const auto& [key, answer] : {std::pair("kinds", &file_kind), std::pair("states", &kept_state)}) {
+    const Json* names = fields.has(key) ? fields.list(key) : nullptr;
+    Json answers = Json::array();
+    for (const Json& name : names ? *names : Json::array()) answers.push_back(answer(name, folder));
+    if (names != nullptr) return Json{{key, std::move(answers)}};
+  }
+  if (fields.has("head")) return scenario_head(fields.text("head"), fields.text("name"), jobs);
   const bool map = fields.has("map"), scenario = fields.has("scenario"), scene = fields.has("scene");
-  const std::string path = fields.text(map ? "map" : scenario ? "scenario" : scene ? "scene" : "save_as");
+  auto path = checked_path(fields.text(map        ? "map"
+                                             : scenario ? "scenario"
+                                             : scene    ? "scene"
+                                                        : "save_as"));
   const Json* yard = map || scenario || scene ? nullptr : fields.object("yard");
   if (auto ok = fields.end(); !ok) return pass_on(ok);
-  if (map) return packed_map(path, folder);
-  if (scenario) return shown_scenario(path, folder);
-  if (scene) return scenario_scene(path, folder);
-  return changed_yard(*yard, path, folder);
+  if (!path) return pass_on(path);
+  if (map) return packed_map(*path);
+  if (scenario) return shown_scenario(*path);
+  if (scene) return scenario_scene(*path);
+  return changed_yard(*yard, *path);
 }
 
 ReadFiles reading_in_a_child(const ReaderSettings& settings) {
-  const auto turnstile = std::make_shared<Turnstile>(settings.at_once);
+  const auto turnstile = std::make_shared<Turnstile>(settings.at_once, settings.waiting);
   return [settings, turnstile](const Folder& folder, const Json& question,
                                const std::stop_token& stop) -> Outcome<Json> {
-    if (!turnstile->enter(settings.longest_wait, stop)) {
-      return fault(FaultCode::budget_exhausted, "other files are being read; ask again");
+    if (!turnstile->enter(stop)) {
+      return fault(FaultCode::cancelled, "other files are being read; ask again");
     }
     struct Leaving {  // whatever happens in between
       Turnstile& turnstile;
       ~Leaving() { turnstile.leave(); }
     } const leaving{*turnstile};
     const ChildResult child = run_child({.words = {settings.tool, "serve-reader"},
-                                         .folder = folder.root().string(),
+                                         .folder = folder.gate(),
                                          .input = text_of(question),
                                          .limit = settings.limit,
                                          .memory_bytes = settings.memory_bytes,
@@ -124,7 +142,7 @@ ReadFiles reading_in_a_child(const ReaderSettings& settings) {
   };
 }
 
-int serve_reader() {
+int serve_reader(const std::vector<Job>& jobs) {
   const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
   Json answer;
   try {
@@ -132,7 +150,7 @@ int serve_reader() {
     const auto folder = Folder::open(".");
     auto found = !question ? Outcome<Json>(tl::unexpected(question.error()))
                  : !folder ? Outcome<Json>(tl::unexpected(folder.error()))
-                           : answer_reading(*question, *folder);
+                           : answer_reading(*question, *folder, jobs);
     answer = found ? std::move(*found) : fault_json(found.error());
   } catch (const std::bad_alloc&) {
     answer = fault_json({FaultCode::budget_exhausted,

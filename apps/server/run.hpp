@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -17,10 +16,11 @@ namespace outrider::server {
 
 struct Runs::Run {
   std::string id;
-  std::string scenario;  // as the user named it
-  std::string text;      // the scenario to run
-  bool unsaved = false;  // the text came with the request
-  std::filesystem::path out;
+  std::string scenario;                 // as the user named it
+  std::string text;                     // the scenario to run
+  bool unsaved = false;                 // the text came with the request
+  std::optional<OpenFolder> home = {};  // the folder of its folder
+  std::optional<OpenFolder> out = {};   // nothing if it has none any more
   std::string job;
   std::optional<std::int64_t> seed;
   std::int64_t began_s = 0;  // Unix time at which it was asked for

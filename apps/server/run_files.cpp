@@ -1,63 +1,40 @@
 // What viewers get of a run: its messages and its live log while it runs, the files that it left afterwards.
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 
 #include "run.hpp"
 
 namespace outrider::server {
-namespace {
-
-namespace fs = std::filesystem;
-
-/// Opens a file that a mission left; null if there is none that can be served.
-std::shared_ptr<const OpenFile> open_file(const fs::path& file) {
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
-  struct stat status{};
-  if (descriptor < 0) return nullptr;
-  const bool known = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
-  auto opened =
-      std::make_shared<const OpenFile>(descriptor, known ? static_cast<std::uintmax_t>(status.st_size) : 0);
-  return known ? opened : nullptr;
-}
-
-}  // namespace
-
-/// Returns where a file lies that the mission left; nothing if there is none.
-std::optional<fs::path> Runs::file_of(const RunPtr& run, const char* name) const {
-  fs::path file = run->out / name;
-  return open_file(file) ? std::optional(std::move(file)) : std::nullopt;
+/// Opens a file that the mission left; null if there is none that can be served.
+std::shared_ptr<const OpenFile> Runs::file_of(const RunPtr& run, const char* name) {
+  return run->out ? OpenFile::in(*run->out, name) : nullptr;
 }
 
 Response Runs::log(const std::string& id) {
-  fs::path file;
-  {
-    const std::lock_guard lock(mutex_);
-    const RunPtr run = find(id);
-    if (!run) return no_such_run(id);
-    if (!run->ended())
-      return not_found("the log can be fetched when the run has ended; until then it is sent live", id);
-    file = run->out / "run.mcap";
-  }
-  auto opened = open_file(file);
-  if (!opened) return not_found("this run left no log", id.substr(0, 64));
-  return {200, "application/octet-stream", {}, {}, std::move(opened)};
+  return left(id, "run.mcap", "application/octet-stream",
+              "the log can be fetched when the run has ended; until then it is sent live",
+              "this run left no log");
 }
 
 Response Runs::result(const std::string& id) {
-  fs::path file;
+  return left(id, "run.json", "application/json", "the result comes when the run has ended",
+              "this run left no result");
+}
+
+/// Responds with a file that a run left.
+Response Runs::left(const std::string& id, const char* name, const char* type, const char* too_early,
+                    const char* none) {
+  RunPtr run;
   {
     const std::lock_guard lock(mutex_);
-    const RunPtr run = find(id);
+    run = find(id);
     if (!run) return no_such_run(id);
-    if (!run->ended()) return not_found("the result comes when the run has ended", id);
-    file = run->out / "run.json";
+    if (!run->ended()) return not_found(too_early, id);
   }
-  auto opened = open_file(file);
-  if (!opened) return not_found("this run left no result", id.substr(0, 64));
-  return {200, "application/json", {}, {}, std::move(opened)};
+  auto opened = file_of(run, name);
+  if (!opened) return not_found(none, id.substr(0, 64));
+  return {200, type, {}, {}, std::move(opened)};
 }
 
 Outcome<Runs::Message> Runs::next(const std::string& id, std::uint64_t from) {

@@ -32,10 +32,14 @@ std::optional<Json> progress_of(const Json& line) {
 Conclusion conclusion_of(const ChildResult& child) {
   if (child.cancelled) return {"cancelled", {FaultCode::cancelled, "the mission was cancelled", {}}, {}};
   if (child.timed_out) {
-    return {
-        "failed", {FaultCode::budget_exhausted, "the mission took longer than the server allows", {}}, {}};
+    return {"failed",
+            {FaultCode::budget_exhausted, "the mission took more processor time than the server allows", {}},
+            {}};
   }
-  Json summary = Json::parse(child.output, nullptr, false);
+  std::string output = child.output;
+  replace_all(output, std::string(child_out) + "/", "");  // it knows its folder by that name only
+  replace_all(output, std::string(child_out), "its folder");
+  Json summary = Json::parse(output, nullptr, false);
   const char* const states[] = {"done", "not_done", "refused", "failed"};
   if (child.status < 0 || child.status > 3 || !summary.is_object()) {
     const std::string said = last_line(child.errors);
@@ -52,9 +56,8 @@ Conclusion conclusion_of(const ChildResult& child) {
   return conclusion;
 }
 
-Fault plain_fault(Fault fault, const std::filesystem::path& root, const std::string& unsaved) {
+Fault plain_fault(Fault fault, const std::string& unsaved) {
   for (std::string* text : {&fault.sentence, &fault.where}) {
-    replace_all(*text, root.string() + "/", "");
     if (!unsaved.empty()) replace_all(*text, unsaved, "scenario");
   }
   return fault;

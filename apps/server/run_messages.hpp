@@ -1,7 +1,6 @@
 // What a mission prints, read: its progress, and how it ended.
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -23,8 +22,8 @@ struct Conclusion {
 };
 Conclusion conclusion_of(const ChildResult& child);
 
-/// Returns the fault with file names relative to the root. Replaces `unsaved`, the name of an unsaved
-/// scenario, by "scenario"; pass an empty name for others.
-Fault plain_fault(Fault fault, const std::filesystem::path& root, const std::string& unsaved);
+/// Returns the fault with the name of an unsaved scenario, `unsaved`, replaced by "scenario"; pass an empty
+/// name for others.
+Fault plain_fault(Fault fault, const std::string& unsaved);
 
 }  // namespace outrider::server

@@ -3,18 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "outrider/io/files.hpp"
-#include "outrider/job/run_job.hpp"
 #include "run.hpp"
 #include "run_messages.hpp"
 
 namespace outrider::server {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t most_messages = 50'000;
 constexpr std::size_t longest_scenario = std::size_t{1} << 20U;
@@ -28,27 +23,6 @@ std::string moment() {
 std::int64_t unix_time_s() {
   const auto since = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::seconds>(since).count();
-}
-
-/// Gives a file a second name, which stays when the first is removed.
-void keep_file(const fs::path& file, const fs::path& as) {
-  std::error_code error;
-  fs::create_hard_link(file, as, error);
-  if (error) fs::copy_file(file, as, error);  // a disk without links
-}
-
-/// Returns the value of the key `seed` of a scenario; nothing if it has none that is a number.
-std::optional<std::int64_t> seed_of(const std::string& yaml) {
-  static constexpr std::string_view key = "seed:";
-  std::size_t at = yaml.starts_with(key) ? 0 : yaml.find("\nseed:");
-  if (at == std::string::npos) return std::nullopt;
-  at = yaml.find_first_not_of(" \t", yaml.find(':', at) + 1);
-  std::int64_t seed = 0;
-  if (at == std::string::npos) return std::nullopt;
-  const auto [end, error] = std::from_chars(yaml.data() + at, yaml.data() + yaml.size(), seed);
-  const bool whole =
-      end == yaml.data() + yaml.size() || std::string_view(" \t\r\n").find(*end) != std::string_view::npos;
-  return error == std::errc{} && whole && seed >= 0 ? std::optional(seed) : std::nullopt;
 }
 
 }  // namespace
@@ -67,14 +41,16 @@ Outcome<RunRequest> run_request(const Json& request) {
   return run;
 }
 
-Runs::Runs(const Folder& folder, RunSettings settings, const std::vector<Job>& jobs)
+Runs::Runs(const Folder& folder, RunSettings settings, ReadFiles read)
     : folder_(folder),
       settings_(std::move(settings)),
-      jobs_(jobs),
+      read_(std::move(read)),
       live_logs_(settings_.live_logs_bytes),
       prefix_(moment()) {
-  for (KeptRun& kept : RunsFolder::find(folder_.root())) runs_.push_back(restored(std::move(kept)));
-  forget_old();
+  for (KeptRun& kept : RunsFolder::find(folder_, read_)) {
+    runs_.push_back(restored(std::move(kept)));
+    forget_old();
+  }
   for (std::size_t i = 0; i < settings_.at_once; ++i) {
     workers_.emplace_back([this](const std::stop_token& stop) { work(stop); });
   }
@@ -111,19 +87,18 @@ void Runs::forget_old() {
   for (auto kept = std::count_if(runs_.begin(), runs_.end(), ended);
        kept > static_cast<std::ptrdiff_t>(settings_.kept); --kept) {
     const auto oldest = std::find_if(runs_.begin(), runs_.end(), ended);
-    std::error_code ignored;
-    fs::remove_all((*oldest)->out, ignored);
+    if ((*oldest)->home) (*oldest)->home->remove((*oldest)->id);
     runs_.erase(oldest);
   }
 }
 
 /// Sets the text of the scenario, its name, and its job; returns the refusal if there is one.
-std::optional<Response> Runs::take_scenario(Run& run, const RunRequest& request) const {
+std::optional<Response> Runs::take_scenario(Run& run, const RunRequest& request,
+                                            const std::stop_token& stop) const {
   if (request.text) {
-    const auto folder =
-        request.folder.empty() ? Outcome<fs::path>(folder_.root()) : folder_.resolve(request.folder);
-    std::error_code error;
-    if (!folder || !fs::is_directory(*folder, error)) return not_found("there is no such folder", "folder");
+    const bool good = request.folder.empty() || checked_path(request.folder);
+    if (!good || !folder_.gate().folder(request.folder))
+      return not_found("there is no such folder", "folder");
     run.scenario = request.folder.empty() ? "unsaved" : request.folder + "/unsaved";
     run.text = *request.text;
     run.unsaved = true;
@@ -133,13 +108,14 @@ std::optional<Response> Runs::take_scenario(Run& run, const RunRequest& request)
     run.scenario = request.scenario;
     run.text = std::move(*text);
   }
-  const auto job = job_of_scenario_text(jobs_, run.text, run.scenario);
-  if (!job) return error_response(plain_fault(job.error(), folder_.root(), run.unsaved ? run.scenario : ""));
-  run.job = job->name;
+  const auto head = read_(folder_, {{"head", run.text}, {"name", run.scenario}}, stop);
+  if (!head) return error_response(plain_fault(head.error(), run.unsaved ? run.scenario : ""));
+  run.job = head->at("job").get<std::string>();
+  if (!run.seed && !head->at("seed").is_null()) run.seed = head->at("seed").get<std::int64_t>();
   return std::nullopt;
 }
 
-Response Runs::start(const RunRequest& request) {
+Response Runs::start(const RunRequest& request, const std::stop_token& stop) {
   auto run = std::make_shared<Run>();
   run->seed = request.seed;
   {
@@ -149,21 +125,21 @@ Response Runs::start(const RunRequest& request) {
                             fmt::format("{} missions wait already; cancel one, or wait", queue_.size()));
     }
     if (!home_) {
-      auto home = RunsFolder::open(folder_.root());
+      auto home = RunsFolder::open(folder_.gate());
       if (!home) return error_response(500, "internal", home.error().sentence);
       home_ = std::make_unique<RunsFolder>(std::move(*home));
       notice_ = home_->notice();
     }
     run->id = fmt::format("{}-{}", prefix_, ++number_);
-    run->out = home_->path() / run->id;
+    run->home = home_->gate();
   }
-  if (auto refused = take_scenario(*run, request)) return *refused;
-  if (!run->seed) run->seed = seed_of(run->text);
+  if (auto refused = take_scenario(*run, request, stop)) return *refused;
   run->began_s = unix_time_s();
   run->asked = std::chrono::steady_clock::now();
-  std::error_code error;
-  fs::create_directories(run->out, error);
-  if (auto lock = RunsFolder::lock(run->out)) run->lock = std::move(*lock);
+  auto out = run->home->make_folder(run->id);
+  if (!out) return error_response(out.error());
+  run->out = std::move(*out);
+  if (auto lock = RunsFolder::lock(*run->out)) run->lock = std::move(*lock);
   keep(run, run->state);
   {
     const std::lock_guard lock(mutex_);
@@ -189,9 +165,12 @@ Runs::RunPtr Runs::restored(KeptRun kept) const {
   run->began_s = kept.began_s;
   run->took_s = kept.took_s;
   run->summary = std::move(kept.summary);
-  run->out = RunsFolder::place(folder_.root(), run->id);
-  run->has_log = run->live_log_gone = file_of(run, "run.mcap").has_value();
-  run->has_result = file_of(run, "run.json").has_value();
+  const auto home = RunsFolder::below(folder_.gate());
+  const auto out = home ? home->folder(run->id) : home;
+  if (home) run->home = *home;
+  if (out) run->out = *out;
+  run->has_log = run->live_log_gone = file_of(run, "run.mcap") != nullptr;
+  run->has_result = file_of(run, "run.json") != nullptr;
   Json message = {{"seq", 1}, {"type", "end"}, {"run", run->id}};
   message.update(run->json());
   message["seq"] = 1;
@@ -206,12 +185,11 @@ void Runs::keep(const RunPtr& run, const std::string& state) {
     const std::lock_guard lock(mutex_);
     kept = run->kept(state);
   }
-  const Status written = write_state(run->out, kept);
+  const Status written = write_state(*run->out, kept);
   if (written) return;
   const std::lock_guard lock(mutex_);
   if (notice_.empty()) {
-    notice_ = fmt::format("run {} cannot be kept ({})", run->id,
-                          without_folder(written.error(), folder_.root()).sentence);
+    notice_ = fmt::format("run {} cannot be kept ({})", run->id, written.error().sentence);
   }
 }
 
@@ -293,21 +271,21 @@ void Runs::work(const std::stop_token& stop) {
 }
 
 void Runs::carry_out(const RunPtr& run) {
-  const fs::path file = run->out / "live.mcap";
-  auto log = std::make_shared<GrowingLog>(file, settings_.live_log_bytes, live_logs_);
+  auto log = std::make_shared<GrowingLog>(*run->out, "live.mcap", settings_.live_log_bytes, live_logs_);
   {
     const std::lock_guard lock(mutex_);
     run->live_log = std::move(log);
   }
   report(run, {{"type", "state"}, {"state", "running"}});
-  ChildProgram program;
   // The mission works in the folder, so its result equals that of `outrider run` there.
-  program.words = {settings_.tool, "run", run->scenario, "--json", "--out", run->out.string(), "--stdin"};
+  ChildProgram program{
+      .words = {settings_.tool, "run", run->scenario, "--json", "--out", std::string(child_out), "--stdin"},
+      .folder = folder_.gate(),
+      .input = run->text,
+      .limit = settings_.limit * std::max(1U, std::thread::hardware_concurrency()),
+      .memory_bytes = settings_.memory_bytes,
+      .out = run->out};
   if (run->seed) program.words.insert(program.words.end(), {"--seed", std::to_string(*run->seed)});
-  program.folder = folder_.root().string();
-  program.input = run->text;
-  program.limit = settings_.limit;
-  program.memory_bytes = settings_.memory_bytes;
   const ChildListener listener = {[&](std::string_view line) { receive(run, line); },
                                   [&](std::string_view bytes) { receive_log(run, bytes); }};
   conclude(run, run_child(program, run->stop.get_token(), listener));
@@ -327,14 +305,12 @@ void Runs::receive(const RunPtr& run, std::string_view line) {
 
 void Runs::conclude(const RunPtr& run, const ChildResult& child) {
   Conclusion conclusion = conclusion_of(child);
-  conclusion.fault = without_folder(std::move(conclusion.fault), run->out);
-  conclusion.fault =
-      plain_fault(std::move(conclusion.fault), folder_.root(), run->unsaved ? run->scenario : "");
+  conclusion.fault = plain_fault(std::move(conclusion.fault), run->unsaved ? run->scenario : "");
   if (conclusion.summary.contains("files")) conclusion.summary.erase("files");  // paths on the server
-  const bool killed = !file_of(run, "run.mcap") && run->live_log->bytes() > 0;
-  if (killed) keep_file(run->live_log->path(), run->out / "run.mcap");
-  const bool has_log = file_of(run, "run.mcap").has_value();
-  const bool has_result = file_of(run, "run.json").has_value();
+  const bool killed = !run->out->status("run.mcap") && run->live_log->bytes() > 0;
+  if (killed) (void)run->out->rename("live.mcap", "run.mcap");
+  const bool has_log = file_of(run, "run.mcap") != nullptr;
+  const bool has_result = file_of(run, "run.json") != nullptr;
   {
     const std::lock_guard lock(mutex_);
     run->summary = std::move(conclusion.summary);

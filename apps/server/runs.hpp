@@ -30,7 +30,7 @@
 #include "fields.hpp"
 #include "folder.hpp"
 #include "growing_log.hpp"
-#include "outrider/job/job.hpp"
+#include "reading.hpp"
 
 namespace outrider::server {
 
@@ -38,11 +38,11 @@ struct KeptRun;
 class RunsFolder;
 
 struct RunSettings {
-  std::string tool;          ///< the program: `TOOL run SCENARIO --json --out FOLDER --stdin`
-  std::size_t at_once = 2;   ///< missions that run at once
-  std::size_t waiting = 16;  ///< missions in the queue; more are refused
-  std::size_t kept = 32;     ///< ended missions; older ones are removed
-  std::chrono::seconds limit{1800};
+  std::string tool;                  ///< the program: `TOOL run SCENARIO --json --out FOLDER --stdin`
+  std::size_t at_once = 2;           ///< missions that run at once
+  std::size_t waiting = 16;          ///< missions in the queue; more are refused
+  std::size_t kept = 32;             ///< ended missions; older ones are removed
+  std::chrono::seconds limit{1800};  ///< of a mission on all processors; as much processor time as that is
   std::size_t memory_bytes = std::size_t{4} << 30U;        ///< for one mission
   std::uint64_t live_log_bytes = std::uint64_t{1} << 30U;  ///< that are kept of the live log of a run
   std::size_t live_logs_bytes = std::size_t{2} << 30U;     ///< that are kept of all live logs together
@@ -60,14 +60,15 @@ Outcome<RunRequest> run_request(const Json& request);
 
 class Runs {
  public:
-  /// `jobs` must outlive it. Finds the runs that earlier servers left.
-  Runs(const Folder& folder, RunSettings settings, const std::vector<Job>& jobs);
+  /// Finds the runs that earlier servers left; `read` reads their states, and the scenarios to run.
+  Runs(const Folder& folder, RunSettings settings, ReadFiles read);
   ~Runs();  ///< cancels all runs, and waits for them
   Runs(const Runs&) = delete;
   Runs& operator=(const Runs&) = delete;
 
-  /// Queues a mission. Responds with its state and status 202; else 400, 404, or 429 if the queue is full.
-  Response start(const RunRequest& request);
+  /// Queues a mission, unless `stop` is raised. Responds with its state and status 202; else 400, 404, or 429
+  /// if the queue is full.
+  Response start(const RunRequest& request, const std::stop_token& stop);
   /// Responds with the state of one run. list() returns {"runs": all of them, newest first, "notice": why
   /// they are not kept, or empty}.
   Response state(const std::string& id);
@@ -100,7 +101,8 @@ class Runs {
   struct Run;
   using RunPtr = std::shared_ptr<Run>;
 
-  std::optional<Response> take_scenario(Run& run, const RunRequest& request) const;
+  std::optional<Response> take_scenario(Run& run, const RunRequest& request,
+                                        const std::stop_token& stop) const;
   RunPtr restored(KeptRun kept) const;
   void keep(const RunPtr& run, const std::string& state);
   void work(const std::stop_token& stop);
@@ -110,7 +112,9 @@ class Runs {
   void receive(const RunPtr& run, std::string_view line);
   void receive_log(const RunPtr& run, std::string_view bytes);
   bool forget_oldest_live_log();
-  std::optional<std::filesystem::path> file_of(const RunPtr& run, const char* name) const;
+  static std::shared_ptr<const OpenFile> file_of(const RunPtr& run, const char* name);
+  Response left(const std::string& id, const char* name, const char* type, const char* too_early,
+                const char* none);
   void report(const RunPtr& run, Json message);
   void end(const RunPtr& run, const std::string& state, Fault fault);
   RunPtr find(const std::string& id);  // call with the lock held
@@ -119,7 +123,7 @@ class Runs {
 
   const Folder& folder_;
   RunSettings settings_;
-  const std::vector<Job>& jobs_;
+  ReadFiles read_;
   ByteBudget live_logs_;
   std::string prefix_;  // makes ids differ from those of earlier servers
   std::unique_ptr<RunsFolder> home_;

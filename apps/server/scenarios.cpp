@@ -43,12 +43,11 @@ Outcome<Json> point_from(const std::string& text, const char* key) {
   return Json{(*numbers)[0], (*numbers)[1]};
 }
 
-Outcome<Json> shown_question(const fs::path& file, const Folder& folder) {
+Outcome<Json> shown_question(const std::string& path) {
   PlanJob job;
-  const std::string as_if = file.lexically_relative(folder.root()).string();
-  if (auto ok = read_scenario(job, file.string(), as_if); !ok) return pass_on(ok);
+  if (auto ok = read_scenario(job, path); !ok) return pass_on(ok);
   if (auto ok = check(job.scenario); !ok) return pass_on(ok);
-  auto read = read_map(job.scenario.map, folder, job.scenario.height_m);
+  auto read = read_map(job.scenario.map, job.scenario.height_m);
   if (!read) return pass_on(read);
   const PlanScenario scenario = settle(job.scenario, read->kind, job.given);
   auto start = point_from(scenario.from, "from");
@@ -119,11 +118,11 @@ Outcome<std::vector<NamedContent>> unpacked_files(const Json& answer) {
 }
 
 /// Returns a scenario for the page; refuses jobs that the page cannot change.
-Outcome<Json> shown_job(const fs::path& file, const std::string& path, const Folder& folder) {
-  const auto job = job_of_scenario(jobs(), file.string());
+Outcome<Json> shown_job(const std::string& path) {
+  const auto job = job_of_scenario(jobs(), path);
   if (!job) return tl::unexpected<Fault>(job.error());
-  if (job->name == "plan") return shown_question(file, folder);
-  if (job->name == "guard") return shown_yard(file);
+  if (job->name == "plan") return shown_question(path);
+  if (job->name == "guard") return shown_yard(path);
   return bad_input(
       fmt::format("the page changes scenarios of the jobs plan and guard; this one is {}", job->name), path);
 }
@@ -137,11 +136,9 @@ Outcome<Json> with_kept_map(Json shown, MapStore& maps) {
   return shown;
 }
 
-Outcome<Json> shown_scenario(const std::string& path, const Folder& folder) {
-  const auto file = folder.resolve(path);
-  if (!file) return tl::unexpected(file.error());
-  auto shown = shown_job(*file, path, folder);
-  if (!shown) return tl::unexpected(without_folder(std::move(shown.error()), folder.root()));
+Outcome<Json> shown_scenario(const std::string& path) {
+  auto shown = shown_job(path);
+  if (!shown) return shown;
   (*shown)["path"] = path;
   return shown;
 }

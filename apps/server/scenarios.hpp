@@ -17,7 +17,7 @@ namespace outrider::server {
 /// "planner", "options", "model", "radius_m", "resolution_m"}; for the job guard: see shown_yard(). Call it
 /// in the reader process (reading.hpp). Faults: those of reading the scenario; bad_input on other jobs, and
 /// on files outside the folder.
-Outcome<Json> shown_scenario(const std::string& path, const Folder& folder);
+Outcome<Json> shown_scenario(const std::string& path);
 
 /// Keeps the packed map of a shown scenario and replaces it by what /maps returns.
 Outcome<Json> with_kept_map(Json shown, MapStore& maps);

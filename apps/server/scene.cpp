@@ -98,11 +98,11 @@ PolygonMap seen_from_above(const World& world) {
   return map;
 }
 
-Outcome<Scene> world_scene(const fs::path& file, const YAML::Node& scenario, const Folder& folder) {
+Outcome<Scene> world_scene(const fs::path& file, const YAML::Node& scenario) {
   const auto text = [&](const char* key) { return scenario[key] ? scenario[key].as<std::string>("") : ""; };
   const bool cells = file.extension() != ".sdf" && file.extension() != ".world" && file.extension() != ".csv";
   if (cells) {
-    auto read = read_map(file.lexically_relative(folder.root()).string(), folder, robot_height_m);
+    auto read = read_map(file.string(), robot_height_m);
     if (read) return Scene{std::move(read->map.shape), {}, {}};
   }
   auto world = load_explore_world({.world = file.string(), .walls = text("walls")});
@@ -111,14 +111,13 @@ Outcome<Scene> world_scene(const fs::path& file, const YAML::Node& scenario, con
 }
 
 /// Reads the ground that one of the keys names.
-Outcome<Scene> scene_of(const fs::path& file, const YAML::Node& scenario, const Folder& folder) {
+Outcome<Scene> scene_of(const fs::path& file, const YAML::Node& scenario) {
   for (const char* key : {"world", "map", "area"}) {
     if (!scenario[key] || !scenario[key].IsScalar()) continue;
     const fs::path named = (file.parent_path() / scenario[key].Scalar()).lexically_normal();
-    if (!folder.holds(named)) return bad_input("it lies outside the folder that is served", key);
     if (std::string_view(key) == "area") return area_scene(named.string());
     const bool pursuit = scenario["job"] && scenario["job"].as<std::string>("") == "pursue";
-    return pursuit ? pursuit_scene(named.string()) : world_scene(named, scenario, folder);
+    return pursuit ? pursuit_scene(named.string()) : world_scene(named, scenario);
   }
   return Scene{};
 }
@@ -144,8 +143,11 @@ Json shown_map(const fs::path& file, MapShape shape) {
   return shown;
 }
 
-Outcome<Json> scene_in(const fs::path& file, const Folder& folder) {
-  auto text = folder.text(file.lexically_relative(folder.root()).string(), largest_saved_bytes);
+}  // namespace
+
+Outcome<Json> scenario_scene(const std::string& path) {
+  const fs::path file = path;
+  auto text = read_file(path, largest_saved_bytes);
   if (!text) return pass_on(text);
   YAML::Node scenario;
   try {
@@ -154,9 +156,9 @@ Outcome<Json> scene_in(const fs::path& file, const Folder& folder) {
     return bad_input(broken.what());
   }
   if (!scenario.IsMap()) return bad_input("the scenario has no keys");
-  const auto job = scenario_job_from_text(*text, file.string());
+  const auto job = scenario_job_from_text(*text, path);
   if (job && *job == "guard") return guard_scene(file);
-  auto scene = scene_of(file, scenario, folder);
+  auto scene = scene_of(file, scenario);
   if (!scene) return pass_on(scene);
   for (const char* key : {"start", "from"}) {
     if (!scene->start) scene->start = point_in(scenario, key);
@@ -168,16 +170,6 @@ Outcome<Json> scene_in(const fs::path& file, const Folder& folder) {
   return Json{{"map", std::move(map)},
               {"start", scene->start ? Json{scene->start->x, scene->start->y} : Json()},
               {"targets", std::move(targets)}};
-}
-
-}  // namespace
-
-Outcome<Json> scenario_scene(const std::string& path, const Folder& folder) {
-  const auto file = folder.resolve(path);
-  if (!file) return tl::unexpected(file.error());
-  auto scene = scene_in(*file, folder);
-  if (!scene) return tl::unexpected(without_folder(std::move(scene.error()), folder.root()));
-  return scene;
 }
 
 }  // namespace outrider::server

@@ -16,6 +16,6 @@ inline constexpr std::size_t most_scene_obstacles = 5000;  ///< of a world; othe
 /// The map is null if the scenario names no world, map or area. In a coarser grid a cell is
 /// occupied if one of those that it stands for is. Call it in the reader process (reading.hpp). Faults: those
 /// of reading the files; bad_input for files outside the folder.
-Outcome<Json> scenario_scene(const std::string& path, const Folder& folder);
+Outcome<Json> scenario_scene(const std::string& path);
 
 }  // namespace outrider::server

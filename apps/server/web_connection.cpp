@@ -10,6 +10,7 @@
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "web_socket.hpp"
 
@@ -21,6 +22,7 @@ namespace http = boost::beast::http;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t longest_head_bytes = 16384;
+constexpr std::size_t chunk_bytes_of_head = 4096;
 constexpr std::size_t chunk_bytes = 65536;
 constexpr std::size_t small_answer_bytes = 65536;  // answers up to this size need no budget
 constexpr std::chrono::seconds longest_body{30};
@@ -34,7 +36,9 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-Request request_of(const http::request<http::buffer_body>& head) {
+/// Returns the request; nothing if a header on which access depends is there twice.
+std::optional<Request> request_of(const http::request<http::buffer_body>& head) {
+  static const std::set<std::string> single = {"host", "origin", "authorization", "sec-fetch-site"};
   Request request;
   const std::string target(head.target());
   const std::size_t question = std::min(target.find('?'), target.size());
@@ -42,9 +46,18 @@ Request request_of(const http::request<http::buffer_body>& head) {
   request.path = target.substr(0, question);
   if (question < target.size()) request.query = target.substr(question + 1);
   for (const auto& field : head) {
-    request.headers.emplace(lower_case(std::string(field.name_string())), std::string(field.value()));
+    const std::string name = lower_case(std::string(field.name_string()));
+    const bool added = request.headers.emplace(name, std::string(field.value())).second;
+    if (!added && single.contains(name)) return std::nullopt;
   }
   return request;
+}
+
+/// Returns the bytes that tell clients apart: an IPv6 network is one client.
+std::string client_of(const asio::ip::address& address) {
+  if (address.is_v4()) return address.to_string();
+  const auto bytes = address.to_v6().to_bytes();
+  return {bytes.begin(), bytes.begin() + (address.to_v6().is_v4_mapped() ? 16 : 8)};
 }
 
 std::string head_of(const Response& response, std::uintmax_t length) {
@@ -95,14 +108,35 @@ void WebConnection::start() {
   stream_.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
   parser_.header_limit(longest_head_bytes);
   parser_.body_limit(largest_body_bytes);
+  stream_.expires_after(patience);
   read_head();
 }
 
 void WebConnection::read_head() {
-  stream_.expires_after(patience);
-  http::async_read_header(
-      stream_, buffer_, parser_,
-      [self = shared_from_this()](const ErrorCode& error, std::size_t) { self->on_head(error); });
+  stream_.async_read_some(buffer_.prepare(chunk_bytes_of_head),
+                          [self = shared_from_this()](const ErrorCode& error, std::size_t count) {
+                            self->buffer_.commit(count);
+                            self->on_head_part(error);
+                          });
+}
+
+/// Reads on until all headers are there. Those that go on in a second line, which RFC 9112 has servers
+/// refuse, are seen here only: the parser joins them.
+void WebConnection::on_head_part(ErrorCode error) {
+  const std::string_view bytes(static_cast<const char*>(buffer_.data().data()), buffer_.size());
+  const std::string_view head = bytes.substr(0, bytes.find("\r\n\r\n"));
+  const bool whole = head.size() < bytes.size();
+  const bool folded = head.find("\r\n ") != head.npos || head.find("\r\n\t") != head.npos;
+  if (!error && !whole && bytes.size() < longest_head_bytes) return read_head();
+  if (error == asio::error::eof) {
+    error = bytes.empty() ? http::error::end_of_stream : http::error::partial_message;
+  } else if (!error && !whole) {
+    error = http::error::header_limit;
+  } else if (!error && folded) {
+    error = http::error::bad_field;
+  }
+  if (!error) buffer_.consume(parser_.put(buffer_.data(), error));
+  on_head(error);
 }
 
 Response WebConnection::refusal_of(const ErrorCode& error) const {
@@ -122,7 +156,11 @@ void WebConnection::on_head(const ErrorCode& error) {
   if (error == http::error::end_of_stream || error == asio::error::operation_aborted) return;
   if (error == beast::error::timeout) return;  // no request came
   if (error) return respond(refusal_of(error));
-  request_ = request_of(parser_.get());
+  auto request = request_of(parser_.get());
+  if (!request) return respond(refusal_of(http::error::bad_field));
+  request_ = std::move(*request);
+  ErrorCode ignored;
+  request_.client = client_of(stream_.socket().remote_endpoint(ignored).address());
   if (beast::websocket::is_upgrade(parser_.get())) {
     if (auto refused = host_.app.refuse_socket(request_)) return respond(std::move(*refused));
     if (host_.open_sockets >= most_sockets) {

@@ -29,6 +29,7 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
 
  private:
   void read_head();
+  void on_head_part(ErrorCode error);
   void on_head(const ErrorCode& error);
   void read_body();
   void on_body(const ErrorCode& error);

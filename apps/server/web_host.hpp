@@ -25,7 +25,7 @@ class WebSocket;
 
 inline constexpr std::size_t most_connections = 1000;
 inline constexpr int most_sockets = 240;
-inline constexpr std::size_t worker_threads = 32;
+inline constexpr std::size_t worker_threads = 48;    ///< more than may wait for readers and plans
 inline constexpr std::size_t most_requests = 256;    ///< requests in progress or waiting
 inline constexpr std::chrono::seconds patience{10};  ///< time limit of a slow client
 

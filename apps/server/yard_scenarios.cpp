@@ -173,8 +173,7 @@ Outcome<Json> shown_yard(const fs::path& file) {
               {"things", things_json(yard, loaded->things)}};
 }
 
-Outcome<std::vector<NamedContent>> yard_files(const std::string& path, const Json& request,
-                                              const Folder& folder) {
+Outcome<std::vector<NamedContent>> yard_files(const std::string& path, const Json& request) {
   Fields fields(request, "guard");
   const std::string of = fields.text("scenario");
   const Vec2 start = fields.point("start");
@@ -186,30 +185,29 @@ Outcome<std::vector<NamedContent>> yard_files(const std::string& path, const Jso
   const Json* moved = fields.list("moved");
   const Json* removed = fields.list("removed");
   if (auto ok = fields.end(); !ok) return pass_on(ok);
-  const auto file = folder.resolve(of);
-  const auto place = folder.resolve(path);
-  if (!file) return tl::unexpected(file.error());
-  if (!place) return tl::unexpected(place.error());
-  auto yard = loaded_yard(*file);
-  if (!yard) return tl::unexpected(without_folder(std::move(yard.error()), folder.root()));
+  auto checked = checked_path(of);
+  if (!checked) return pass_on(checked);
+  const fs::path file = *checked, place = path;
+  auto yard = loaded_yard(file);
+  if (!yard) return pass_on(yard);
   const GuardScenario& scenario = yard->scenario;
   auto targets = targets_of(*target_list, scenario.problem);
   if (!targets) return pass_on(targets);
   auto boxes = boxes_of(*box_list);
   if (!boxes) return pass_on(boxes);
 
-  const fs::path beside = place->parent_path();
+  const fs::path beside = place.parent_path();
   const std::string stem = path.substr(0, path.rfind('.'));
   std::vector<NamedContent> files{
       {stem + "_targets.txt", fmt::format("# {}\n{}", saved_here, targets_text(*targets))}};
   GuardJob job;
-  const std::string as_if = (file->parent_path().lexically_relative(beside) / "a").string();
-  if (auto ok = read_scenario(job, file->string(), as_if); !ok) return pass_on(ok);
+  const std::string as_if = (file.parent_path().lexically_relative(beside) / "a").string();
+  if (auto ok = read_scenario(job, file.string(), as_if); !ok) return pass_on(ok);
   GuardScenario& changed = job.scenario;
   changed.targets = fs::path(files.back().path).filename().string();
   if (!boxes->empty()) {
     auto world = world_with(*boxes, scenario, beside);
-    if (!world) return tl::unexpected(without_folder(std::move(world.error()), folder.root()));
+    if (!world) return pass_on(world);
     files.push_back({stem + "_world.sdf", std::move(*world)});
     changed.world = fs::path(files.back().path).filename().string();
   }

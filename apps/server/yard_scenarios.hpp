@@ -1,6 +1,7 @@
 // Scenarios of the job guard on the page: start of the robot, targets and movable things, changed by hand.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,7 @@
 
 namespace outrider::server {
 
-// Both functions read files, so call them in the reader process (reading.hpp).
+// Both functions read files beneath the working folder, so call them in the reader process (reading.hpp).
 
 /// Returns {"job": "guard", "map": a packed map of what blocks the robot, "start": [x, y], "heading_rad",
 /// "targets": [{"name", "position": [x, y, z], "size": [length, width, height], "heading_rad"}], "fixed":
@@ -30,7 +31,6 @@ Outcome<Json> shown_yard(const std::filesystem::path& file);
 /// world that names files is copied within its folder only. "moved" and "removed" name things; if either is
 /// given, both replace those of the scenario. All else stays as in the scenario. Fault: bad_input on an
 /// invalid request.
-Outcome<std::vector<NamedContent>> yard_files(const std::string& path, const Json& request,
-                                              const Folder& folder);
+Outcome<std::vector<NamedContent>> yard_files(const std::string& path, const Json& request);
 
 }  // namespace outrider::server

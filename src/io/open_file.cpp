@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <map>
 #include <system_error>
 
@@ -28,18 +29,8 @@ Access& access_rule() {
   return rule;
 }
 
-/// Calls openat2 beneath the root. Repeats it on EAGAIN, which occurs if folders were moved meanwhile.
 int open2(int root, const std::string& path, int flags) {
-  open_how how{};
-  how.flags = static_cast<std::uint64_t>(flags);
-  how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS;
-  constexpr int attempts = 100;
-  long descriptor = -1;
-  for (int i = 0; i < attempts; ++i) {
-    descriptor = ::syscall(SYS_openat2, root, path.c_str(), &how, sizeof how);
-    if (descriptor >= 0 || errno != EAGAIN) break;
-  }
-  return static_cast<int>(descriptor);
+  return open_resolved(root, path, flags, RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS);
 }
 
 /// Calls open(), or openat2() in a confined process. Returns -1 and sets errno on failure.
@@ -48,7 +39,7 @@ int open_allowed(const std::string& path, int flags) {
   if (rule.root < 0) return ::open(path.c_str(), flags | O_CLOEXEC);
   std::string relative = path;
   if (relative.starts_with(rule.root_path + "/")) relative.erase(0, rule.root_path.size() + 1);
-  return open2(rule.root, relative, flags | O_CLOEXEC);
+  return open2(rule.root, relative, flags);
 }
 
 bool leads_out(int error) { return error == EXDEV; }
@@ -63,7 +54,22 @@ Fault why_not(int error, const std::string& path) {
           path};
 }
 
-/// Returns the descriptor, or the fault if it is -1 or not a readable file; it is closed then.
+}  // namespace
+
+int open_resolved(int root, const std::string& path, int flags, std::uint64_t resolve, unsigned mode) {
+  open_how how{};
+  how.flags = static_cast<std::uint64_t>(flags | O_CLOEXEC);
+  how.mode = mode;
+  how.resolve = resolve;
+  constexpr int attempts = 100;
+  long descriptor = -1;
+  for (int i = 0; i < attempts; ++i) {
+    descriptor = ::syscall(SYS_openat2, root, path.c_str(), &how, sizeof how);
+    if (descriptor >= 0 || errno != EAGAIN) break;
+  }
+  return static_cast<int>(descriptor);
+}
+
 Outcome<int> checked(int descriptor, const std::string& path, bool regular_only) {
   if (descriptor < 0) return tl::unexpected<Fault>(why_not(errno, path));
   struct stat status{};
@@ -74,8 +80,6 @@ Outcome<int> checked(int descriptor, const std::string& path, bool regular_only)
   return bad_input("it is not a regular file; name another", path);
 }
 
-}  // namespace
-
 Status confine_reading(const std::string& root) {
   Access& rule = access_rule();
   if (rule.root >= 0) return bad_input("reading is confined already", root);
@@ -83,7 +87,7 @@ Status confine_reading(const std::string& root) {
   if (descriptor < 0 || ::fchdir(descriptor) != 0) {
     return bad_input("it is no folder that files can be read from; name another", root);
   }
-  const int probe = open2(descriptor, ".", O_PATH | O_CLOEXEC);
+  const int probe = open2(descriptor, ".", O_PATH);
   if (probe < 0) {
     ::close(descriptor);
     return bad_input(
@@ -93,7 +97,9 @@ Status confine_reading(const std::string& root) {
   }
   ::close(probe);
   rule.root = descriptor;
-  rule.root_path = root;
+  std::error_code error;
+  const std::filesystem::path given = root;
+  rule.root_path = given.is_absolute() ? root : std::filesystem::current_path(error).string();
   return {};
 }
 
@@ -106,11 +112,6 @@ const std::string* supplied_content(const std::string& path) {
   const auto found = supplied.find(path);
   if (found != supplied.end()) note_read(path);
   return found == supplied.end() ? nullptr : &found->second;
-}
-
-Outcome<int> open_beneath(int folder, const std::string& path) {
-  const int descriptor = open2(folder, path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  return checked(descriptor, path, true);
 }
 
 Outcome<int> open_file(const std::string& path) {

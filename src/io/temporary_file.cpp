@@ -7,9 +7,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
+#include <filesystem>
+#include <limits>
 #include <system_error>
 #include <utility>
+
+#include "open_file.hpp"
 
 namespace outrider {
 namespace {
@@ -25,18 +28,6 @@ tl::unexpected<Fault> cannot_write(int error, const std::string& path) {
                fmt::format("it cannot be written: {}", std::generic_category().message(error)), path);
 }
 
-/// Resolves symbolic links, so that renaming replaces the file and not the link.
-Outcome<std::string> destination(const std::string& path) {
-  if (path.empty()) return bad_input("the file name is empty");
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) return path;
-  if (fs::is_directory(status)) return bad_input("it is a folder; name a file to write", path);
-  if (!fs::is_regular_file(status)) return bad_input("it is not a regular file; name another", path);
-  const fs::path real = fs::canonical(path, error);
-  return error ? path : real.string();
-}
-
 /// Locks a file. Returns false if another process has removed or locked it.
 bool lock(int descriptor) {
   struct stat status{};
@@ -44,19 +35,18 @@ bool lock(int descriptor) {
          status.st_nlink > 0;
 }
 
-/// Creates a new file and locks it.
-Outcome<int> create(const std::string& final_name, const std::string& path, std::string& name) {
+/// Creates a new file in the folder and locks it.
+Outcome<int> create(const OpenFolder& folder, const std::string& path, std::string& name) {
   constexpr int attempts = 1000;
-  const fs::path folder = fs::path(final_name).parent_path();
   for (int i = 0; i < attempts; ++i) {
-    name = folder / fmt::format("{}{}-{}{}", prefix, ::getpid(), i, suffix);
-    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    name = fmt::format("{}{}-{}{}", prefix, ::getpid(), i, suffix);
+    const int descriptor =
+        ::openat(folder.descriptor(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0 && lock(descriptor)) return descriptor;
     if (descriptor >= 0) {  // another writer removed it as abandoned between the two calls
       ::close(descriptor);
       continue;
     }
-    if (errno == ENOENT) return bad_input("its folder does not exist; make it first", path);
     if (errno == EACCES || errno == EPERM || errno == EROFS) {
       return bad_input(
           fmt::format("its folder cannot be written to: {}", std::generic_category().message(errno)), path);
@@ -77,66 +67,82 @@ int write_all(int descriptor, std::string_view content) {
   return ::fsync(descriptor) == 0 ? 0 : errno;
 }
 
-void keep_mode(int descriptor, const std::string& old_file) {
+/// Gives the file the mode of the one that it will replace.
+void keep_mode(int descriptor, const Place& place) {
   struct stat status{};
-  if (::stat(old_file.c_str(), &status) == 0) (void)::fchmod(descriptor, status.st_mode & 07777U);
+  const bool there =
+      ::fstatat(place.folder.descriptor(), place.name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
+  if (there && S_ISREG(status.st_mode)) (void)::fchmod(descriptor, status.st_mode & 07777U);
 }
 
 }  // namespace
 
-Outcome<TemporaryFile> TemporaryFile::write(const std::string& path, std::string_view content) {
-  auto final_name = destination(path);
-  if (!final_name) return pass_on(final_name);
-  TemporaryFile file;
-  auto descriptor = create(*final_name, path, file.name_);
-  if (!descriptor) {
-    file.name_.clear();  // the file belongs to another process
-    return pass_on(descriptor);
-  }
+Outcome<Place> place_of(const std::string& path) {
+  if (path.empty()) return bad_input("the file name is empty");
+  std::error_code error;
+  fs::path real = path;
+  if (!reading_is_confined() && fs::is_symlink(path, error) && fs::exists(path, error))
+    real = fs::canonical(path, error);
+  auto folder = OpenFolder::open(real.has_parent_path() ? real.parent_path().string() : ".");
+  if (!folder) return bad_input(folder.error().sentence, path);
+  const auto there = folder->status(real.filename().string());
+  if (there && there->is_folder) return bad_input("it is a folder; name a file to write", path);
+  if (there && !there->is_file && !fs::is_symlink(real, error))
+    return bad_input("it is not a regular file; name another", path);
+  return Place{std::move(*folder), real.filename().string(), path};
+}
+
+Outcome<TemporaryFile> TemporaryFile::write(Place place, std::string_view content) {
+  OpenFolder folder = place.folder;
+  TemporaryFile file(std::move(place), std::move(folder));
+  const std::string& path = file.place_.path;
+  std::string name;
+  auto descriptor = create(file.from_, path, name);
+  if (!descriptor) return pass_on(descriptor);
+  file.name_ = std::move(name);
   file.descriptor_ = *descriptor;
-  file.path_ = path;
-  file.final_name_ = std::move(*final_name);
-  keep_mode(file.descriptor_, file.final_name_);
+  keep_mode(file.descriptor_, file.place_);
   if (const int error = write_all(file.descriptor_, content); error != 0) return cannot_write(error, path);
   return file;
 }
 
-Outcome<TemporaryFile> TemporaryFile::adopt(const std::string& path, const std::string& written) {
-  auto final_name = destination(path);
-  if (!final_name) return pass_on(final_name);
-  TemporaryFile file;
-  file.descriptor_ = ::open(written.c_str(), O_WRONLY | O_CLOEXEC);
+Outcome<TemporaryFile> TemporaryFile::adopt(Place place, const std::string& written) {
+  auto from = place_of(written);
+  if (!from) return pass_on(from);
+  TemporaryFile file(std::move(place), std::move(from->folder));
+  const std::string& path = file.place_.path;
+  file.descriptor_ = ::openat(file.from_.descriptor(), from->name.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
   if (file.descriptor_ < 0) return cannot_write(errno, path);
-  file.name_ = written;
-  file.path_ = path;
-  file.final_name_ = std::move(*final_name);
-  keep_mode(file.descriptor_, file.final_name_);
+  file.name_ = std::move(from->name);
+  keep_mode(file.descriptor_, file.place_);
   if (const int error = write_all(file.descriptor_, {}); error != 0) return cannot_write(error, path);
   return file;
 }
 
 TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
-    : path_(std::move(other.path_)),
-      final_name_(std::move(other.final_name_)),
+    : place_(other.place_),
+      from_(other.from_),
       name_(std::exchange(other.name_, {})),
       descriptor_(std::exchange(other.descriptor_, -1)) {}
 
 TemporaryFile::~TemporaryFile() {
-  if (!name_.empty()) ::unlink(name_.c_str());
+  if (!name_.empty()) ::unlinkat(from_.descriptor(), name_.c_str(), 0);
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-bool TemporaryFile::rename() const { return std::rename(name_.c_str(), final_name_.c_str()) == 0; }
+bool TemporaryFile::rename() const {
+  return ::renameat(from_.descriptor(), name_.c_str(), place_.folder.descriptor(), place_.name.c_str()) == 0;
+}
 
 Status TemporaryFile::finish(int error) {
-  if (::access(name_.c_str(), F_OK) == 0) return cannot_write(error, path_);
+  if (from_.status(name_)) return cannot_write(error, place_.path);
   name_.clear();
   return {};
 }
 
-FolderLocks::FolderLocks(const std::set<fs::path>& folders) {
-  for (const fs::path& folder : folders) {
-    const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+FolderLocks::FolderLocks(const std::vector<OpenFolder>& folders) {
+  for (const OpenFolder& folder : folders) {
+    const int descriptor = ::openat(folder.descriptor(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) continue;
     for (int wait = 0; wait < longest_wait_ms && !lock(descriptor); ++wait) ::usleep(1000);
     descriptors_.push_back(descriptor);
@@ -147,15 +153,13 @@ FolderLocks::~FolderLocks() {
   for (const int descriptor : descriptors_) ::close(descriptor);
 }
 
-void remove_abandoned_files(const fs::path& folder) {
-  std::error_code error;
-  fs::directory_iterator it(folder.empty() ? fs::path(".") : folder, error);
-  for (const fs::directory_iterator end; !error && it != end; it.increment(error)) {
-    const std::string name = it->path().filename().string();
+void remove_abandoned_files(const OpenFolder& folder) {
+  for (const std::string& name : folder.names(std::numeric_limits<std::size_t>::max())) {
     if (!name.starts_with(prefix) || !name.ends_with(suffix)) continue;
-    const int descriptor = ::open(it->path().c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
+    const int descriptor =
+        ::openat(folder.descriptor(), name.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
     if (descriptor < 0) continue;
-    if (lock(descriptor)) ::unlink(it->path().c_str());
+    if (lock(descriptor)) ::unlinkat(folder.descriptor(), name.c_str(), 0);
     ::close(descriptor);
   }
 }

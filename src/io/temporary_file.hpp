@@ -2,25 +2,36 @@
 // FolderLocks: of several writers, one renames at a time.
 #pragma once
 
-#include <filesystem>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
+#include "outrider/io/open_folder.hpp"
 
 namespace outrider {
+
+/// A file to be written.
+struct Place {
+  OpenFolder folder;
+  std::string name;  ///< in the folder
+  std::string path;  ///< as given by the caller, for faults
+};
+
+/// Returns the place of a file. Resolves a link of its name, so that the file is replaced and not the link;
+/// but not in a process that is confined. Faults: bad_input if its folder does not exist, or if the path is
+/// no name of a regular file.
+Outcome<Place> place_of(const std::string& path);
 
 /// Holds a lock on the file during its lifetime. A temporary file without a lock was left by a killed writer.
 /// The destructor removes the file unless it was renamed.
 class TemporaryFile {
  public:
-  /// Writes the content beside `path`, with the mode of an existing file there, and waits for the disk.
-  static Outcome<TemporaryFile> write(const std::string& path, std::string_view content);
+  /// Writes the content beside the place, with the mode of an existing file there, and waits for the disk.
+  static Outcome<TemporaryFile> write(Place place, std::string_view content);
 
-  /// Takes a complete file beside `path` as the temporary one, and waits for the disk.
-  static Outcome<TemporaryFile> adopt(const std::string& path, const std::string& written);
+  /// Takes a complete file as the temporary one, and waits for the disk.
+  static Outcome<TemporaryFile> adopt(Place place, const std::string& written);
 
   TemporaryFile(TemporaryFile&& other) noexcept;
   TemporaryFile& operator=(TemporaryFile&&) = delete;
@@ -34,11 +45,11 @@ class TemporaryFile {
   Status finish(int error);
 
  private:
-  TemporaryFile() = default;
+  TemporaryFile(Place place, OpenFolder from) : place_(std::move(place)), from_(std::move(from)) {}
 
-  std::string path_;        // as given by the caller
-  std::string final_name_;  // with links resolved
-  std::string name_;        // empty: there is no file to remove
+  Place place_;
+  OpenFolder from_;   // the folder of the temporary file
+  std::string name_;  // there; empty: there is no file to remove
   int descriptor_ = -1;
 };
 
@@ -47,9 +58,9 @@ class TemporaryFile {
 /// not know locks, and another program may lock the folder for reasons of its own.
 class FolderLocks {
  public:
-  /// Waits for other writers, for two seconds at most. The folders are sorted, so two writers never wait for
-  /// each other.
-  explicit FolderLocks(const std::set<std::filesystem::path>& folders);
+  /// Waits for other writers, for two seconds at most. The folders are in the order of their inodes, so two
+  /// writers never wait for each other.
+  explicit FolderLocks(const std::vector<OpenFolder>& folders);
   FolderLocks(const FolderLocks&) = delete;
   FolderLocks& operator=(const FolderLocks&) = delete;
   ~FolderLocks();
@@ -59,6 +70,6 @@ class FolderLocks {
 };
 
 /// Removes the temporary files of killed writers from a folder.
-void remove_abandoned_files(const std::filesystem::path& folder);
+void remove_abandoned_files(const OpenFolder& folder);
 
 }  // namespace outrider

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <filesystem>
-#include <set>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "outrider/io/files.hpp"
@@ -34,29 +34,28 @@ int rename_all_unharmed(const std::vector<TemporaryFile>& files) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : EIO;
 }
 
-}  // namespace
-
-Status write_file(const std::string& path, std::string_view content) {
-  remove_abandoned_files(std::filesystem::path(path).parent_path());
-  auto file = TemporaryFile::write(path, content);
-  if (!file) return pass_on(file);
-  return file->finish(file->rename() ? 0 : errno);
+/// Returns the folder of each place once, in the order of their inodes.
+std::vector<OpenFolder> folders_of(const std::vector<Place>& places) {
+  std::map<std::pair<std::uint64_t, std::uint64_t>, OpenFolder> sorted;
+  for (const Place& place : places) {
+    const FileStatus status = place.folder.status();
+    sorted.emplace(std::pair(status.device, status.inode), place.folder);
+  }
+  std::vector<OpenFolder> folders;
+  for (auto& [inode, folder] : sorted) folders.push_back(std::move(folder));
+  return folders;
 }
 
-Status write_files(const std::vector<NamedContent>& files, const std::vector<FileToRename>& complete) {
-  std::set<std::filesystem::path> folders;
-  for (const NamedContent& file : files) folders.insert(std::filesystem::path(file.path).parent_path());
-  for (const FileToRename& file : complete) folders.insert(std::filesystem::path(file.path).parent_path());
-  for (const auto& folder : folders) remove_abandoned_files(folder);
+/// Writes the files to their places; those of `complete` come first.
+Status write_to(const std::vector<Place>& places, const std::vector<NamedContent>& files,
+                const std::vector<FileToRename>& complete) {
+  const std::vector<OpenFolder> folders = folders_of(places);
+  for (const OpenFolder& folder : folders) remove_abandoned_files(folder);
   std::vector<TemporaryFile> written;
-  written.reserve(files.size() + complete.size());
-  for (const auto& [path, written_as] : complete) {
-    auto file = TemporaryFile::adopt(path, written_as);
-    if (!file) return pass_on(file);
-    written.push_back(std::move(*file));
-  }
-  for (const auto& [path, content] : files) {
-    auto file = TemporaryFile::write(path, content);
+  written.reserve(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    auto file = i < complete.size() ? TemporaryFile::adopt(places[i], complete[i].written_as)
+                                    : TemporaryFile::write(places[i], files[i - complete.size()].content);
     if (!file) return pass_on(file);
     written.push_back(std::move(*file));
   }
@@ -67,6 +66,36 @@ Status write_files(const std::vector<NamedContent>& files, const std::vector<Fil
     if (auto ok = file.finish(error); !ok && first) first = ok;
   }
   return first;
+}
+
+}  // namespace
+
+Status write_file(const std::string& path, std::string_view content) {
+  auto place = place_of(path);
+  if (!place) return pass_on(place);
+  remove_abandoned_files(place->folder);
+  auto file = TemporaryFile::write(std::move(*place), content);
+  if (!file) return pass_on(file);
+  return file->finish(file->rename() ? 0 : errno);
+}
+
+Status write_files(const std::vector<NamedContent>& files, const std::vector<FileToRename>& complete) {
+  std::vector<std::string> paths;
+  for (const FileToRename& file : complete) paths.push_back(file.path);
+  for (const NamedContent& file : files) paths.push_back(file.path);
+  std::vector<Place> places;
+  for (const std::string& path : paths) {
+    auto place = place_of(path);
+    if (!place) return pass_on(place);
+    places.push_back(std::move(*place));
+  }
+  return write_to(places, files, complete);
+}
+
+Status OpenFolder::write(const std::vector<NamedContent>& files) const {
+  std::vector<Place> places;
+  for (const NamedContent& file : files) places.push_back({*this, file.path, file.path});
+  return write_to(places, files, {});
 }
 
 }  // namespace outrider

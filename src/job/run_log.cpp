@@ -62,7 +62,11 @@ Status RunLog::begin_file() {
   made_ = topmost_missing(folder_);
   if (auto ok = make_folder(folder_); !ok) return ok;
   if (auto ok = lock_file(); !ok) return ok;
-  auto writer = McapWriter::create(path_, {.chunk_bytes = chunk_bytes});
+  auto file = make_descriptor_sink(lock_.descriptor(), path_);  // not by its name, which may be a link by now
+  if (!file) return pass_on(file);
+  if (::ftruncate(lock_.descriptor(), 0) != 0)
+    return fault(FaultCode::cannot_write, "its file cannot be emptied", path_);
+  auto writer = McapWriter::begin(std::move(*file), {.chunk_bytes = chunk_bytes});
   if (!writer) return pass_on(writer);
   sink_.emplace(std::move(*writer));
   return sink_->writer().attach("scenario.yaml", "application/yaml", scenario_);

@@ -66,11 +66,10 @@ Outcome<std::unique_ptr<ByteSink>> make_file_sink(const std::string& path) {
   return std::make_unique<FileSink>(path, descriptor);
 }
 
-Outcome<std::unique_ptr<ByteSink>> make_descriptor_sink(int descriptor) {
-  const std::string name = fmt::format("descriptor {}", descriptor);
+Outcome<std::unique_ptr<ByteSink>> make_descriptor_sink(int descriptor, const std::string& path) {
   const int duplicate = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
-  if (duplicate < 0) return not_written(errno, name);
-  return std::make_unique<FileSink>(name, duplicate);
+  if (duplicate < 0) return not_written(errno, path);
+  return std::make_unique<FileSink>(path, duplicate);
 }
 
 std::unique_ptr<ByteSink> make_string_sink(std::string& bytes) { return std::make_unique<StringSink>(bytes); }

@@ -41,11 +41,13 @@ bool is_the_tool(const Source& s) {
 /// What a process is confined to holds for every file that it reads: so there is one place that opens them.
 /// The others write, or open what is the server's own.
 bool opens_through_the_gate(const Source& s) {
-  static const std::set<std::string> others = {
-      "src/io/file_lock.cpp",      "src/io/open_file.cpp",
-      "src/io/temporary_file.cpp", "src/log/byte_source.cpp",
-      "src/log/byte_sink.cpp",     "apps/server/folder.cpp",
-      "apps/server/run_files.cpp", "apps/server/temporary_folder.cpp"};
+  static const std::set<std::string> others = {"src/io/file_lock.cpp",
+                                               "src/io/open_file.cpp",
+                                               "src/io/open_folder.cpp",
+                                               "src/io/temporary_file.cpp",
+                                               "src/log/byte_source.cpp",
+                                               "src/log/byte_sink.cpp",
+                                               "apps/server/temporary_folder.cpp"};
   const bool ours = s.in_library() || s.path.starts_with("apps/");
   return ours && !others.contains(s.path);
 }

@@ -156,17 +156,29 @@ class Confinement(Serve):
 
     def test_the_token_stays_out_of_the_list_of_processes(self):
         token = "0123456789abcdef-secret"
-        self.write("token", token + "\n")
-        for words, variables in ((("--token-file", self.folder / "token"), {}), ((), {"OUTRIDER_TOKEN": token})):
+        token_file = self.outside / "token"
+        token_file.write_text(token + "\n")
+        token_file.chmod(0o600)
+        for words, variables in ((("--token-file", token_file), {}), ((), {"OUTRIDER_TOKEN": token})):
             with Server(self.folder, *map(str, words), **variables) as server:
                 line = pathlib.Path(f"/proc/{server.process.pid}/cmdline").read_bytes()
                 self.assertNotIn(token.encode(), line)
                 server.json("GET", "/api/v1/version", status=401)
                 server.json("GET", "/api/v1/version", Authorization="Bearer " + token)
-        self.refused("serve", ".", "--token", token, "--token-file", "token", says=["--token", "more than one"])
+        self.refused("serve", ".", "--token", token, "--token-file", token_file, says=["--token", "more than one"])
         self.refused("serve", ".", "--token-file", "absent", says=["--token-file", "no such file"])
-        self.write("empty", "\n")
-        self.refused("serve", ".", "--token-file", "empty", says=["--token-file", "empty"])
+        for mode in (0o640, 0o604, 0o622):
+            token_file.chmod(mode)
+            self.refused("serve", ".", "--token-file", token_file, says=["--token-file", "others", "chmod 600"])
+        token_file.write_text("\n")
+        token_file.chmod(0o600)
+        self.refused("serve", ".", "--token-file", token_file, says=["--token-file", "empty"])
+        for name in ("token", ".token"):
+            self.write(name, token + "\n")
+            (self.folder / name).chmod(0o600)
+            self.refused("serve", ".", "--token-file", name, says=["--token-file", "folder that is served"])
+        (self.outside / "link").symlink_to(self.folder / "token")
+        self.refused("serve", ".", "--token-file", self.outside / "link", says=["--token-file", "folder that is served"])
 
 
 if __name__ == "__main__":

@@ -13,7 +13,8 @@ class Safety(Serve):
     def test_hosts_and_origins(self):
         with Server(self.folder) as server:
             own = f"http://127.0.0.1:{server.port}"
-            for host in ("evil.example", "127.0.0.1.evil.example", "", None, f"10.0.0.1:{server.port}"):
+            for host in ("evil.example", "127.0.0.1.evil.example", "", None, f"10.0.0.1:{server.port}",
+                         "localhost:80@evil.example", "[::1].evil.example", "127.0.0.1:x"):
                 self.assertIn(server.request("GET", "/api/v1/version", Host=host)[0], (400, 403), host)
             for host in (f"localhost:{server.port}", "127.0.0.1", f"[::1]:{server.port}"):
                 self.assertEqual(server.request("GET", "/api/v1/version", Host=host)[0], 200, host)
@@ -30,6 +31,31 @@ class Safety(Serve):
             preflight = server.request("OPTIONS", "/api/v1/runs", Origin="http://evil.example",
                                        Access_Control_Request_Method="DELETE")
             self.assertNotIn("access-control-allow-origin", preflight[1])
+
+    def test_pages_of_other_sites_cost_nothing(self):
+        with Server(self.folder) as server:
+            for headers in ({"Origin": "http://evil.example"}, {"Sec_Fetch_Site": "cross-site"}, {"Sec_Fetch_Site": "same-site"}):
+                for path in ("files", "files/court.yaml", "scenes/court.yaml", "scenarios/court.yaml", "catalogue", "runs"):
+                    self.fault(server.json("GET", "/api/v1/" + path, status=403, **headers), "forbidden")
+                self.assertNotEqual(server.request("GET", "/", **headers)[0], 403, "a link to the page")
+            server.json("GET", "/api/v1/files", Sec_Fetch_Site="same-origin")
+
+    def test_headers_that_two_programs_would_read_in_two_ways(self):
+        with Server(self.folder) as server:
+            def status(*lines):
+                return int(server.raw("\r\n".join(["GET /api/v1/version HTTP/1.1", *lines, "", ""]).encode()).split()[1])
+            own = f"Host: 127.0.0.1:{server.port}"
+            self.assertEqual(status(own), 200)
+            self.assertEqual(status(own, "Accept: a", "Accept: b"), 200)
+            for lines in ((own, "Host: evil.example"), ("Host: evil.example", own), (own, own), (own, "X: a", " b"), (own, "X: a", "\tb"),
+                          (" " + own, own), (own, "Origin: http://evil.example", f"Origin: http://127.0.0.1:{server.port}"),
+                          (own, "Authorization: Bearer a", "Authorization: Bearer b")):
+                self.assertEqual(status(*lines), 400, lines)
+            with server.connect() as connection:  # in pieces
+                for part in ("GET /api/v1/ver", f"sion HTTP/1.1\r\n{own}\r", "\n\r", "\n"):
+                    connection.sendall(part.encode())
+                    time.sleep(0.05)
+                self.assertEqual(connection.recv(12), b"HTTP/1.1 200")
 
     def test_token(self):
         token = "0123456789abcdef"

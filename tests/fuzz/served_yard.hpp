@@ -23,7 +23,7 @@ class ServedYard {
   /// Confines this process as `outrider serve` confines those that read for it; temporary folders lie within.
   ServedYard() : home_(must(server::TemporaryFolder::make())) {
     write("secret.txt", std::string(secret));
-    write("inside/temporary/keep", "");
+    std::filesystem::create_directories(home_.path() / "inside/temporary");
     ::setenv("TMPDIR", (home_.path() / "inside/temporary").c_str(), 1);
     reset();
     if (!confine_reading((home_.path() / "inside").string())) std::abort();
@@ -32,18 +32,20 @@ class ServedYard {
   /// The folder as it was at first, without what requests wrote.
   void reset() {
     namespace fs = std::filesystem;
-    fs::remove_all(home_.path() / "inside/yard");
-    write("inside/yard/yard.sdf",
+    for (const auto& entry : fs::directory_iterator(home_.path() / "inside")) {
+      if (entry.path().filename() != "temporary") fs::remove_all(entry.path());
+    }
+    write("inside/yard.sdf",
           "<sdf version='1.6'><world name='w'><model name='floor'><link name='l'><collision name='c'>"
           "<geometry><plane><normal>0 0 1</normal><size>9 9</size></plane></geometry></collision></link>"
           "</model><model name='post'><pose>1 1 0.5 0 0 0</pose><link name='l'><collision name='c'>"
           "<geometry><box><size>0.4 0.4 1</size></box></geometry></collision></link></model></world></sdf>");
-    write("inside/yard/yard.yaml",
+    write("inside/yard.yaml",
           "job: guard\nworld: yard.sdf\ntargets: targets.txt\nstart: 0,-2,90\nbounds: -4,-4,4,4\n");
-    write("inside/yard/targets.txt", "name=fox type=1 x=2 y=2\n");
-    write("inside/yard/room.map", "type octile\nheight 2\nwidth 3\nmap\n.@T\nGSW\n");
-    write("inside/yard/.outrider", "a file, so that no run is kept for the next input");
-    fs::create_symlink("../../secret.txt", home_.path() / "inside/yard/link.txt");
+    write("inside/targets.txt", "name=fox type=1 x=2 y=2\n");
+    write("inside/room.map", "type octile\nheight 2\nwidth 3\nmap\n.@T\nGSW\n");
+    write("inside/.outrider", "a file, so that no run is kept for the next input");
+    fs::create_symlink("../secret.txt", home_.path() / "inside/link.txt");
   }
 
   /// A new one for every input, so that it is the input alone that matters.
@@ -51,13 +53,18 @@ class ServedYard {
     server::AppSettings settings{"1", "", jobs(), {}, {}, read_here};
     settings.runs.at_once = 0;
     settings.runs.waiting = 4;
-    return {must(server::Folder::open((home_.path() / "inside/yard").string())), settings};
+    return {must(server::Folder::open((home_.path() / "inside").string())), settings};
   }
 
  private:
+  /// Files that were sent lie in a folder beneath the one that this process may read.
   static Outcome<server::Json> read_here(const server::Folder& folder, const server::Json& question,
                                          const std::stop_token&) {
-    return server::answer_reading(question, folder);
+    server::Json asked = question;
+    const std::size_t sent = folder.path().find("temporary/");
+    if (sent != std::string::npos && asked.contains("map"))
+      asked["map"] = folder.path().substr(sent) + "/" + asked["map"].get<std::string>();
+    return server::answer_reading(asked, folder, jobs());
   }
 
   template <class T>

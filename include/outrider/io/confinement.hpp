@@ -7,7 +7,7 @@
 // read_file() (files.hpp); tests/architecture checks that.
 //
 // confine_reading() and supply_file() change the whole process and cannot be undone. Thread rule: call them
-// before the first file is read and before other threads start; open_beneath() may be called at any time.
+// before the first file is read and before other threads start. open_folder.hpp confines what is written.
 #pragma once
 
 #include <string>
@@ -17,15 +17,11 @@
 namespace outrider {
 
 /// Limits reading to regular files beneath `root`, and makes `root` the working directory. Relative paths
-/// start there; absolute paths must begin with `root` as given. Device files and pipes are refused, so that
-/// no call can block. Faults: bad_input if `root` is not a folder, if the process is already confined, or if
-/// the system has no openat2 (Linux before 5.6).
+/// start there; absolute paths must begin with `root` as given, or with the working directory if that is a
+/// relative path. From then on files are written without following a link of their name. Device files and
+/// pipes are refused, so that no call can block. Faults: bad_input if `root` is not a folder, if the process
+/// is already confined, or if the system has no openat2 (Linux before 5.6).
 Status confine_reading(const std::string& root);
-
-/// Opens the regular file at `path` beneath the open folder `folder` and returns its descriptor, which the
-/// caller closes. No name and no link can lead outside the folder. Never blocks. Faults: those of
-/// read_file(), and bad_input for a path that leads outside.
-Outcome<int> open_beneath(int folder, const std::string& path);
 
 /// Makes read_file(path) return `content` from now on, whether or not the file exists. `path` is compared as
 /// text.

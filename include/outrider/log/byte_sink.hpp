@@ -30,9 +30,9 @@ class ByteSink {
 Outcome<std::unique_ptr<ByteSink>> make_file_sink(const std::string& path);
 
 /// Writes to an open descriptor, such as a pipe, and waits while the pipe is full. The sink has a duplicate
-/// of the descriptor, which itself stays open. Fault: cannot_write if no such descriptor is open. A process
-/// that does not ignore SIGPIPE ends when it writes to a pipe that nobody reads.
-Outcome<std::unique_ptr<ByteSink>> make_descriptor_sink(int descriptor);
+/// of the descriptor, which itself stays open. Faults name `path`: cannot_write if no such descriptor is
+/// open. A process that does not ignore SIGPIPE ends when it writes to a pipe that nobody reads.
+Outcome<std::unique_ptr<ByteSink>> make_descriptor_sink(int descriptor, const std::string& path);
 
 /// Appends to a string, which outlives the sink.
 std::unique_ptr<ByteSink> make_string_sink(std::string& bytes);

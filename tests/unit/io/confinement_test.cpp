@@ -91,6 +91,17 @@ class Confinement : public ::testing::Test {
   int witness_;
 };
 
+TEST_F(Confinement, ALinkIsReplacedAndNotWrittenThrough) {
+  fs::create_symlink(outside("secret.txt"), inside() / "link.txt");
+  const Seen seen = confined([&] {
+    const Status ok = write_files({{"link.txt", "new"}, {"more.txt", "more"}});
+    return ok ? *read_file("link.txt") : to_string(ok.error());
+  });
+  EXPECT_EQ(seen.said, "new");
+  EXPECT_FALSE(seen.opened_outside);
+  EXPECT_EQ(*read_file(outside("secret.txt")), "type=1 x=1 y=1\n");
+}
+
 TEST_F(Confinement, TheWitnessSeesWhatIsOpened) {
   ::inotify_add_watch(witness_, (folder_.path / "outside").c_str(), IN_OPEN);
   ASSERT_TRUE(read_file(outside("secret.txt")));

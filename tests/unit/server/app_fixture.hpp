@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <fstream>
@@ -72,12 +73,17 @@ class AppTest : public ::testing::Test {
 
   TemporaryFolder home_;
   /// Files are read here, not in a process that is confined: tests/cli/serve_confinement_test.py tests that
-  /// one.
-  static Outcome<Json> read_here(const Folder& folder, const Json& question, const std::stop_token&) {
-    return answer_reading(question, folder);
+  /// one. Counts the questions.
+  ReadFiles read_here() {
+    return [this](const Folder& folder, const Json& question, const std::stop_token&) {
+      ++questions_;
+      EXPECT_EQ(::fchdir(folder.gate().descriptor()), 0);
+      return answer_reading(question, folder, jobs());
+    };
   }
+  int questions_ = 0;
 
-  AppSettings settings_{"1.2.3", "", jobs(), {}, {}, read_here};
+  AppSettings settings_{"1.2.3", "", jobs(), {}, {}, read_here()};
   std::unique_ptr<App> app_;
 };
 

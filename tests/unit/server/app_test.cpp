@@ -46,6 +46,27 @@ TEST_F(AppTest, AMethodThatIsNotTakenIsNamed) {
   }
 }
 
+/// After some wrong tokens the right one is not looked at either, so that nobody learns which one it is.
+TEST_F(AppTest, GuessesOfTheTokenAreSlowed) {
+  settings_.token = "0123456789abcdef";
+  const auto asked = [&](const std::string& token, const std::string& client) {
+    Request request{"GET", "/api/v1/version", {}, {{"host", "a"}}, {}};
+    request.headers["authorization"] = "Bearer " + token;
+    request.client = client;
+    return app().answer(request).status;
+  };
+  bool right_is_refused = false;
+  for (int i = 0; i < 100 && !right_is_refused; ++i) {  // on a busy machine some time passes in between
+    int guesses = 0;
+    while (guesses < 1000 && asked("a-wrong-token-00", "guesser") == 401) ++guesses;
+    ASSERT_LT(guesses, 1000);
+    right_is_refused = asked(settings_.token, "guesser") == 429;
+  }
+  EXPECT_TRUE(right_is_refused);
+  EXPECT_EQ(asked(settings_.token, "owner"), 200);
+  EXPECT_EQ(asked("", "guesser"), 401) << "no guess";
+}
+
 TEST_F(AppTest, FilesHaveAKind) {
   write("a/scenario.yaml", "job: cover\n");
   write("a/plain.yaml", "seed: 1\nworld: yard.sdf\n");

@@ -21,13 +21,15 @@ TEST(Guard, HostsOfThisMachine) {
        {"localhost", "localhost:1", "127.0.0.1:8080", "127.1.2.3", "[::1]:8080", "[::1]"}) {
     EXPECT_EQ(status(request("GET", host)), 200) << host;
   }
-  for (const char* host : {"", "evil.example", "127.0.0.1.evil.example", "localhost.evil.example",
-                           "192.168.1.1", "[::2]", "[", "::1:80"}) {
+  for (const char* host :
+       {"", "evil.example", "127.0.0.1.evil.example", "localhost.evil.example", "192.168.1.1", "[::2]", "[",
+        "::1:80", "127.0.0.1:", "127.0.0.1:80a", "localhost:80@evil.example", "127.0.0.1:80:80",
+        "[::1].evil.example", "[::1]8080", "[::1"}) {
     EXPECT_EQ(status(request("GET", host)), 403) << host;
   }
 }
 
-TEST(Guard, OriginsOfWhatChangesSomething) {
+TEST(Guard, OriginsOfWhatCosts) {
   const std::string host = "127.0.0.1:8080";
   for (const char* method : {"POST", "PUT", "DELETE", "PATCH", "X"}) {
     EXPECT_EQ(status(request(method, host)), 200) << method;
@@ -39,9 +41,29 @@ TEST(Guard, OriginsOfWhatChangesSomething) {
     }
   }
   Request socket = request("GET", host, "http://evil.example");
-  EXPECT_EQ(status(socket), 200);
+  EXPECT_EQ(status(socket), 403) << "it reads files";
+  socket.path = "/";
+  EXPECT_EQ(status(socket), 200) << "a file of the page";
   socket.headers["upgrade"] = "websocket";
   EXPECT_EQ(status(socket), 403);
+}
+
+/// As browsers send it for images and links, which have no Origin.
+TEST(Guard, SitesOfWhatCosts) {
+  Request asked = request("GET", "127.0.0.1:8080");
+  for (const char* site : {"same-origin", "none"}) {
+    asked.headers["sec-fetch-site"] = site;
+    EXPECT_EQ(status(asked), 200) << site;
+  }
+  for (const char* site : {"cross-site", "same-site"}) {
+    asked.headers["sec-fetch-site"] = site;
+    EXPECT_EQ(status(asked), 403) << site;
+    asked.path = "/watch";
+    EXPECT_EQ(status(asked), 200) << "a link to the page";
+    asked.path = "/api/v1/files";
+  }
+  asked.headers["origin"] = "http://127.0.0.1:8080";
+  EXPECT_EQ(status(asked), 200) << "the Origin says more";
 }
 
 TEST(Guard, WebSocketsOfThoseWhoWereGivenTheToken) {

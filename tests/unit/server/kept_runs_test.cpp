@@ -19,6 +19,13 @@ class KeptRunsTest : public AppTest {
   std::string started() { return json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"]; }
   Json list() { return json("GET", "/api/v1/runs")["runs"]; }
   [[nodiscard]] fs::path place(const std::string& id) const { return path(".outrider/runs/" + id); }
+  /// Makes the folder of a run below any place, and opens it.
+  static OpenFolder opened(const fs::path& folder) {
+    fs::create_directories(folder);
+    return *OpenFolder::open(folder.string());
+  }
+  [[nodiscard]] OpenFolder folder(const std::string& id) const { return opened(place(id)); }
+  std::vector<KeptRun> find() { return RunsFolder::find(*Folder::open(path("").string()), read_here()); }
   /// A run as a server leaves it that dies while the mission is under way.
   void leave_cut_short(const std::string& id) const {
     KeptRun run;
@@ -27,8 +34,7 @@ class KeptRunsTest : public AppTest {
     run.job = "guard";
     run.state = "running";
     run.began_s = 5;
-    fs::create_directories(place(id));
-    ASSERT_TRUE(write_state(place(id), run));
+    ASSERT_TRUE(write_state(folder(id), run));
     std::ofstream(place(id) / "live.mcap") << "part";
   }
 };
@@ -64,7 +70,7 @@ TEST_F(KeptRunsTest, OneThatWasUnderWayWhenItsServerDiedIsCutShort) {
 
 TEST_F(KeptRunsTest, OneThatAnotherServerCarriesOutIsLeftAlone) {
   leave_cut_short("abc-1");
-  const auto other = RunsFolder::lock(place("abc-1"));
+  const auto other = RunsFolder::lock(folder("abc-1"));
   ASSERT_TRUE(other && other->held());
   EXPECT_TRUE(list().empty());
   EXPECT_TRUE(fs::exists(place("abc-1") / "live.mcap"));
@@ -73,17 +79,17 @@ TEST_F(KeptRunsTest, OneThatAnotherServerCarriesOutIsLeftAlone) {
 /// The file that locks it cannot be opened, as in the folder of another user.
 TEST_F(KeptRunsTest, OneThatMayBeUnderWayElsewhereIsNotSaidToBeCutShort) {
   leave_cut_short("abc-1");
-  ASSERT_EQ(RunsFolder::find(path("")).size(), 1U);
+  ASSERT_EQ(find().size(), 1U);
   leave_cut_short("abc-1");
   fs::remove(place("abc-1") / ".lock");
   fs::create_directory(place("abc-1") / ".lock");
-  EXPECT_TRUE(RunsFolder::find(path("")).empty());
+  EXPECT_TRUE(find().empty());
 }
 
 /// A mission that waits for its server's lock comes late.
 TEST_F(KeptRunsTest, AMissionWritesItsFilesWhileItsServerHoldsTheLock) {
   leave_cut_short("abc-1");
-  const auto server = RunsFolder::lock(place("abc-1"));
+  const auto server = RunsFolder::lock(folder("abc-1"));
   ASSERT_TRUE(server && server->held());
   const std::string folder = place("abc-1").string();
   EXPECT_TRUE(write_files({{folder + "/run.json", "{}"}, {folder + "/run.svg", "<svg/>"}}, {}));
@@ -137,12 +143,12 @@ TEST_F(KeptRunsTest, AFolderThatCannotBeWrittenIsSaidInASentence) {
 /// Links lead nowhere, and what is no state of a run is none.
 TEST_F(KeptRunsTest, AFolderFromAStrangerShowsNothingOfOtherPlaces) {
   const TemporaryFolder outside = std::move(*TemporaryFolder::make());
-  fs::create_directories(outside.path() / "runs/abc-1");
+  const OpenFolder other = opened(outside.path() / "runs/abc-1");
   std::ofstream(outside.path() / "runs/abc-1/run.mcap") << "secret";
   KeptRun run;
   run.id = "abc-1";
   run.state = "done";
-  ASSERT_TRUE(write_state(outside.path() / "runs/abc-1", run));
+  ASSERT_TRUE(write_state(other, run));
   fs::create_symlink(outside.path(), path(".outrider"));
   EXPECT_TRUE(list().empty());
   ended(started());
@@ -153,13 +159,11 @@ TEST_F(KeptRunsTest, AFolderFromAStrangerShowsNothingOfOtherPlaces) {
   fs::create_symlink(outside.path() / "runs/abc-1", path(".outrider/runs/abc-1"));
   fs::create_directories(place("abc-2"));
   fs::create_symlink(outside.path() / "runs/abc-1/state.json", place("abc-2") / "state.json");
-  fs::create_directories(place("abc-3"));
-  ASSERT_TRUE(write_state(place("abc-3"), run));  // the id is another's
+  ASSERT_TRUE(write_state(folder("abc-3"), run));  // the id is another's
   fs::create_directories(place("abc-4"));
   std::ofstream(place("abc-4") / "state.json") << R"({"id":"abc-4","state":"dancing"})";
   run.id = "abc-5";
-  fs::create_directories(place("abc-5"));
-  ASSERT_TRUE(write_state(place("abc-5"), run));
+  ASSERT_TRUE(write_state(folder("abc-5"), run));
   fs::create_symlink(outside.path() / "runs/abc-1/run.mcap", place("abc-5") / "run.mcap");
   ASSERT_EQ(list().size(), 1U);
   EXPECT_EQ(list()[0]["has_log"], false);

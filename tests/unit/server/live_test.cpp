@@ -181,14 +181,15 @@ TEST_F(LiveTest, AViewerWhoseAnswersNobodyFetchesIsLetGo) {
 TEST(GrowingLogs, AreFilesThatGoWithThem) {
   const auto home = TemporaryFolder::make();
   const auto path = home->path() / "log.mcap";
+  const OpenFolder folder = *OpenFolder::open(home->path().string());
   ByteBudget budget(10);
   {
-    GrowingLog log(path, 8, budget);
+    GrowingLog log(folder, "log.mcap", 8, budget);
     EXPECT_TRUE(log.append("abcdef"));
     EXPECT_EQ(log.part(2, 3), "cde");
     EXPECT_EQ(log.part(4, 100), "ef");
     EXPECT_EQ(log.part(7, 100), "");
-    GrowingLog other(home->path() / "other.mcap", 100, budget);
+    GrowingLog other(folder, "other.mcap", 100, budget);
     EXPECT_FALSE(other.append("12345")) << "4 bytes are left";
     EXPECT_EQ(other.bytes(), 0U);
     EXPECT_TRUE(other.append("1234"));
@@ -199,8 +200,12 @@ TEST(GrowingLogs, AreFilesThatGoWithThem) {
   }
   EXPECT_FALSE(std::filesystem::exists(path));
   EXPECT_TRUE(budget.take(10));
-  const GrowingLog nowhere(home->path() / "absent" / "log.mcap", 8, budget);
-  EXPECT_NE(nowhere.stopped(), "");
+  std::ofstream(path) << "of others";
+  {
+    const GrowingLog nowhere(folder, "log.mcap", 8, budget);
+    EXPECT_NE(nowhere.stopped(), "");
+  }
+  EXPECT_TRUE(std::filesystem::exists(path)) << "it was there before";
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ namespace {
 const std::string scenarios = std::string(OUTRIDER_SOURCE_DIR) + "/scenarios";
 
 Json scene_of(const std::string& path) {
-  const auto scene = scenario_scene(path, *Folder::open(scenarios));
+  std::filesystem::current_path(scenarios);
+  const auto scene = scenario_scene(path);
   EXPECT_TRUE(scene) << scene.error().sentence;
   return scene.value_or(Json::object());
 }
