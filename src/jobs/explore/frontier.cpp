@@ -57,7 +57,7 @@ Frontier frontier_of_cells(std::vector<std::uint32_t> cells, const GridFrame& fr
 class Sorter {
  public:
   Sorter(const GridFrame& frame, std::vector<std::uint32_t>& owner, double longest_cells)
-      : frame_(frame), owner_(owner), longest_(longest_cells) {}
+      : frame_(frame), owner_(owner), longest_(std::max(1.0, longest_cells)) {}
 
   /// Each group of the cells, in parts no longer than wanted; by their least cells.
   std::vector<std::vector<std::vector<std::uint32_t>>> groups(std::vector<std::uint32_t> cells) {
@@ -99,21 +99,27 @@ class Sorter {
     return parts;
   }
 
-  void cut(std::vector<std::uint32_t> cells, std::vector<std::vector<std::uint32_t>>& parts) {
-    const Extent extent = extent_of(cells, frame_);
-    if (std::max(extent.width(), extent.height()) <= longest_) {
-      parts.push_back(std::move(cells));
-      return;
-    }
-    const bool across = extent.width() >= extent.height();
-    const int middle = across ? extent.low.x + extent.width() / 2 : extent.low.y + extent.height() / 2;
-    std::vector<std::uint32_t> lower, upper;
-    for (const std::uint32_t cell : cells) {
-      const Cell c = frame_.cell(cell);
-      ((across ? c.x : c.y) < middle ? lower : upper).push_back(cell);
-    }
-    for (auto* half : {&lower, &upper}) {
-      for (auto& part : connected(relabelled(std::move(*half)))) cut(std::move(part), parts);
+  /// Adds the parts of a group that are no longer than wanted, or a single cell.
+  void cut(std::vector<std::uint32_t> group, std::vector<std::vector<std::uint32_t>>& parts) {
+    std::vector<std::vector<std::uint32_t>> open{std::move(group)};
+    while (!open.empty()) {
+      std::vector<std::uint32_t> cells = std::move(open.back());
+      open.pop_back();
+      const Extent extent = extent_of(cells, frame_);
+      if (std::max(extent.width(), extent.height()) <= longest_) {
+        parts.push_back(std::move(cells));
+        continue;
+      }
+      const bool across = extent.width() >= extent.height();
+      const int middle = across ? extent.low.x + extent.width() / 2 : extent.low.y + extent.height() / 2;
+      std::vector<std::uint32_t> lower, upper;
+      for (const std::uint32_t cell : cells) {
+        const Cell c = frame_.cell(cell);
+        ((across ? c.x : c.y) < middle ? lower : upper).push_back(cell);
+      }
+      for (auto* half : {&lower, &upper}) {
+        for (auto& part : connected(relabelled(std::move(*half)))) open.push_back(std::move(part));
+      }
     }
   }
 

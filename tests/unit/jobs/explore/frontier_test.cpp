@@ -138,6 +138,18 @@ TEST(Frontier, KeepsItsIdWhileItsCellsStay) {
   }
 }
 
+TEST(Frontier, IsNotCutBelowACell) {
+  FrontierOptions options;
+  options.longest_m = 1.5;
+  FrontierMap frontiers(options, 0.1);
+  Grid<std::uint8_t> map(GridFrame{{0, 0}, 3.0, 6, 6}, unknown_cell);
+  for (int x = 1; x < 5; ++x) map[{x, 2}] = free_cell;
+  ASSERT_GT(map.frame.resolution_m, options.longest_m);
+  frontiers.update(map, {.redrawn = true, .cells = {}});
+  ASSERT_EQ(frontiers.frontiers().size(), 4U);
+  for (const auto& [id, frontier] : frontiers.frontiers()) EXPECT_EQ(frontier.cells.size(), 1U);
+}
+
 TEST(Frontier, IsGivenUpAfterPursuitsInVain) {
   FrontierOptions options;
   options.patience = 3;
