@@ -25,7 +25,7 @@ RUNS ?= 200
 MISSIONS ?= 1000
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops replays totality growth load hostile fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops replays totality growth writes load hostile fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -92,7 +92,7 @@ docs:  ## write docs/options.md and docs/scenario.schema.json anew
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
 	@ninja -C build -j $(JOBS) docs
 
-soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz for an hour, load, hostile, cancel, loops, replays and totality
+soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz for an hour, load, hostile, cancel, loops, replays, totality and writes
 	$(INSTALL) build test cbc
 	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=0
 	@ninja -C build-asan -j $(JOBS)
@@ -104,6 +104,13 @@ soak:  ## run everything, the tool too, under the sanitizers, random tests on 10
 	@$(MAKE) --no-print-directory loops
 	@$(MAKE) --no-print-directory replays
 	@$(MAKE) --no-print-directory totality
+	@$(MAKE) --no-print-directory writes
+
+writes:  ## make each call fail with which a run is written, and each allocation meanwhile, and tell whether its folder stays whole
+	$(INSTALL) build test cbc
+	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
+	@ninja -C build -j $(JOBS) outrider failing_calls
+	@OUTRIDER_CASES=100 ctest --preset release -R '^cli[.]write_faults$$' --timeout 3600 --output-on-failure
 
 cancel: build  ## stop each published scenario with Ctrl-C at MOMENTS random moments, 50 unless given; tells the worst latency
 	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) python3 -B tests/cli/cancel_soak.py --moments $(MOMENTS)

@@ -8,6 +8,7 @@
 #include "output.hpp"
 #include "outrider/core/options.hpp"
 #include "outrider/core/overload.hpp"
+#include "outrider/core/text.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -27,7 +28,7 @@ Fault unknown_word(const CLI::App& command, std::string word) {
   for (const CLI::App* sub : command.get_subcommands({})) known.push_back(sub->get_name());
   const std::string nearest = nearest_name(word.substr(0, 64), known);
   return {FaultCode::bad_input,
-          fmt::format("'{}' is not known here{}; {} lists what is", word,
+          fmt::format("'{}' is not known here{}; {} lists what is", excerpt(word),
                       nearest.empty() ? "" : fmt::format(", did you mean '{}'?", nearest), help_of(command)),
           {}};
 }

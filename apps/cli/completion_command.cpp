@@ -8,6 +8,7 @@
 #include "completion.hpp"
 #include "manual_page.hpp"
 #include "output.hpp"
+#include "outrider/core/text.hpp"
 #include "terminal.hpp"
 
 namespace outrider::cli {
@@ -26,7 +27,7 @@ int complete(const Command& command, const std::string& shell) {
   } else if (shell == "fish") {
     show("{}", fish_completion(tool));
   } else {
-    return refuse(fmt::format("'{}' is not valid; expected bash, zsh or fish", shell), "shell");
+    return refuse(fmt::format("'{}' is not valid; expected bash, zsh or fish", excerpt(shell)), "shell");
   }
   return job_done;
 }
@@ -54,7 +55,8 @@ int print_manual_page(const Command& command, const std::string& name, const std
   }
   const auto found = std::ranges::find(tool.commands, name, &CommandText::name);
   if (found == tool.commands.end()) {
-    return refuse(fmt::format("there is no command '{}'; 'outrider --help' lists them", name), "command");
+    return refuse(fmt::format("there is no command '{}'; 'outrider --help' lists them", excerpt(name)),
+                  "command");
   }
   show("{}", manual_page_of(*found, OUTRIDER_VERSION));
   return job_done;

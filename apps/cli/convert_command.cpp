@@ -87,7 +87,8 @@ Outcome<Converted> copy_messages(const ConvertCommand& command, McapWriter& writ
   if (!copy) return pass_on(copy);
   Converted converted{"messages", copy->messages};
   for (const std::string& topic : copy->kept_ros1) {
-    converted.warnings.push_back(fmt::format("{} has no schema, so its messages stay in ROS 1 bytes", topic));
+    converted.warnings.push_back(
+        fmt::format("{} has no schema, so its messages stay in ROS 1 bytes", excerpt(topic)));
   }
   if (const auto cut = (*reader)->cut_short(); !cut.empty()) converted.warnings.push_back(cut);
   return converted;
@@ -122,7 +123,7 @@ Outcome<Converted> export_messages(const ConvertCommand& command, const std::sto
   if (!done) return tl::unexpected<Fault>(done.error());
   Converted converted{"messages", done->messages};
   for (const std::string& channel : done->left_out)
-    converted.warnings.push_back(fmt::format("{} is left out; the type is not known", channel));
+    converted.warnings.push_back(fmt::format("{} is left out; the type is not known", excerpt(channel)));
   if (const auto cut = (*reader)->cut_short(); !cut.empty()) converted.warnings.push_back(cut);
   return converted;
 }

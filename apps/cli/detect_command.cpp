@@ -8,6 +8,7 @@
 #include "detect_output.hpp"
 #include "flags.hpp"
 #include "output.hpp"
+#include "outrider/core/text.hpp"
 #include "outrider/estimate/planar_pnp.hpp"
 #include "outrider/estimate/tag_detector.hpp"
 #include "outrider/io/camera_file.hpp"
@@ -158,7 +159,7 @@ int execute(DetectCommand& command, const Command& flags) {
     return print_fault({FaultCode::bad_input,
                         fmt::format("'{}' is to be a camera of a calibration file, and there is none; give "
                                     "--calibration FILE too",
-                                    command.camera),
+                                    excerpt(command.camera)),
                         "--camera"},
                        json);
   }

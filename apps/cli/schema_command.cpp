@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "flags.hpp"
 #include "output.hpp"
+#include "outrider/core/text.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/job/job.hpp"
 #include "terminal.hpp"
@@ -55,9 +56,10 @@ std::string names_of_jobs(const std::vector<Job>& jobs) {
 int execute(const std::vector<Job>& jobs, const std::string& form, const std::string& job) {
   const auto found = std::ranges::find(jobs, job, &Job::name);
   if (found == jobs.end()) {
-    return print_fault({FaultCode::bad_input,
-                        fmt::format("'{}' has no scenarios; expected {}", job, names_of_jobs(jobs)), "--job"},
-                       false);
+    return print_fault(
+        {FaultCode::bad_input,
+         fmt::format("'{}' has no scenarios; expected {}", excerpt(job), names_of_jobs(jobs)), "--job"},
+        false);
   }
   const auto task = found->blank();
   const auto groups = task->options();
@@ -71,11 +73,12 @@ int execute(const std::vector<Job>& jobs, const std::string& form, const std::st
     text.pop_back();  // removes the empty line at the end
   } else {
     const std::string nearest = nearest_name(form.substr(0, 64), {"schema", "scenario", "markdown"});
-    return print_fault({FaultCode::bad_input,
-                        fmt::format("'{}' is not valid; expected schema, scenario or markdown{}", form,
-                                    nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)),
-                        "--as"},
-                       false);
+    return print_fault(
+        {FaultCode::bad_input,
+         fmt::format("'{}' is not valid; expected schema, scenario or markdown{}", excerpt(form),
+                     nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)),
+         "--as"},
+        false);
   }
   show("{}", text);
   return job_done;

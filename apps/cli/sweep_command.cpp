@@ -46,14 +46,15 @@ std::vector<OptionGroup> describe(SweepFlags& flags) {
        "what varies",
        {{"runs", "", 1, static_cast<double>(most_sweep_runs), "seeds; each is run at all points of the grid",
          &flags.runs},
-        {"seed", "", 0, 1e15, "seed from which those of the runs and all random values are drawn",
-         &flags.seed}}},
+        {"seed", "", 0, static_cast<double>(most_seed),
+         "seed from which those of the runs and all random values are drawn", &flags.seed}}},
       {"",
        "which part is computed",
        {{"out", "", 0, 0, "folder for the table, its chunks and the summary; unless given, sweep-SCENARIO",
          &flags.folder},
         {"chunks", "", 0, 0, "computes only chunk K, or chunks A..B with both ends", &flags.chunks},
-        {"chunk_runs", "", 1, 100'000, "runs in a chunk; the table is the same", &flags.chunk_runs},
+        {"chunk_runs", "", 1, static_cast<double>(most_chunk_runs), "runs in a chunk; the table is the same",
+         &flags.chunk_runs},
         {"merge", "", 0, 0, "computes no runs: makes the table of the chunks that others computed",
          &flags.merge},
         choice_option("emit", "computes no runs: writes the script of a job array for a scheduler",
@@ -92,10 +93,7 @@ Outcome<SweepRequest> read_request(SweepFlags& flags, const Command& words) {
     return bad_input("the folder says what its sweep is; leave the flag out, or name the scenario", flag);
   }
   flags.folder = flags.input;
-  const std::string path = flags.folder + "/manifest.json";
-  auto text = read_file(path);
-  if (!text) return pass_on(text);
-  auto manifest = read_manifest(*text, path);
+  auto manifest = manifest_in(flags.folder);
   if (!manifest) return pass_on(manifest);
   return manifest->request;
 }

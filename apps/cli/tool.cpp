@@ -64,6 +64,18 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
   return status ? *status : print_fault(status.error(), wants_json(argc, argv));
 }
 
+/// Does not allocate any.
+int report_no_memory(bool json) {
+  std::fputs("outrider: there is not enough memory; ask for less, such as a coarser resolution\n", stderr);
+  if (json) {
+    std::fputs(
+        "{\"status\":\"refused\",\"code\":\"bad_input\",\"reason\":\"there is not enough memory; ask for "
+        "less, such as a coarser resolution\",\"where\":\"\"}\n",
+        stdout);
+  }
+  return refused;
+}
+
 /// Runs the tool and reports uncaught exceptions as faults.
 int guarded_run(const std::vector<Job>& jobs, int argc, char** argv) {
   const bool json = wants_json(argc, argv);
@@ -73,9 +85,7 @@ int guarded_run(const std::vector<Job>& jobs, int argc, char** argv) {
     }
     return run(jobs, argc, argv);
   } catch (const std::bad_alloc&) {
-    return print_fault(
-        {FaultCode::bad_input, "there is not enough memory; ask for less, such as a coarser resolution", {}},
-        json);
+    return report_no_memory(json);
   } catch (const std::exception& broken) {
     if (std::ferror(stdout) != 0) return job_done;  // run_tool() reports the failed output
     return print_fault({FaultCode::bad_input, fmt::format("this is a bug: {}", broken.what()), {}}, json);

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "outrider/core/overload.hpp"
+#include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
 
 namespace outrider {
@@ -26,7 +27,7 @@ Outcome<Number> parse(const Option& option, std::string_view text, std::string_v
   const auto as_double = static_cast<double>(number);
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(as_double) ||
       as_double < option.low || as_double > option.high) {
-    return bad_input(fmt::format("'{}' is not valid; expected {}", text, expectation(option, kind)),
+    return bad_input(fmt::format("'{}' is not valid; expected {}", excerpt(text), expectation(option, kind)),
                      option.name);
   }
   return number;
@@ -71,7 +72,7 @@ Status assign(const Option& option, std::string_view text) {
   };
   const auto boolean = [&](bool* value) -> Status {
     if (text != "true" && text != "false") {
-      return bad_input(fmt::format("'{}' is not valid; expected true or false", text), option.name);
+      return bad_input(fmt::format("'{}' is not valid; expected true or false", excerpt(text)), option.name);
     }
     *value = text == "true";
     return {};
@@ -125,7 +126,7 @@ std::string nearest_name(std::string_view unknown, const std::vector<std::string
 
 tl::unexpected<Fault> no_such_row(std::string_view kind, std::string_view unknown,
                                   const std::vector<std::string>& known, std::string where) {
-  const std::string_view shown = unknown.substr(0, 64);
+  const std::string shown = excerpt(unknown);
   const std::string nearest = nearest_name(shown, known);
   const std::string remedy = nearest.empty() ? fmt::format("take one of {}", fmt::join(known, ", "))
                                              : fmt::format("did you mean '{}'?", nearest);

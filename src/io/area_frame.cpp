@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
 
 namespace outrider {
@@ -69,6 +70,12 @@ AreaFrame AreaFrame::of_metres(const Box2& box, double near_m) {
 Vec2 AreaFrame::to_local(Vec2 in_file) const {
   if (!degrees) return in_file - origin;
   return projected(in_file, meridian_deg) - projected(origin, meridian_deg);
+}
+
+std::string place_text(const AreaFrame& frame, Vec2 local) {
+  const Vec2 at = frame.to_file(local);
+  if (!frame.degrees) return place_text(at.x, at.y);
+  return fmt::format("({:.7f}, {:.7f})", at.x, at.y);  // to the centimetre
 }
 
 std::string sentence_of(const AreaFrame& frame) {

@@ -6,14 +6,18 @@
 #include <filesystem>
 #include <system_error>
 
+#include "outrider/core/text.hpp"
+
 namespace outrider {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t most_path = 200;  ///< bytes of a path that is shown
+
 tl::unexpected<Fault> no_folder(const std::string& folder, const std::string& reason) {
-  return bad_input(
-      fmt::format("cannot make the folder '{}' ({}); name one that can be written to", folder, reason));
+  return bad_input(fmt::format("cannot make the folder '{}' ({}); name one that can be written to",
+                               excerpt(folder, most_path), excerpt(reason, most_path)));
 }
 
 }  // namespace

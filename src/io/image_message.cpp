@@ -67,7 +67,7 @@ Outcome<CameraImage> grey_image(const sensor_msgs::Image& message) {
   if (found == layouts.end()) {
     return bad_input(
         fmt::format("images in '{}' are not read; record them in mono8, rgb8, bgr8 or compressed",
-                    printable(std::string_view(message.encoding).substr(0, 50))));
+                    excerpt(message.encoding)));
   }
   layout = *found;
   const bool sixteen_bits = layout.name == "mono16" || layout.name == "16UC1";
@@ -94,7 +94,7 @@ Outcome<Camera> camera_of(const sensor_msgs::CameraInfo& message) {
   if ((!known_lens && !no_lens) || (message.d.size() > 5 && !no_lens)) {
     return bad_input(
         fmt::format("the lens model '{}' with {} numbers is not known; expected plumb_bob with five",
-                    printable(std::string_view(message.distortion_model).substr(0, 50)), message.d.size()));
+                    excerpt(message.distortion_model), message.d.size()));
   }
   if (k[1] != 0.0 || k[3] != 0.0 || k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0) {
     return bad_input("the camera matrix is that of no pinhole; its rows are fx 0 cx, 0 fy cy, 0 0 1");

@@ -76,7 +76,7 @@ Status check_frames(const Survey& survey, const RobotChannels& channels, const L
   return bad_input(
       fmt::format("the log has no nav_msgs/Odometry, and /tf does not join '{}' and '{}'; name the frames "
                   "with --odom-frame and --base-frame",
-                  printable(options.odom_frame), printable(survey.base_frame)),
+                  excerpt(options.odom_frame), excerpt(survey.base_frame)),
       "--odom");
 }
 
@@ -196,7 +196,7 @@ tl::unexpected<Fault> MappedLog::nothing_usable() const {
   if (unusable_ > 0) return bad_input(why_unusable_, channels_->scan_topic);
   const std::string from = channels_->odometry_topic.empty() ? "/tf" : printable(channels_->odometry_topic);
   return bad_input(fmt::format("none of its {} scans has odometry of {} within {} s", without_odometry_, from,
-                               seconds(farthest_odometry_ns)),
+                               short_number(seconds(farthest_odometry_ns))),
                    channels_->scan_topic);
 }
 
@@ -222,7 +222,7 @@ std::vector<std::string> MappedLog::warnings() const {
     all.push_back(
         fmt::format("the log does not say where the laser of {} stands on '{}'; laser_x, laser_y and "
                     "laser_heading say it",
-                    printable(channels_->scan_topic), printable(base_frame_)));
+                    excerpt(channels_->scan_topic), excerpt(base_frame_)));
   }
   if (without_odometry_ > 0)
     all.push_back(fmt::format("{} scans without odometry were left out", without_odometry_));

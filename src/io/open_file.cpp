@@ -12,6 +12,7 @@
 #include <map>
 #include <system_error>
 
+#include "outrider/core/text.hpp"
 #include "outrider/io/confinement.hpp"
 
 namespace outrider {
@@ -51,7 +52,7 @@ Fault why_not(int error, const std::string& path) {
             "it lies outside the folder whose files may be read; move it there and name it without ..", path};
   }
   return {FaultCode::bad_input, fmt::format("it cannot be read: {}", std::generic_category().message(error)),
-          path};
+          error == ENAMETOOLONG ? excerpt(path) : path};
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ Status set_gravity(World& world, Vec3 g, const std::string& file) {
   if (!is_place(g) || norm(xy(g)) > 1e-9 * std::abs(g.z) || g.z >= 0.0) {
     return bad_input(
         fmt::format("gravity {} {} {} does not point straight down; write e.g. <gravity>0 0 -9.8</gravity>",
-                    g.x, g.y, g.z),
+                    short_number(g.x), short_number(g.y), short_number(g.z)),
         file);
   }
   world.gravity_mps2 = -g.z;

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "log_lines.hpp"
+#include "outrider/core/text.hpp"
 #include "outrider/log/conversions.hpp"
 
 namespace outrider {

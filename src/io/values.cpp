@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
 
 namespace outrider {
@@ -31,7 +32,7 @@ Outcome<std::vector<double>> parse_numbers(const std::string& text, std::size_t 
     ++at;
   }
   if (numbers.size() != count || at != end) {
-    return bad_input(fmt::format("'{}' is not valid; expected {}", text, form), where);
+    return bad_input(fmt::format("'{}' is not valid; expected {}", excerpt(text), form), where);
   }
   return numbers;
 }
@@ -53,7 +54,7 @@ Outcome<Box2> parse_box(const std::string& text, const std::string& where) {
   if (!n) return pass_on(n);
   const Box2 box{{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}};
   if (box.size().x <= 0.0 || box.size().y <= 0.0) {
-    return bad_input(fmt::format("'{}' is empty; the low corner comes first", text), where);
+    return bad_input(fmt::format("'{}' is empty; the low corner comes first", excerpt(text)), where);
   }
   return box;
 }

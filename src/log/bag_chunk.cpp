@@ -12,8 +12,8 @@ namespace {
 Outcome<std::string> unpack(std::string packed, std::string_view compression, std::size_t size) {
   const auto codec = compression == "none" ? Codec::none : codec_named(compression);
   if (!codec || codec == Codec::zstd || compression.empty()) {
-    return bad_input(fmt::format("it is compressed as '{}'; only none, bz2 and lz4 are known",
-                                 printable(compression.substr(0, 32))));
+    return bad_input(
+        fmt::format("it is compressed as '{}'; only none, bz2 and lz4 are known", excerpt(compression)));
   }
   if (codec == Codec::none && packed.size() == size) return packed;
   return decompress(*codec, packed, size);

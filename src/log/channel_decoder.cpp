@@ -18,20 +18,19 @@ std::string ros2_type_name(std::string_view type) {
 }
 
 Outcome<AnyChannelDecoder> AnyChannelDecoder::of(const Channel& channel, const MessageType& type) {
-  const auto shown = [](std::string_view name) { return printable(name.substr(0, 100)); };
   if (ros2_type_name(channel.type) != type.name) {
     return bad_input(
-        fmt::format("its messages are {}, and not {}; name another topic", shown(channel.type), type.name),
-        shown(channel.topic));
+        fmt::format("its messages are {}, and not {}; name another topic", excerpt(channel.type), type.name),
+        excerpt(channel.topic));
   }
   const auto encoding = encoding_named(channel.encoding);
   if (!encoding) {
     return bad_input(fmt::format("its messages are encoded as '{}'; only cdr, ros1 and json are read",
-                                 shown(channel.encoding)),
-                     shown(channel.topic));
+                                 excerpt(channel.encoding)),
+                     excerpt(channel.topic));
   }
   if (auto agrees = check_schema(channel, type); !agrees) {
-    return bad_input(std::move(agrees.error().sentence), shown(channel.topic));
+    return bad_input(std::move(agrees.error().sentence), excerpt(channel.topic));
   }
   return AnyChannelDecoder(channel.topic, *encoding, type);
 }

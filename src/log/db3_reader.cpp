@@ -7,6 +7,7 @@
 
 #include "db3_database.hpp"
 #include "formats.hpp"
+#include "outrider/core/text.hpp"
 
 namespace outrider {
 namespace {
@@ -215,7 +216,7 @@ Outcome<std::vector<bool>> select(const Db3Database& database, const Db3Contents
       return bad_input(
           fmt::format("the messages of {} are in the format '{}'; only cdr is read, so select other "
                       "topics",
-                      channel.topic, channel.encoding),
+                      excerpt(channel.topic), excerpt(channel.encoding)),
           database.path());
     }
   }

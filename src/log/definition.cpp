@@ -116,7 +116,7 @@ Outcome<Definitions> parse_definitions(std::string_view text, std::string_view t
     }
     Line parsed = parse_line(line, package_of(name));
     if (parsed.wrong) {
-      return bad_input(fmt::format("its line {} is no field: '{}'", number, printable(line.substr(0, 80))));
+      return bad_input(fmt::format("its line {} is no field: '{}'", number, excerpt(line)));
     }
     if (parsed.field) fields->push_back(std::move(*parsed.field));
   }

@@ -11,14 +11,12 @@
 namespace outrider {
 namespace {
 
-std::string shown(std::string_view text) { return printable(text.substr(0, 100)); }
-
 /// Lists at most so many names that a line holds them.
 std::string list_of(const std::vector<std::string>& names) {
   constexpr std::size_t most = 8;
   std::string text;
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
-    text += (i > 0 ? ", " : "") + shown(names[i]);
+    text += (i > 0 ? ", " : "") + excerpt(names[i]);
   if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
   return text;
 }
@@ -43,7 +41,7 @@ std::string types_of(const TopicWish& wish) { return fmt::format("{}", fmt::join
 tl::unexpected<Fault> no_topic(const std::vector<Channel>& channels, const TopicWish& wish) {
   const auto candidates = topics_of(channels, &wish);
   if (!candidates.empty()) {
-    return bad_input(fmt::format("the log has no topic '{}'; {} has {}", shown(wish.topic), types_of(wish),
+    return bad_input(fmt::format("the log has no topic '{}'; {} has {}", excerpt(wish.topic), types_of(wish),
                                  list_of(candidates)),
                      std::string(wish.option));
   }
@@ -71,8 +69,8 @@ Outcome<std::vector<std::size_t>> find_topic(const std::vector<Channel>& channel
   for (std::size_t i = 0; i < channels.size(); ++i) {
     if (channels[i].topic != topic) continue;
     if (!is_wished(channels[i], wish)) {
-      return bad_input(fmt::format("the messages of {} are {}, and not {}; name another topic", shown(topic),
-                                   shown(channels[i].type), types_of(wish)),
+      return bad_input(fmt::format("the messages of {} are {}, and not {}; name another topic",
+                                   excerpt(topic), excerpt(channels[i].type), types_of(wish)),
                        std::string(wish.option));
     }
     found.push_back(i);

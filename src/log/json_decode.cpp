@@ -225,8 +225,7 @@ bool JsonDecoder::key(std::string& name) {
   if (found == fields.end()) {
     skipping_ = name == "seq" && level.type->name == "std_msgs/msg/Header";
     if (skipping_) return true;
-    return complain(fmt::format("it has the field '{}', which {} has not", printable(name.substr(0, 64)),
-                                level.type->name));
+    return complain(fmt::format("it has the field '{}', which {} has not", excerpt(name), level.type->name));
   }
   level.field = &*found;
   const auto bit = std::uint64_t{1} << static_cast<unsigned>(found - fields.begin());

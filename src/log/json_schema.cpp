@@ -39,7 +39,7 @@ std::string compare_field(const json& schema, const MessageField& field) {
     element = &*items;
   }
   if (!may_be(*element, field))
-    return fmt::format("it is of the type {}", printable(element->value("type", "")));
+    return fmt::format("it is of the type {}", excerpt(element->value("type", "")));
   return field.message == nullptr ? std::string() : compare(*element, *field.message);
 }
 

@@ -26,10 +26,9 @@ Outcome<Chunk> read_chunk(const ByteSource& source, std::uint64_t offset, std::u
   if (!chunk) return damaged(source, offset, "a chunk is shorter than its fields");
   const auto codec = codec_named(chunk->compression);
   if (!codec || codec == Codec::bz2) {
-    return damaged(
-        source, offset,
-        fmt::format("the compression \"{}\" is unknown", printable(chunk->compression.substr(0, 32))),
-        "write the log with zstd, lz4 or none");
+    return damaged(source, offset,
+                   fmt::format("the compression \"{}\" is unknown", excerpt(chunk->compression)),
+                   "write the log with zstd, lz4 or none");
   }
   if (chunk->uncompressed_size > most_bytes) {
     return damaged(source, offset,

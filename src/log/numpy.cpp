@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "numpy_column.hpp"
+#include "outrider/core/text.hpp"
 
 namespace outrider {
 namespace {
@@ -36,7 +37,8 @@ std::string npy_head(const std::string& dtype, std::size_t length) {
 
 Status check_size(const std::string& name, std::size_t length, std::size_t bytes) {
   if (length == 0 || bytes <= most_bytes / length) return {};
-  return bad_input(fmt::format("the array '{}' would have more than 4 GiB; select fewer topics", name));
+  return bad_input(
+      fmt::format("the array '{}' would have more than 4 GiB; select fewer topics", excerpt(name)));
 }
 
 /// Appends an array for each sequence in the values, named after `path`.

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "outrider/core/text.hpp"
 #include "outrider/log/channel_decoder.hpp"
 #include "run_messages.hpp"
 
@@ -69,7 +70,7 @@ Status check_topics(const std::vector<Channel>& channels, const std::string& pat
     if (type == channel.type) continue;
     return bad_input(
         fmt::format("the topic '{}' has messages of two types, {} and {}; a run never leaves that",
-                    channel.topic, type, channel.type),
+                    excerpt(channel.topic), excerpt(type), excerpt(channel.type)),
         path);
   }
   return {};
@@ -98,8 +99,8 @@ Outcome<StoredLog> read_log(const std::string& path) {
     if (!append) continue;
     if (auto ok = append(stored.log, *message); !ok) {
       const std::string& topic = (*reader)->channels()[message->channel].topic;
-      return bad_input(fmt::format("a message on '{}' at {:.3f} s: {}", topic, seconds(message->time_ns),
-                                   ok.error().sentence),
+      return bad_input(fmt::format("a message on '{}' at {:.3f} s: {}", excerpt(topic),
+                                   seconds(message->time_ns), ok.error().sentence),
                        path);
     }
   }

@@ -192,7 +192,7 @@ Outcome<Ros1ToCdr> Ros1ToCdr::of(const Channel& channel) {
   made.type_ = short_name(made.channel_.type);
   std::vector<std::string> used;
   if (const auto missing = collect(*definitions, made.type_, used); !missing.empty()) {
-    return bad_input(fmt::format("its schema does not define {}", printable(missing.substr(0, 100))), topic);
+    return bad_input(fmt::format("its schema does not define {}", excerpt(missing)), topic);
   }
   const auto header = definitions->find(ros1_header);
   if (header != definitions->end() && (header->second.empty() || header->second[0].name != "seq")) {

@@ -20,7 +20,7 @@ std::string words_of(const DefinedField& field) {
   std::string type = field.type;
   if (field.shape == FieldShape::array) type += fmt::format("[{}]", field.length);
   if (field.shape == FieldShape::sequence) type += "[]";
-  return printable((type + " " + field.name).substr(0, 100));
+  return excerpt(type + " " + field.name);
 }
 
 class Comparison {

@@ -64,8 +64,7 @@ Status TransformBuffer::add(const geometry_msgs::TransformStamped& transform, Tr
   const std::string_view parent = plain_name(transform.header.frame_id);
   const std::string_view child = plain_name(transform.child_frame_id);
   const auto refuse = [&](std::string_view why) {
-    return bad_input(fmt::format("the transform from '{}' to '{}' {}", printable(parent.substr(0, 100)),
-                                 printable(child.substr(0, 100)), why));
+    return bad_input(fmt::format("the transform from '{}' to '{}' {}", excerpt(parent), excerpt(child), why));
   };
   if (parent == child || child.empty()) return refuse("joins a frame to itself; leave it out");
   if (child.size() > longest_name || parent.size() > longest_name)

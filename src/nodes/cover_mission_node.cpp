@@ -52,7 +52,7 @@ Status CoverMissionNode::check(const CoverScenario& scenario) {
   if (auto ok = check_no_faults(scenario.faults.any()); !ok) return ok;
   auto task = load_task(scenario);
   if (!task) return pass_on(task);
-  if (!task->frame.degrees) return {};
+  if (!task->problem.frame.degrees) return {};
   return bad_input("the area is given in degrees; give it in metres of the map", scenario.area);
 }
 
@@ -69,7 +69,7 @@ Status CoverMissionNode::begin(const Pose2& pose) {
     scenario.start = fmt::format("{},{},{}", pose.position.x, pose.position.y, degrees(pose.heading_rad));
   auto task = load_task(scenario);
   if (!task) return pass_on(task);
-  const double away_m = distance(task->problem.start->position, task->frame.to_local(pose.position));
+  const double away_m = distance(task->problem.start->position, task->problem.frame.to_local(pose.position));
   if (away_m > at_start_m) {
     return fault(
         FaultCode::bad_input,
@@ -136,7 +136,7 @@ void CoverMissionNode::note_strange() {
   if (!points) return;
   strange_.clear();
   for (const Vec2 point : *points) {
-    const Vec2 at = work_->task.frame.to_local(point);
+    const Vec2 at = work_->task.problem.frame.to_local(point);
     if (is_strange(at, work_->plan.ground, work_->task.problem.transfers)) strange_.push_back(at);
   }
 }
@@ -161,10 +161,10 @@ void CoverMissionNode::go_on(const Pose2& pose) {
     work.driver.stopped();
     moved_on_s_ = now_s();
     command({});
-    stand_before(work.task.frame.to_file(*thing), work.task.frame.to_file(pose.position));
+    stand_before(work.task.problem.frame.to_file(*thing), work.task.problem.frame.to_file(pose.position));
     return;
   }
-  way_is_free(work.task.frame.to_file(pose.position));
+  way_is_free(work.task.problem.frame.to_file(pose.position));
   if (distance(pose.position, stood_) > moved_on_m || !work.driver.drives()) {
     stood_ = pose.position;
     moved_on_s_ = now_s();
@@ -195,7 +195,7 @@ void CoverMissionNode::act() {
       return end(NodeLevel::error, std::string(to_string(ok.error().code)), to_string(ok.error()));
     moved_on_s_ = now_s();
   }
-  go_on({work_->task.frame.to_local(pose->position), pose->heading_rad});
+  go_on({work_->task.problem.frame.to_local(pose->position), pose->heading_rad});
 }
 
 }  // namespace outrider

@@ -33,7 +33,7 @@ Outcome<CoverageNodeOptions> CoverageNode::checked(CoverageNodeOptions options) 
   if (options.cover.area.empty()) return options;
   auto task = load_task(options.cover);
   if (!task) return pass_on(task);
-  if (task->frame.degrees)
+  if (task->problem.frame.degrees)
     return bad_input("the area is given in degrees; give it in metres of the map", options.cover.area);
   return options;
 }
@@ -57,7 +57,7 @@ CoverageNode::CoverageNode(CoverageNodeOptions options)
 Status CoverageNode::take_area(const geometry_msgs::PolygonStamped& area) {
   if (area.header.frame_id != options_.frames.map) {
     return bad_input(fmt::format("the area is given in the frame '{}'; give it in '{}'",
-                                 printable(area.header.frame_id), options_.frames.map));
+                                 excerpt(area.header.frame_id), options_.frames.map));
   }
   const std::size_t corners = area.polygon.points.size();
   if (corners < 3 || corners > most_corners)
@@ -72,7 +72,7 @@ Status CoverageNode::take_area(const geometry_msgs::PolygonStamped& area) {
   auto method = find_cover_method(options_.cover.method);
   if (!method) return pass_on(method);
   if (task_ && task_->problem.boundary == boundary) return {};  // it was sent again
-  CoverTask task{options_.cover.problem, *method, {}, {}, {}};
+  CoverTask task{options_.cover.problem, *method, {}, {}};
   task.problem.boundary = std::move(boundary);
   task_ = std::move(task);
   new_task_ = true;

@@ -71,7 +71,7 @@ Status DriveMissionNode::mount() {
   if (!(ahead.x >= std::cos(straight_rad)) || !(down.z <= -std::cos(straight_rad))) {
     return bad_input(
         fmt::format("'{}' does not look straight ahead on '{}'; the job drive needs a camera that does",
-                    printable(camera_frame_), options().frames.base));
+                    excerpt(camera_frame_), options().frames.base));
   }
   task_.eye.ahead_m = robot_T_camera->position.x;
   task_.eye.height_m = robot_T_camera->position.z;

@@ -85,7 +85,7 @@ void ExploreMissionNode::perceive_waiting() {
   const auto mount = pose ? scan_mount(*pose)
                           : Outcome<ScanMount>(bad_input(
                                 fmt::format("no transform says where '{}' is on '{}'",
-                                            printable(message.header.frame_id), options().frames.base)));
+                                            excerpt(message.header.frame_id), options().frames.base)));
   if (!mount) return tell(NodeLevel::warning, "scan: " + mount.error().sentence);
   if (!mission_) {
     if (auto ok = start(mount->robot_T_laser); !ok) return tell(NodeLevel::error, ok.error().sentence);

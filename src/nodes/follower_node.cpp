@@ -72,7 +72,7 @@ Status FollowerNode::take_plan(const nav_msgs::Path& path) {
   if (auto time_s = plans_.take(path.header.stamp); !time_s) return pass_on(time_s);
   if (path.header.frame_id != options_.frames.map) {
     return bad_input(fmt::format("the path is given in the frame '{}'; give it in '{}'",
-                                 printable(path.header.frame_id), options_.frames.map));
+                                 excerpt(path.header.frame_id), options_.frames.map));
   }
   if (path.poses.empty()) {  // nothing to follow any more
     path_.reset();

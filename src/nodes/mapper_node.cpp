@@ -153,7 +153,7 @@ Status MapperNode::map(const Waiting& waiting) {
   if (!mount) {
     return bad_input(
         fmt::format("no transform says where '{}' is on '{}'; the scans wait for it on /tf_static",
-                    printable(waiting.scan.header.frame_id), options_.frames.base));
+                    excerpt(waiting.scan.header.frame_id), options_.frames.base));
   }
   const auto level = scan_mount(*mount);
   if (!level) return tl::unexpected<Fault>(level.error());

@@ -182,7 +182,7 @@ SetParametersResult NodeParameters::set_one(const Parameter& parameter) const {
   if (entry == nullptr) {
     std::vector<std::string> known;
     for (const Entry& one : entries_) known.push_back(one.descriptor.name);
-    const std::string shown = printable(std::string_view(parameter.name).substr(0, 60));
+    const std::string shown = excerpt(parameter.name);
     const std::string nearest = nearest_name(shown, known);
     return {false, nearest.empty()
                        ? fmt::format("there is no parameter '{}'", shown)

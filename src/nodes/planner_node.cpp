@@ -69,7 +69,7 @@ Status PlannerNode::take_map(const nav_msgs::OccupancyGrid& map) {
 Status PlannerNode::take_goal(const geometry_msgs::PoseStamped& goal) {
   if (goal.header.frame_id != options_.frames.map && !goal.header.frame_id.empty()) {
     return bad_input(fmt::format("the goal is given in the frame '{}'; give it in '{}'",
-                                 printable(goal.header.frame_id), options_.frames.map));
+                                 excerpt(goal.header.frame_id), options_.frames.map));
   }
   const auto pose = plane_pose(goal.pose);
   if (!pose) return tl::unexpected<Fault>(pose.error());

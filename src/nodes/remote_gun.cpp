@@ -42,10 +42,10 @@ Status RemoteGun::take(const sensor_msgs::JointState& message, double now_s) {
 Status RemoteGun::take(const std_msgs::String& hit) {
   const auto found = by_name_.find(hit.data);
   if (found == by_name_.end())
-    return bad_input(fmt::format("no target has the name '{}'", printable(hit.data)));
+    return bad_input(fmt::format("no target has the name '{}'", excerpt(hit.data)));
   if (!fired_at_[found->second]) {
     return bad_input(
-        fmt::format("'{}' is told to be hit, and the gun was not fired at it", printable(hit.data)));
+        fmt::format("'{}' is told to be hit, and the gun was not fired at it", excerpt(hit.data)));
   }
   hit_[found->second] = true;
   return {};

@@ -17,8 +17,8 @@ Status ScanPoints::take(const sensor_msgs::LaserScan& message, const RobotFrames
   if (!time_s) return tl::unexpected<Fault>(time_s.error());
   const auto mount_pose = frames.robot_T(message.header.frame_id);
   if (!mount_pose) {
-    return bad_input(fmt::format("no transform says where '{}' is on '{}'",
-                                 printable(message.header.frame_id), frames.names().base));
+    return bad_input(fmt::format("no transform says where '{}' is on '{}'", excerpt(message.header.frame_id),
+                                 frames.names().base));
   }
   const auto mount = scan_mount(*mount_pose);
   if (!mount) return tl::unexpected<Fault>(mount.error());

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "grid/cell_costs_check.hpp"
+#include "outrider/core/text.hpp"
 #include "outrider/path/pieces.hpp"
 #include "outrider/path/safety.hpp"
 #include "steering/steering_check.hpp"
@@ -152,8 +153,8 @@ Status check_exposure(const Plan& plan, const Problem& problem, const std::stop_
   const bool good = plan.exposure >= (1.0 - quadrature) * truth.exposure_low &&
                     plan.exposure <= (1.0 + quadrature) * truth.exposure_high;
   if (good) return {};
-  return refused(fmt::format("the exposure is {}, but it lies between {} and {}", plan.exposure,
-                             truth.exposure_low, truth.exposure_high));
+  return refused(fmt::format("the exposure is {}, but it lies between {} and {}", short_number(plan.exposure),
+                             short_number(truth.exposure_low), short_number(truth.exposure_high)));
 }
 
 /// Returns what cusps and metres backwards cost.
@@ -176,17 +177,19 @@ Status check_numbers(const Plan& plan, const Problem& problem, const std::stop_t
                      plan.weights.per_exposure_m * plan.exposure + reversing_of(plan);
   const double slack = relative * std::max(1.0, sum);
   if (!(std::abs(plan.cost - sum) <= slack + plan.weights.per_rad * turning.rounding_rad)) {
-    return refused(fmt::format("the cost is {}, but its legs add up to {}", plan.cost, sum));
+    return refused(
+        fmt::format("the cost is {}, but its legs add up to {}", short_number(plan.cost), short_number(sum)));
   }
   const bool good_bound = plan.lower_bound >= 0.0 && plan.lower_bound <= plan.cost + slack;
   if (!good_bound) {
-    return refused(fmt::format("the lower bound {} does not lie between 0 and the cost {}", plan.lower_bound,
-                               plan.cost));
+    return refused(fmt::format("the lower bound {} does not lie between 0 and the cost {}",
+                               short_number(plan.lower_bound), short_number(plan.cost)));
   }
   if (auto good = check_exposure(plan, problem, stop); !good) return good;
   const double left = distance(plan.waypoints.back(), problem.goal);
   if (!(std::abs(plan.reached_within - left) <= relative * std::max(1.0, length))) {
-    return refused(fmt::format("the path ends {} m from the goal, not {} m", left, plan.reached_within));
+    return refused(fmt::format("the path ends {} m from the goal, not {} m", short_number(left),
+                               short_number(plan.reached_within)));
   }
   return {};
 }
@@ -235,7 +238,7 @@ Status check(const Plan& plan, const CollisionMap& ground, double radius_m) {
   for (const std::vector<Vec2>& way : disk_ways(plan)) {
     for (std::size_t i = 0; i < way.size(); ++i) {
       if (ground.segment_free({way[i == 0 ? 0 : i - 1], way[i]}, swept_m)) continue;
-      return refused(fmt::format("a disk of {} m touches an obstacle on leg {}", radius_m, i));
+      return refused(fmt::format("a disk of {} m touches an obstacle on leg {}", short_number(radius_m), i));
     }
   }
   return {};

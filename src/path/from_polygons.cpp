@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "outrider/core/text.hpp"
+
 namespace outrider {
 namespace {
 
@@ -28,10 +30,11 @@ Outcome<GridFrame> frame_of(const PolygonGround& ground, const GridOptions& opti
   const bool fits = width * height <= static_cast<double>(options.most_cells) && width < most_grid_side &&
                     height < most_grid_side;
   if (!good || !fits) {
-    return bad_input(fmt::format("a resolution of {} m is not valid for {} x {} m; expected a number above 0 "
-                                 "that makes at most {} cells",
-                                 resolution, size.x, size.y, options.most_cells),
-                     "resolution");
+    return bad_input(
+        fmt::format("a resolution of {} m is not valid for {} x {} m; expected a number above 0 "
+                    "that makes at most {} cells",
+                    short_number(resolution), short_number(size.x), short_number(size.y), options.most_cells),
+        "resolution");
   }
   return GridFrame{ground.bounds.low, resolution, static_cast<int>(width), static_cast<int>(height)};
 }

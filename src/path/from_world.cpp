@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "outrider/core/text.hpp"
 #include "outrider/path/grid/from_occupancy.hpp"
 
 namespace outrider {
@@ -65,11 +66,13 @@ void block_outside(Grid<std::uint8_t>& blocked, const Box2& box) {
 Outcome<GridFrame> frame_for(const CollisionMap& ground, double radius_m, const GridOptions& options) {
   const bool good_radius = radius_m >= 0.0 && radius_m <= 1e6;
   if (!good_radius) {
-    return bad_input(fmt::format("a robot radius of {} m is not valid; expected 0 to 1e6", radius_m));
+    return bad_input(
+        fmt::format("a robot radius of {} m is not valid; expected 0 to 1e6", short_number(radius_m)));
   }
   if (!(options.resolution_m > 0.0)) {
-    return bad_input(fmt::format("{} m is not valid; expected a number above 0", options.resolution_m),
-                     "resolution");
+    return bad_input(
+        fmt::format("{} m is not valid; expected a number above 0", short_number(options.resolution_m)),
+        "resolution");
   }
   const Vec2 size = ground.bounds().size();
   const double columns = std::ceil(size.x / options.resolution_m),
@@ -77,14 +80,16 @@ Outcome<GridFrame> frame_for(const CollisionMap& ground, double radius_m, const 
   const double most = std::min(static_cast<double>(options.most_cells), static_cast<double>(most_grid_cells));
   const bool has_room = size.x > 0.0 && size.y > 0.0;
   if (!has_room) {
-    return bad_input(fmt::format("bounds of {} x {} m leave no room for a grid", size.x, size.y));
+    return bad_input(fmt::format("bounds of {} x {} m leave no room for a grid", short_number(size.x),
+                                 short_number(size.y)));
   }
   const bool fits = columns * rows <= most && columns <= most_grid_side && rows <= most_grid_side;
   if (!fits) {
     return bad_input(
         fmt::format("{} m over {} x {} m makes {:.0f} cells, more than the {:.0f} allowed; take a "
                     "coarser one",
-                    options.resolution_m, size.x, size.y, columns * rows, most),
+                    short_number(options.resolution_m), short_number(size.x), short_number(size.y),
+                    columns * rows, most),
         "resolution");
   }
   const GridFrame frame = covering(ground.bounds(), options.resolution_m);

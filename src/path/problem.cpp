@@ -2,42 +2,44 @@
 
 #include <fmt/format.h>
 
+#include "outrider/core/text.hpp"
+
 namespace outrider {
 namespace {
 
+std::string span_text(const Box2& box) {
+  return fmt::format("x from {} to {} and y from {} to {}", short_number(box.low.x), short_number(box.high.x),
+                     short_number(box.low.y), short_number(box.high.y));
+}
+
 Outcome<Cell> vertex(const GridMap& ground, Vec2 p, std::string_view name, FaultCode blocked) {
   const std::optional<Cell> v = ground.vertex_at(p);
-  const Box2 bounds = ground.frame.bounds();
+  const std::string at = place_text(p.x, p.y);
   if (!v) {
-    return fault(FaultCode::outside_map,
-                 fmt::format("the {} ({}, {}) lies outside the map; take x from {} to {} and y from {} to {}",
-                             name, p.x, p.y, bounds.low.x, bounds.high.x, bounds.low.y, bounds.high.y));
+    return fault(FaultCode::outside_map, fmt::format("the {} {} lies outside the map; take {}", name, at,
+                                                     span_text(ground.frame.bounds())));
   }
   if (!ground.place(*v)) {
-    return fault(blocked, fmt::format("the {} ({}, {}) is blocked; move it to free ground, or take a finer "
+    return fault(blocked, fmt::format("the {} {} is blocked; move it to free ground, or take a finer "
                                       "resolution than {} m",
-                                      name, p.x, p.y, ground.frame.resolution_m));
+                                      name, at, short_number(ground.frame.resolution_m)));
   }
   return *v;
 }
 
 Status stands(const PolygonGround& ground, Vec2 p, std::string_view name, FaultCode blocked) {
-  const Box2& bounds = ground.bounds;
-  if (!bounds.contains(p) || ground.outside(p)) {
-    return fault(FaultCode::outside_map,
-                 fmt::format("the {} ({}, {}) lies outside the boundary; it spans x from {} to {} and y from "
-                             "{} to {}",
-                             name, p.x, p.y, bounds.low.x, bounds.high.x, bounds.low.y, bounds.high.y));
+  const std::string at = place_text(p.x, p.y);
+  if (!ground.bounds.contains(p) || ground.outside(p)) {
+    return fault(FaultCode::outside_map, fmt::format("the {} {} lies outside the boundary; it spans {}", name,
+                                                     at, span_text(ground.bounds)));
   }
   if (ground.point_free(p)) return {};
   if (ground.solid(p)) {
-    return fault(blocked, fmt::format("the {} ({}, {}) lies inside an obstacle; move it to free ground", name,
-                                      p.x, p.y));
+    return fault(blocked, fmt::format("the {} {} lies inside an obstacle; move it to free ground", name, at));
   }
-  return fault(blocked,
-               fmt::format("the {} ({}, {}) is {:.6g} m from the nearest edge, less than the robot's "
-                           "radius of {} m; move it away or take a smaller robot",
-                           name, p.x, p.y, ground.edge_distance(p), ground.radius_m));
+  return fault(blocked, fmt::format("the {} {} is {:.6g} m from the nearest edge, less than the robot's "
+                                    "radius of {} m; move it away or take a smaller robot",
+                                    name, at, ground.edge_distance(p), short_number(ground.radius_m)));
 }
 
 }  // namespace

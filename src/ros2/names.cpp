@@ -39,7 +39,7 @@ Outcome<std::string> resolve_topic(std::string_view name, const RosNamespace& of
   return bad_input(
       fmt::format("'{}' is no name of a topic; its parts between slashes are letters, digits and "
                   "underscores, and do not begin with a digit",
-                  topic));
+                  excerpt(topic)));
 }
 
 Outcome<std::string> resolve_namespace(std::string_view name) {
@@ -54,8 +54,7 @@ Outcome<TopicNames> TopicNames::of(const RosNamespace& space, const std::vector<
   for (const std::string& rule : rules) {
     const std::size_t at = rule.find(":=");
     if (at == std::string::npos)
-      return bad_input(fmt::format("'{}' does not rename a topic; give from:=to", printable(rule)),
-                       "--remap");
+      return bad_input(fmt::format("'{}' does not rename a topic; give from:=to", excerpt(rule)), "--remap");
     auto from = resolve_topic(std::string_view(rule).substr(0, at), space);
     if (!from) return pass_on(from);
     auto to = resolve_topic(std::string_view(rule).substr(at + 2), space);

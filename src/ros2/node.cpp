@@ -11,6 +11,7 @@
 
 #include "cdr_type.hpp"
 #include "discovery_messages.hpp"
+#include "outrider/core/text.hpp"
 #include "outrider/log/codecs.hpp"
 #include "outrider/ros2/names.hpp"
 
@@ -86,7 +87,7 @@ Outcome<RosNodeOptions> ros_environment() {
     const std::string_view word(text);
     const auto read = std::from_chars(word.data(), word.data() + word.size(), options.domain);
     if (read.ec != std::errc() || read.ptr != word.data() + word.size())
-      return bad_input(fmt::format("'{}' is no number; give one from 0 to {}", word, last_domain),
+      return bad_input(fmt::format("'{}' is no number; give one from 0 to {}", excerpt(word), last_domain),
                        "ROS_DOMAIN_ID");
     if (auto ok = check_domain(options.domain, "ROS_DOMAIN_ID"); !ok) return pass_on(ok);
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "outrider/core/text.hpp"
 #include "outrider/world/collision_map.hpp"
 
 namespace outrider {
@@ -22,10 +23,10 @@ Status check_post_place(const World& world, Vec2 place, double blocked_at_s) {
   }
   const Box2& bounds = world.bounds;
   if (!bounds.contains(place)) {
-    return bad_input(fmt::format("{} is outside the map, which lies between {:.4g},{:.4g} and {:.4g},{:.4g}; "
-                                 "put the post in there",
-                                 text, bounds.low.x, bounds.low.y, bounds.high.x, bounds.high.y),
-                     key);
+    return bad_input(
+        fmt::format("{} is outside the map, which lies between {} and {}; put the post in there", text,
+                    place_text(bounds.low.x, bounds.low.y), place_text(bounds.high.x, bounds.high.y)),
+        key);
   }
   const CollisionMap ground = CollisionMap::of(world, post_height_m, low_m);
   for (const RoundedPolygon& piece : ground.obstacles()) {

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "covariances.hpp"
+#include "outrider/core/text.hpp"
 #include "slam_engine.hpp"
 
 namespace outrider {
@@ -23,7 +24,7 @@ bool usable(const Eigen::Matrix<double, N, N>& covariance) {
 
 Status check_options(const LandmarkSlamOptions& options) {
   const auto refuse = [](const std::string& value, std::string_view takes, const char* key) {
-    return bad_input(fmt::format("'{}' is not valid; expected {}", value, takes), key);
+    return bad_input(fmt::format("'{}' is not valid; expected {}", excerpt(value), takes), key);
   };
   const auto& [engine, kernel] = std::tie(options.engine, options.kernel);
   if (engine != "kalman" && engine != "ekf" && engine != "graph") {

@@ -11,6 +11,7 @@
 
 #include "graduated.hpp"
 #include "graph_search.hpp"
+#include "outrider/core/text.hpp"
 #include "trust_region.hpp"
 
 namespace outrider {
@@ -26,7 +27,8 @@ Status check_options(const PoseGraphOptions& options) {
        {std::tuple(&starts, &options.start, "start"), std::tuple(&kernels, &options.kernel, "kernel"),
         std::tuple(&robust_methods, &options.robust, "robust")}) {
     if (std::find(names->begin(), names->end(), *name) != names->end()) continue;
-    return bad_input(fmt::format("'{}' is not valid; expected {}", *name, fmt::join(*names, ", ")), key);
+    return bad_input(fmt::format("'{}' is not valid; expected {}", excerpt(*name), fmt::join(*names, ", ")),
+                     key);
   }
   return {};
 }

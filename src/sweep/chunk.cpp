@@ -26,8 +26,8 @@ void append_field(std::string& line, std::string_view field) {
   line += '"';
 }
 
-std::string last_line(std::size_t runs, std::string_view text) {
-  return fmt::format("# {} runs, sha256 {}\n", runs, sha256(text));
+std::string last_line(std::size_t runs, std::string_view origin, std::string_view text) {
+  return fmt::format("# {} runs, manifest {}, sha256 {}\n", runs, origin, sha256(text));
 }
 
 /// Returns where the last line begins; 0 if there is none.
@@ -44,6 +44,28 @@ std::string column_of(const std::string& metric, const std::vector<std::string>&
 tl::unexpected<Fault> damaged(const std::string& name, std::string_view what) {
   return bad_input(fmt::format("the chunk is damaged ({}); remove the file and run the sweep again", what),
                    name);
+}
+
+/// Returns the first fields of a run: what it is given.
+std::vector<std::string> given_fields(const Sweep& sweep, const SweepRun& run) {
+  std::vector<std::string> fields = {fmt::format("{}", run.number), fmt::format("{}", run.seed)};
+  if (sweep.sides() == 2) fields.emplace_back(run.side == 0 ? "a" : "b");
+  for (const std::string& value : run.values) fields.push_back(printable(value));
+  return fields;
+}
+
+/// Names the first thing in which a chunk differs from that of the sweep.
+std::string difference(const Sweep& sweep, std::uint64_t chunk, std::string_view text) {
+  const auto columns = fixed_columns(sweep);
+  const auto here = given_fields(sweep, run_of(sweep, sweep.begin_of(chunk)));
+  const auto names = csv_fields(take_line(text)), there = csv_fields(take_line(text));
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    if (i >= std::min(names.size(), there.size()) || names[i] != columns[i]) return "the keys that vary";
+    if (there[i] == here[i]) continue;
+    return fmt::format("the {} of its first run ('{}' there, '{}' here)", i == 0 ? "number" : columns[i],
+                       excerpt(there[i]), excerpt(here[i]));
+  }
+  return "its program, its scenario, a file that the scenario reads, --runs or --chunk-runs";
 }
 
 }  // namespace
@@ -91,7 +113,7 @@ std::vector<std::string> fixed_columns(const Sweep& sweep) {
   return columns;
 }
 
-std::string chunk_text(const Sweep& sweep, const std::vector<SweepResult>& results) {
+std::string chunk_text(const Sweep& sweep, const std::vector<SweepResult>& results, std::string_view origin) {
   std::vector<std::string> columns = fixed_columns(sweep);
   const std::vector<std::string> fixed = columns;
   std::map<std::string, std::size_t, std::less<>> column;  // of a metric
@@ -103,34 +125,45 @@ std::string chunk_text(const Sweep& sweep, const std::vector<SweepResult>& resul
     }
   }
   std::string text = csv_line(columns);
-  std::vector<std::string> fields(columns.size());
+  std::vector<std::string> fields;
   for (const SweepResult& result : results) {
-    const SweepRun& run = result.run;
-    std::ranges::fill(fields, std::string());
-    std::size_t at = 0;
-    fields[at++] = fmt::format("{}", run.number);
-    fields[at++] = fmt::format("{}", run.seed);
-    if (sweep.sides() == 2) fields[at++] = run.side == 0 ? "a" : "b";
-    for (const std::string& value : run.values) fields[at++] = printable(value);
-    fields[at++] = printable(result.status);
-    fields[at] = printable(result.reason);
+    fields = given_fields(sweep, result.run);
+    fields.push_back(printable(result.status));
+    fields.push_back(printable(result.reason));
+    fields.resize(columns.size());
     for (const auto& [name, value] : result.metrics) {
       if (std::isfinite(value)) fields[column.find(name)->second] = fmt::format("{}", value);
     }
     text += csv_line(fields);
   }
-  return text + last_line(results.size(), text);
+  return text + last_line(results.size(), origin, text);
 }
 
 std::string chunk_path(const std::string& folder, std::uint64_t chunk) {
   return fmt::format("{}/chunks/{:06}.csv", folder, chunk);
 }
 
-Status check_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text, const std::string& name) {
+Status check_origin(const Sweep& sweep, std::uint64_t chunk, std::string_view origin, std::string_view text,
+                    const std::string& name) {
+  const std::string_view last = text.substr(body_end(text));
+  if (last.find(fmt::format(", manifest {}, ", origin)) != last.npos) return {};
+  if (last.find(", manifest ") == last.npos) return damaged(name, "its last line is missing");
+  return bad_input(fmt::format("the chunk is of a sweep that differs in {}; restore manifest.json if it was "
+                               "changed, else remove the chunk, and run the sweep again",
+                               difference(sweep, chunk, text)),
+                   name);
+}
+
+Status check_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view origin, std::string_view text,
+                   const std::string& name) {
   const std::size_t end = body_end(text);
-  if (end == 0) return damaged(name, "its last line is missing");
-  if (text.substr(end) != last_line(sweep.begin_of(chunk + 1) - sweep.begin_of(chunk), text.substr(0, end))) {
+  const std::string_view body = text.substr(0, end), last = text.substr(end);
+  if (!last.ends_with(fmt::format(", sha256 {}\n", sha256(body)))) {
     return damaged(name, "its content is not what its last line says");
+  }
+  if (auto ok = check_origin(sweep, chunk, origin, text, name); !ok) return ok;
+  if (last != last_line(sweep.begin_of(chunk + 1) - sweep.begin_of(chunk), origin, body)) {
+    return damaged(name, "it lacks runs");
   }
   return {};
 }

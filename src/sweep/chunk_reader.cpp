@@ -1,17 +1,21 @@
 #include "outrider/sweep/chunk_reader.hpp"
 
 #include "outrider/io/files.hpp"
+#include "outrider/sweep/manifest.hpp"
 
 namespace outrider {
 
 Status ChunkReader::for_each_text(
     const std::function<Status(std::uint64_t chunk, const ChunkText& text, const std::string& path)>& use) {
+  const auto manifest = manifest_in(folder_);
+  if (!manifest) return tl::unexpected<Fault>(manifest.error());
+  const std::string origin = manifest_hash(*manifest);
   for (std::uint64_t chunk = 0; chunk < sweep_->chunks(); ++chunk) {
     const std::string path = chunk_path(folder_, chunk);
     const auto text = read_file(path);
     if (!text) return tl::unexpected<Fault>(text.error());
     if (!checked_[chunk]) {
-      if (auto ok = check_chunk(*sweep_, chunk, *text, path); !ok) return ok;
+      if (auto ok = check_chunk(*sweep_, chunk, origin, *text, path); !ok) return ok;
       checked_[chunk] = true;
     }
     const auto split = split_chunk(*sweep_, chunk, *text, path);

@@ -7,10 +7,13 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "build_id.hpp"
 #include "outrider/core/json_excess.hpp"
+#include "outrider/core/sha256.hpp"
 #include "outrider/io/file_hash.hpp"
+#include "outrider/io/files.hpp"
 #include "outrider/io/read_record.hpp"
 #include "outrider/io/text.hpp"
 #include "outrider/sweep/canary.hpp"
@@ -78,6 +81,21 @@ Pairs facts(const Manifest& manifest) {
           {"--vary", fmt::format("{}", fmt::join(request.vary, " "))},
           {"--compare", fmt::format("{}", fmt::join(request.compare, " "))},
           {"--chunk-runs", fmt::format("{}", request.chunk_runs)}};
+}
+
+/// Refuses other numbers than those of requests: conversions would wrap or round them.
+Status check_counts(const Json& manifest, const std::string& name) {
+  const std::tuple<const char*, std::uint64_t, std::uint64_t> counts[] = {
+      {"runs", 1, most_sweep_runs}, {"seed", 0, most_seed}, {"chunk_runs", 1, most_chunk_runs}};
+  for (const auto& [key, low, high] : counts) {
+    const Json& value = manifest.at(key);
+    if (value.is_number_unsigned() && value >= low && value <= high) continue;
+    return bad_input(fmt::format("{} '{}' is not valid; expected a whole number from {} to {}; restore the "
+                                 "file, or name another folder",
+                                 key, value.is_number() ? value.dump() : value.type_name(), low, high),
+                     name);
+  }
+  return {};
 }
 
 Json object_of(const Pairs& pairs) {
@@ -153,10 +171,24 @@ std::string manifest_text(const Manifest& manifest) {
   return object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string manifest_hash(Manifest manifest) {
+  manifest.request.scenario.clear();
+  return sha256(manifest_text(manifest));
+}
+
+std::string manifest_path(const std::string& folder) { return folder + "/manifest.json"; }
+
+Outcome<Manifest> manifest_in(const std::string& folder) {
+  const auto text = read_file(manifest_path(folder));
+  if (!text) return tl::unexpected<Fault>(text.error());
+  return read_manifest(*text, manifest_path(folder));
+}
+
 Outcome<Manifest> read_manifest(const std::string& text, const std::string& name) {
   const Json object = Json::parse(json_excess(text).empty() ? text : std::string(), nullptr, false);
   try {
-    if (!object.is_discarded() && object.at("format").get<int>() == format_number) {
+    if (!object.is_discarded() && object.at("format") == format_number) {
+      if (auto ok = check_counts(object, name); !ok) return pass_on(ok);
       return Manifest{.request = {.scenario = object.at("scenario"),
                                   .runs = object.at("runs"),
                                   .seed = object.at("seed"),

@@ -28,7 +28,6 @@ void remove_lock(const std::string& path) {
   std::error_code ignored;
   fs::remove(lock_of(path), ignored);
 }
-std::string manifest_path(const std::string& folder) { return folder + "/manifest.json"; }
 
 /// Returns true if the folder has something that no sweep writes before its manifest.
 bool has_other_files(const std::string& folder) {
@@ -122,8 +121,9 @@ class ChunkWriter {
 };
 
 /// Returns the text of the chunk.
-Outcome<std::string> compute_chunk(const Sweep& sweep, std::uint64_t chunk, const SweepWork& work,
-                                   const SweepWatch& watch, PlanCache& plans, Counter& counter) {
+Outcome<std::string> compute_chunk(const Sweep& sweep, std::uint64_t chunk, const std::string& origin,
+                                   const SweepWork& work, const SweepWatch& watch, PlanCache& plans,
+                                   Counter& counter) {
   const std::uint64_t first = sweep.begin_of(chunk);
   std::vector<SweepResult> results(sweep.begin_of(chunk + 1) - first);
   std::vector<Status> kept(results.size());
@@ -139,7 +139,7 @@ Outcome<std::string> compute_chunk(const Sweep& sweep, std::uint64_t chunk, cons
     return pass_on(*failed);
   }
   if (!whole) return fault(FaultCode::cancelled, "it was cancelled; the same command continues it");
-  return chunk_text(sweep, results);
+  return chunk_text(sweep, results, origin);
 }
 
 }  // namespace
@@ -166,9 +166,7 @@ Status begin_sweep(const Manifest& manifest, const std::string& folder) {
     if (auto ok = make_folder(folder); !ok) return ok;
     if (auto ok = write_file(path, manifest_text(manifest)); !ok) return ok;
   } else {
-    auto text = read_file(path);
-    if (!text) return pass_on(text);
-    const auto begun = read_manifest(*text, path);
+    const auto begun = manifest_in(folder);
     if (!begun) return tl::unexpected<Fault>(begun.error());
     if (auto ok = check_same(*begun, manifest, path); !ok) return ok;
   }
@@ -188,10 +186,20 @@ Outcome<SweepResult> run_one(const Sweep& sweep, std::uint64_t number, const Swe
 
 Outcome<std::vector<std::uint64_t>> compute_chunks(const Sweep& sweep, const SweepWork& work,
                                                    const SweepWatch& watch) {
+  const auto manifest = manifest_in(work.folder);
+  if (!manifest) return tl::unexpected<Fault>(manifest.error());
+  const std::string origin = manifest_hash(*manifest);
   std::uint64_t left = 0;
-  for (std::uint64_t chunk = work.first_chunk; chunk < work.end_chunk; ++chunk) {
-    if (!file_exists(chunk_path(work.folder, chunk)))
+  for (std::uint64_t chunk = work.first_chunk; chunk < work.end_chunk && !watch.stop.stop_requested();
+       ++chunk) {
+    const std::string path = chunk_path(work.folder, chunk);
+    if (!file_exists(path)) {
       left += sweep.begin_of(chunk + 1) - sweep.begin_of(chunk);
+      continue;
+    }
+    auto text = read_file(path);
+    if (!text) return pass_on(text);
+    if (auto ok = check_origin(sweep, chunk, origin, *text, path); !ok) return pass_on(ok);
   }
   Counter counter(watch, left);
   PlanCache plans;
@@ -212,7 +220,7 @@ Outcome<std::vector<std::uint64_t>> compute_chunks(const Sweep& sweep, const Swe
       counter.skip(sweep.begin_of(chunk + 1) - sweep.begin_of(chunk));
       continue;
     }
-    auto text = compute_chunk(sweep, chunk, work, watch, plans, counter);
+    auto text = compute_chunk(sweep, chunk, origin, work, watch, plans, counter);
     if (!text) {
       remove_lock(path);
       return pass_on(text);

@@ -9,9 +9,6 @@
 namespace outrider {
 namespace {
 
-constexpr std::uint64_t seeds = 1'000'000'000'000'000;  // options named `seed` go up to 10^15
-constexpr std::uint64_t most_chunk_runs = 100'000;
-
 Status check_counts(const SweepRequest& request) {
   if (request.runs == 0 || request.runs > most_sweep_runs) {
     return bad_input(
@@ -22,6 +19,11 @@ Status check_counts(const SweepRequest& request) {
     return bad_input(fmt::format("'{}' is not valid; expected a whole number from 1 to {}",
                                  request.chunk_runs, most_chunk_runs),
                      "--chunk-runs");
+  }
+  if (request.seed > most_seed) {
+    return bad_input(
+        fmt::format("'{}' is not valid; expected a whole number from 0 to {}", request.seed, most_seed),
+        "--seed");
   }
   return {};
 }
@@ -128,7 +130,7 @@ SweepRun run_of(const Sweep& sweep, std::uint64_t number) {
   run.point = number / sweep.sides() % sweep.points;
   run.sample = number / sweep.sides() / sweep.points;
   const Rng stream = Rng(sweep.request.seed).child(run.sample);
-  run.seed = Rng(stream).below(seeds);
+  run.seed = Rng(stream).below(most_seed);
   run.values.resize(sweep.varied.size());
   std::uint64_t point = run.point;
   for (std::size_t i = sweep.varied.size(); i-- > 0;) {

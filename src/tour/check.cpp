@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/core/text.hpp"
 #include "outrider/tour/problem.hpp"
 
 namespace outrider {
@@ -133,15 +134,16 @@ Status check(const TourProblem& problem, const Tour& tour) {
   if (!std::isfinite(time)) return bad_input("the tour uses a service or a drive that does not exist");
   const double tolerance = 1e-6 * std::max(1.0, time);
   if (!(std::abs(time - tour.cost_s) <= tolerance)) {
-    return bad_input(fmt::format("the tour takes {} s, not the {} s that it states", time, tour.cost_s));
+    return bad_input(fmt::format("the tour takes {} s, not the {} s that it states", short_number(time),
+                                 short_number(tour.cost_s)));
   }
   if (!(tour.lower_bound_s <= time + tolerance)) {
-    return bad_input(
-        fmt::format("the tour takes {} s, less than its lower bound of {} s", time, tour.lower_bound_s));
+    return bad_input(fmt::format("the tour takes {} s, less than its lower bound of {} s", short_number(time),
+                                 short_number(tour.lower_bound_s)));
   }
   if (tour.proven_optimal && tour.lower_bound_s < time - tolerance) {
     return bad_input(fmt::format("the tour is called optimal, but takes {} s and its lower bound is {} s",
-                                 time, tour.lower_bound_s));
+                                 short_number(time), short_number(tour.lower_bound_s)));
   }
   return {};
 }

@@ -1,10 +1,12 @@
 """Names of files, names in files and values of any bytes: no sentence commands the terminal, and JSON stays JSON."""
 import json
 import os
+import random
+import re
 import subprocess
 import unittest
 
-from tool import COARSE, SOURCE, TARGETS, TOOL, YARD, MAP, ToolTest, main
+from tool import COARSE, SOURCE, TARGETS, TOOL, YARD, MAP, ToolTest, costly_cases, main
 
 EVIL = b"\xff\x1b[31mX\nY"
 FIELD = b'{"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,4],[0,4],[0,0]]]}'
@@ -102,6 +104,82 @@ class AnyBytes(ToolTest):
         self.harmless("replay", "forged.json")
         lines = self.run_tool("replay", "forged.json").stdout.splitlines()
         self.assertFalse([line for line in lines if line.startswith("forged")], lines)
+
+
+class Echo(ToolTest):
+    """What is repeated of an input is short, and turns no text, whatever its length."""
+    LONG = "9" * 100_000
+    TURNED = "a\u202eb\u2066c\u200fd\u061ce"
+
+    def short(self, *words):
+        for more in ([], ["--json"]):
+            result = self.run_tool(*words, *more)
+            said = result.stderr + result.stdout
+            with self.subTest(words=[str(word)[:40] for word in words]):
+                self.assertIn(result.returncode, (0, 1, 2), said[:300])
+                self.assertNotIn("this is a bug", said)
+                for line in result.stderr.splitlines():
+                    self.assertLess(len(line), 500, line[:700])
+                self.assertFalse([c for c in said if not c.isprintable() and c not in "\n\t"], said[:700])
+                if result.returncode == 2:
+                    self.assertLess(len(said), 1000, said[:1200])
+                    self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr[:700])
+
+    def options(self):
+        """Each option of each job, as a flag and as a key."""
+        for job in ("plan", "drive", "pursue", "guard", "explore", "cover", "slam", "fleet"):
+            schema = json.loads(self.run_tool("schema", "--job", job).stdout)
+            for name, value in schema["properties"].items():
+                for inner in value.get("properties", {None: None}):
+                    yield job, name, inner
+
+    def test_options(self):
+        options = [option for option in self.options() if option[1] != "job"]
+        self.assertGreater(len(options), 400)
+        for job, name, inner in random.Random(9).sample(options, min(len(options), costly_cases(40))):
+            for value in (self.LONG, self.TURNED + " " + "b" * 100_000):
+                flag = "--" + "-".join(word.replace("_", "-") for word in (name, inner) if word)
+                self.short(job, flag + "=" + value)
+                self.write("long.yaml", f'job: {job}\n' + (f'{name}:\n  {inner}: "{value}"\n' if inner else f'{name}: "{value}"\n'))
+                self.short("run", "long.yaml")
+
+    def test_words_and_keys(self):
+        for word in (self.LONG, "-" + self.LONG, "--" + self.LONG, self.TURNED + "b" * 100_000):
+            for verb in (word, "run", "plan", "guard", "sweep", "replay", "convert", "detect", "calibrate", "list", "schema", "completion",
+                         "manual", "bench", "ros"):
+                self.short(*dict.fromkeys((verb, word)))
+            for text in (f"job: {word}\n", f'"{word}": 1\n', f'job: plan\n"{word}": 1\n', f'job: plan\nrobot:\n  "{word}": 1\n',
+                         f"job: plan\nmap: {word}.map\n", f'job: plan\nmap: ["{word}"]\n'):
+                self.write("key.yaml", text)
+                self.short("run", "key.yaml")
+        for flag in ("--vary", "--compare", "--chunks", "--seed", "--runs", "--out"):
+            self.write("plan.yaml", "job: plan\nmap: small.map\nfrom: 0.5,0.5\nto: 5.5,0.5\n")
+            for value in (self.LONG, "radius=" + self.LONG, self.LONG + "=1", f"radius=uniform({self.LONG},1)", self.TURNED):
+                self.short("sweep", "plan.yaml", flag, value, *([] if flag == "--out" else ["--out", "swept"]))
+
+    def test_files(self):
+        scenarios = SOURCE / "scenarios"
+        files = {"small.map": MAP, "yard.sdf": YARD, "targets.txt": TARGETS, "field.geojson": FIELD.decode(), "slices.csv": SLICES.decode(),
+                 "graph.g2o": "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n",
+                 "posts.dat": "\n".join((scenarios / "slam/posts.dat").read_text().splitlines()[:30]) + "\n",
+                 "room.txt": (scenarios / "cover/room.txt").read_text(), "hill.asc": (scenarios / "hill/hill.asc").read_text(),
+                 "runs.csv": (scenarios / "waypoints/runs.csv").read_text(), "park.txt": (scenarios / "pursuit/park.txt").read_text(),
+                 "warehouse.scen": (scenarios / "fleet/warehouse.scen").read_text()}
+        guard = ["guard", "--world", "yard.sdf", "--targets", "targets.txt", "--start", "0,-2,90", *COARSE]
+        readers = {"small.map": ["plan", "small.map", "--from", "0.5,0.5", "--to", "5.5,0.5"], "yard.sdf": guard, "targets.txt": guard,
+                   "field.geojson": ["cover", "field.geojson"], "slices.csv": ["explore", "slices.csv", "--start", "1,1,0"],
+                   "graph.g2o": ["slam", "graph.g2o"], "posts.dat": ["slam", "posts.dat"], "room.txt": ["cover", "room.txt"],
+                   "hill.asc": [*guard, "--terrain", "hill.asc"], "runs.csv": ["calibrate", "runs.csv"],
+                   "park.txt": ["pursue", "park.txt"],
+                   "warehouse.scen": ["fleet", scenarios / "fleet/warehouse.map", "--agents", "warehouse.scen", "--robots", "4"]}
+        rng = random.Random(10)
+        for name, text in files.items():
+            tokens = list(re.finditer(r"[\w.+-]+", text))
+            for token in rng.sample(tokens, min(len(tokens), costly_cases(6))):
+                for value in (self.LONG, self.TURNED + "b" * 100_000):
+                    self.write(name, text[:token.start()] + value + text[token.end():])
+                    self.short(*readers[name])
+            self.write(name, text)
 
 
 if __name__ == "__main__":

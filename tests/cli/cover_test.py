@@ -115,7 +115,16 @@ class Cover(ToolTest):
         summary = self.run_tool("cover", "utm.geojson", "--width", "4")
         self.assertEqual(summary.stderr, "")
         self.assertIn("north of (456789, 5428123)", summary.stdout)
-        self.refused("cover", "utm.geojson", "--width", "4", "--start", "0,0,0", says=["start", "(456789, 5428123)"])
+        self.refused("cover", "utm.geojson", "--width", "4", "--start", "0,0,0", says=["start", "(0, 0) lies outside"])
+        self.refused("cover", "utm.geojson", "--width", "4", "--start", "456790.25,5428143.5,0",
+                     says=["start", "cannot stand at (456790.25, 5428143.5), 0.75 m from an edge"])
+
+    def test_places_of_sentences_are_in_the_degrees_of_the_file(self):
+        field = SOURCE / "scenarios/cover/field.geojson"
+        self.refused("cover", field, "--width", "2", "--start", "8.5,49.00123456789,0",
+                     says=["start", "(8.5000000, 49.0012346) lies outside the area"])
+        self.refused("cover", field, "--width", "2", "--start", "8.400001,49.000001,0",
+                     says=["start", "cannot stand at (8.4000010, 49.0000010), "])
 
     def test_two_polygons_in_degrees(self):
         def square(lon, lat):

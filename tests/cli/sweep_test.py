@@ -198,6 +198,9 @@ class Sweep(ToolTest):
         for words, says in (
                 (["--runs", "0"], ["--runs", "'0'"]),
                 (["--runs", "1e12"], ["--runs", "'1e12'"]),
+                (["--seed", "-1"], ["--seed", "'-1'"]),
+                (["--seed", "1e19"], ["--seed", "'1e19'"]),
+                (["--seed", "1.5"], ["--seed", "'1.5'"]),
                 (["--runs", "1000000000000"], ["--runs", "'1000000000000'"]),
                 (["--vary", "plannr=a,b"], ["plannr", "did you mean 'planner'"]),
                 (["--vary", "radius"], ["--vary", "KEY=VALUES"]),
@@ -229,6 +232,32 @@ class Sweep(ToolTest):
         path = self.folder / "once/chunks/000004.csv"
         path.write_bytes(path.read_bytes().replace(b"done", b"gone", 1))
         self.refused("sweep", "once", "--merge", says=["once/chunks/000004.csv", "damaged", "run the sweep again"])
+        self.assertEqual(self.table("once"), self.once)
+
+    def test_chunks_and_manifests_of_two_sweeps_are_not_mixed(self):
+        other = [word if word != "7" else "8" for word in SWEEP]
+        self.assertEqual(self.run_tool(*other, "--out", "other").returncode, 0)
+        self.assertTrue(self.once)
+        mine = (self.folder / "once/chunks/000004.csv").read_bytes()
+        shutil.copy(self.folder / "other/chunks/000004.csv", self.folder / "once/chunks/000004.csv")
+        for words in (["sweep", "once"], ["sweep", "once", "--merge"], [*SWEEP, "--out", "once"],
+                      ["sweep", "once", "--chunks", "4"]):
+            self.refused(*words, says=["once/chunks/000004.csv", "the seed of its first run ('", "remove the chunk"])
+        (self.folder / "once/chunks/000004.csv").write_bytes(mine)
+        path = self.folder / "once/manifest.json"
+        text = path.read_text()
+        (self.folder / "once/chunks/000009.csv").unlink()  # left to compute with what the manifest says
+        for old, new, says in (('"seed": 7', '"seed": 8', "the seed of its first run"),
+                               ("uniform(0.5,5.5)", "uniform(0.5,5.4)", "the to of its first run"),
+                               ("a_star,theta_star", "theta_star,a_star", "the planner of its first run")):
+            self.assertIn(old, text)
+            path.write_text(text.replace(old, new))
+            self.refused("sweep", "once", says=["once/chunks/000000.csv", says, "restore manifest.json"])
+        for value in ("-1", "1e19", "1.5", "10000000000000000000", "7.0", "null", "[" * 100000 + "]" * 100000):
+            path.write_text(text.replace('"seed": 7', f'"seed": {value}'))
+            self.refused("sweep", "once", says=["once/manifest.json", "seed '", "whole number", "restore the file"])
+        path.write_text(text)
+        self.assertEqual(self.run_tool("sweep", "once").returncode, 0)
         self.assertEqual(self.table("once"), self.once)
 
     def test_a_job_array_of_slurm(self):

@@ -35,4 +35,7 @@ struct AreaFrame {
 /// Says where the local metres are: "metres east and north of (500000, 5400000)".
 std::string sentence_of(const AreaFrame& frame);
 
+/// Returns a place for a sentence, in the coordinates of the file: "(11.5678901, 48.1234567)".
+std::string place_text(const AreaFrame& frame, Vec2 local);
+
 }  // namespace outrider

@@ -51,8 +51,4 @@ std::optional<Number> number(std::string_view text) {
   return value;
 }
 
-/// Returns the text for use in a sentence: cut to `most` bytes, with '?' for control characters and bytes
-/// outside ASCII.
-std::string excerpt(std::string_view text, std::size_t most = 60);
-
 }  // namespace outrider

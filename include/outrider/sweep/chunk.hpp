@@ -1,10 +1,10 @@
 // A chunk: consecutive runs of a sweep as a table in CSV (RFC 4180), one line for each run, and a last line
-// that shows that it is whole.
+// that shows that it is whole and of which sweep it is.
 //
 //   run,seed,robot.radius,status,reason,length_m
 //   0,412,0.25,done,,8.25
 //   1,977,0.31,not_done,"there is no path, ...",
-//   # 2 runs, sha256 9f86d081...
+//   # 2 runs, manifest 3fdba35f..., sha256 9f86d081...
 //
 // The columns: run, seed, side (a or b; of comparisons only), the keys that vary, status, reason, and the
 // metrics in the order in which the runs first have them. A metric that a run lacks is empty. The status is
@@ -39,14 +39,21 @@ struct SweepTable {
 /// Returns the names of the columns before the metrics.
 std::vector<std::string> fixed_columns(const Sweep& sweep);
 
-/// Returns the text of the chunk with these runs. O(text).
-std::string chunk_text(const Sweep& sweep, const std::vector<SweepResult>& results);
+/// Returns the text of the chunk with these runs; `origin` is the hash of its manifest. O(text).
+std::string chunk_text(const Sweep& sweep, const std::vector<SweepResult>& results, std::string_view origin);
 
 /// Returns the path of a chunk in the folder of its sweep.
 std::string chunk_path(const std::string& folder, std::uint64_t chunk);
 
-/// Checks by the hash in its last line that the text is whole. Fault: bad_input with `name`. O(text).
-Status check_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view text, const std::string& name);
+/// Refuses a chunk that was computed by another manifest. Fault: bad_input with `name`, and the first thing
+/// in which its first run differs from that of the sweep.
+Status check_origin(const Sweep& sweep, std::uint64_t chunk, std::string_view origin, std::string_view text,
+                    const std::string& name);
+
+/// Checks by the hash in its last line that the text is whole, and its origin. Fault: bad_input with `name`.
+/// O(text).
+Status check_chunk(const Sweep& sweep, std::uint64_t chunk, std::string_view origin, std::string_view text,
+                   const std::string& name);
 
 /// The text of a chunk in parts.
 struct ChunkText {

@@ -10,7 +10,8 @@
 
 namespace outrider {
 
-/// Reads one chunk at a time. Its hash is checked when it is read for the first time. The sweep has to
+/// Reads one chunk at a time. Its hash and that of its manifest, which lies beside `chunks`, are checked when
+/// it is read for the first time. The sweep has to
 /// outlive the reader. Thread rule: one thread at a time.
 class ChunkReader {
  public:
@@ -20,8 +21,8 @@ class ChunkReader {
   [[nodiscard]] const Sweep& sweep() const { return *sweep_; }
   [[nodiscard]] const std::string& folder() const { return folder_; }
 
-  /// Calls use() with each chunk, until it returns a fault. Fault: bad_input if a chunk is missing or
-  /// damaged.
+  /// Calls use() with each chunk, until it returns a fault. Fault: bad_input if a chunk is missing, damaged
+  /// or of another sweep.
   Status for_each_text(
       const std::function<Status(std::uint64_t chunk, const ChunkText& text, const std::string& path)>& use);
 

@@ -31,6 +31,16 @@ std::string manifest_text(const Manifest& manifest);
 /// Reads the text. Fault: bad_input with `name`.
 Outcome<Manifest> read_manifest(const std::string& text, const std::string& name);
 
+/// Reads `manifest.json` in the folder of a sweep. Fault: bad_input with its path.
+Outcome<Manifest> manifest_in(const std::string& folder);
+
+/// Returns the path of the manifest in the folder of a sweep.
+std::string manifest_path(const std::string& folder);
+
+/// Returns the SHA-256 of the manifest without the path of the scenario, which each machine may have
+/// elsewhere. Every chunk holds it.
+std::string manifest_hash(Manifest manifest);
+
 /// Refuses to continue `begun`, a sweep in the folder `where`, with what this process would compute. The
 /// sentence names the first thing that differs.
 Status check_same(const Manifest& begun, const Manifest& here, const std::string& where);

@@ -65,7 +65,8 @@ Outcome<SweepResult> run_one(const Sweep& sweep, std::uint64_t number, const Swe
                              const std::stop_token& stop = {}, PlanCache* plans = nullptr);
 
 /// Computes the chunks of the work that are missing. Returns the numbers of those that other processes are
-/// computing. Fault: cancelled; cannot_write.
+/// computing. Faults: cancelled; cannot_write; bad_input, before any run, if a chunk of the work is there and
+/// belongs to another manifest than that in the folder.
 Outcome<std::vector<std::uint64_t>> compute_chunks(const Sweep& sweep, const SweepWork& work,
                                                    const SweepWatch& watch = {});
 

@@ -32,6 +32,8 @@ struct SweepRequest {
 };
 
 inline constexpr std::uint64_t most_sweep_runs = 10'000'000;
+inline constexpr std::uint64_t most_chunk_runs = 100'000;
+inline constexpr std::uint64_t most_seed = 1'000'000'000'000'000;  ///< as options named `seed` take
 
 struct Sweep {
   SweepRequest request;

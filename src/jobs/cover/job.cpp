@@ -149,16 +149,16 @@ Status CoverJob::run(Run& run, const RunWatch& watch) {
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   const std::string name = std::filesystem::path(scenario.area).filename().string();
   CoverLog log(run.log, problem, planned, seed, name);
-  if (task->frame.moved()) log_event(run.log, 0.0, "frame", sentence_of(task->frame));
+  if (task->problem.frame.moved()) log_event(run.log, 0.0, "frame", sentence_of(task->problem.frame));
   const Driver driver{problem, scenario.faults, seed, steps.inner()};
   if (auto ok = driver.drive(driven, log, watch.stop); !ok) return ok;
   run.report = cover_report(problem, driven, name);
   run.report.settings = settled_settings(scenario, planned.method);
   if (!driven.finished()) mark_cancelled(run.report, run.log, driven.drive.time_s);
-  add_frame(run.report, task->frame);
-  run.files = {{"track.json", cover::track_json(driven, task->frame)},
-               {"track.geojson", cover::track_geojson(driven, task->frame)},
-               {"areas.geojson", cover::areas_geojson(driven, task->frame)}};
+  add_frame(run.report, task->problem.frame);
+  run.files = {{"track.json", cover::track_json(driven, task->problem.frame)},
+               {"track.geojson", cover::track_geojson(driven, task->problem.frame)},
+               {"areas.geojson", cover::areas_geojson(driven, task->problem.frame)}};
   return {};
 }
 

@@ -97,7 +97,7 @@ Status check_turning(const CoverProblem& problem) {
 Status check_tool(const CoverProblem& problem) {
   const CoverTool& tool = problem.tool;
   if (tool.shape != "disk" && tool.shape != "bar") {
-    return bad_input(fmt::format("'{}' is no shape of a tool; give disk or bar", printable(tool.shape)),
+    return bad_input(fmt::format("'{}' is no shape of a tool; give disk or bar", excerpt(tool.shape)),
                      "tool.shape");
   }
   const auto bar = problem.bar();
@@ -192,13 +192,12 @@ Status check_start(const CoverProblem& problem, const PolygonGround& ground) {
   if (!problem.start) return {};
   const Vec2 at = problem.start->position;
   if (ground.outside(at)) {
-    return fault(FaultCode::outside_map, fmt::format("({:g}, {:g}) lies outside the area", at.x, at.y),
-                 "start");
+    return fault(FaultCode::outside_map, place_text(problem.frame, at) + " lies outside the area", "start");
   }
   if (ground.point_free(at)) return {};
   return fault(FaultCode::start_blocked,
-               fmt::format("a robot {:g} m wide cannot stand at ({:g}, {:g}), {:.4g} m from an edge",
-                           problem.width_m, at.x, at.y, ground.edge_distance(at)),
+               fmt::format("a robot {:g} m wide cannot stand at {}, {:.4g} m from an edge", problem.width_m,
+                           place_text(problem.frame, at), ground.edge_distance(at)),
                "start");
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/jobs/cover/length_bound.hpp"
 #include "outrider/jobs/cover/plan.hpp"
@@ -45,14 +46,14 @@ Status check_curvature(const CoverTrack& track, const CoverProblem& problem) {
     const PathPiece& piece = track.pieces[i];
     const double turn = std::abs(wrap_angle(heading_in(piece) - heading));
     if (!(turn <= same_heading_rad)) {
-      return refused(
-          fmt::format("the robot would have to turn by {} rad on the spot before piece {}", turn, i));
+      return refused(fmt::format("the robot would have to turn by {:.3g} degrees on the spot before piece {}",
+                                 degrees(turn), i));
     }
     if (piece.backward && !problem.reverse) return refused(fmt::format("piece {} is driven backwards", i));
     const double radius = distance(piece.centre, piece.from);
     if (piece.turn_rad != 0.0 && !(radius >= problem.turning_radius_m - slack_m)) {
       return refused(fmt::format("piece {} has a radius of {} m, below the {} m that the robot can drive", i,
-                                 radius, problem.turning_radius_m));
+                                 short_number(radius), short_number(problem.turning_radius_m)));
     }
     heading = heading_out(piece);
   }
@@ -60,13 +61,14 @@ Status check_curvature(const CoverTrack& track, const CoverProblem& problem) {
 }
 
 /// Checks that the bar stays within the area.
-Status check_bar(const CoverPlan& plan, const Bar& bar, const std::stop_token& stop) {
+Status check_bar(const CoverPlan& plan, const CoverProblem& problem, const Bar& bar,
+                 const std::stop_token& stop) {
   const Region out =
       cover::outside_of(cover::poses_along(plan.track.start, plan.track.pieces), bar, plan.ground.area, stop);
   if (out.empty()) return {};
   const Vec2 at = out.front().outer.front();
-  return refused(fmt::format("the bar leaves the area about ({:.6g}, {:.6g}), by {:.3g} m2 in all", at.x,
-                             at.y, area_of(out)));
+  return refused(fmt::format("the bar leaves the area about {}, by {:.3g} m2 in all",
+                             place_text(problem.frame, at), area_of(out)));
 }
 
 /// Returns the parts of the region, the largest first, without those that are only chords and rounding; at
@@ -130,10 +132,10 @@ Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, co
   proof.clearance_m = clearance_of(plan, budget.stop);
   if (!(proof.clearance_m >= problem.body_radius_m() - slack_m)) {
     return refused(fmt::format("it comes within {} m of an edge, nearer than the radius of {} m",
-                               proof.clearance_m, problem.body_radius_m()));
+                               short_number(proof.clearance_m), short_number(problem.body_radius_m())));
   }
   if (plan.ground.ground->solid(plan.track.start.position)) return refused("it begins outside of the area");
-  if (auto good = problem.bar() ? check_bar(plan, *problem.bar(), budget.stop) : Status{}; !good)
+  if (auto good = problem.bar() ? check_bar(plan, problem, *problem.bar(), budget.stop) : Status{}; !good)
     return pass_on(good);
   const double error_m = problem.tracking_error_m;
   proof.length_bound_m = least_length_m(plan.ground, problem, budget.stop);

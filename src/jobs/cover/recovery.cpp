@@ -30,8 +30,6 @@ constexpr double clip_step = 0.02;  ///< of the distance from a post: between po
 constexpr double same_place_m = 1e-6;
 constexpr double least_motion = 1e-3;  ///< of the robot's radius: less is no motion
 
-std::string place_text(Vec2 at) { return fmt::format("({:.6g}, {:.6g})", at.x, at.y); }
-
 }  // namespace
 
 struct CoverRecovery::Parts {
@@ -136,7 +134,7 @@ void CoverRecovery::judge(const Task& task, const Observation& seen) {
 void CoverRecovery::fell_short(const Task& task, double part, bool stands, const Observation& seen) {
   const Vec2 here = seen.odometry.position;
   hold_up(seen, fmt::format("stopped {:.3g} m before the end of a leg, at {}",
-                            (1.0 - part) * length_of(task.piece), place_text(here)));
+                            (1.0 - part) * length_of(task.piece), place_text(problem_.frame, here)));
   keep_rest(task, part);
   stalls_ = stands ? stalls_ + 1 : 0;
   if (stalls_ > most_stalls) gave_up = true;
@@ -144,8 +142,8 @@ void CoverRecovery::fell_short(const Task& task, double part, bool stands, const
 }
 
 void CoverRecovery::was_carried(const Task& task, Vec2 from, const Observation& seen) {
-  hold_up(seen,
-          fmt::format("was carried from {} to {}", place_text(from), place_text(seen.odometry.position)));
+  hold_up(seen, fmt::format("was carried from {} to {}", place_text(problem_.frame, from),
+                            place_text(problem_.frame, seen.odometry.position)));
   stalls_ = 0;
   if (task.way) {
     drop_way();
@@ -158,7 +156,8 @@ void CoverRecovery::touched(const Task& task, double touch_rad, const Observatio
   const Pose2& pose = seen.odometry;
   const Vec2 towards = direction(pose.heading_rad + touch_rad);
   const Vec2 contact = pose.position + problem_.body_radius_m() * towards;
-  hold_up(seen, fmt::format("touched something that is not on the map, at {}", place_text(contact)));
+  hold_up(seen, fmt::format("touched something that is not on the map, at {}",
+                            place_text(problem_.frame, contact)));
   if (task.way) {
     drop_way();
   } else {

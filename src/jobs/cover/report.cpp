@@ -121,10 +121,10 @@ std::string shortfall(const CoverProblem& problem, const CoverProof& proof) {
     found += fmt::format(" on a robot with a turning radius of {:g} m", problem.turning_radius_m);
   const bool forwards = problem.curves() && !problem.reverse;
   return fmt::format(
-      "{:.3f} % of the reach is surely covered; {} with {:.4g} m2 left, the largest {:.4g} m2 about ({:.6g}, "
-      "{:.6g}); {} {}; {}an 'uncovered' of {:.4f} accepts it",
+      "{:.3f} % of the reach is surely covered; {} with {:.4g} m2 left, the largest {:.4g} m2 about {}; "
+      "{} {}; {}an 'uncovered' of {:.4f} accepts it",
       100.0 * proof.sure_fraction, counted(proof.missed.size(), "place"), missed_m2, largest.area_m2,
-      largest.at.x, largest.at.y, found,
+      place_text(problem.frame, largest.at), found,
       forwards ? "and without reverse found no way to cover more" : "found no way to cover more",
       forwards ? "'reverse' may cover it, " : "",
       std::ceil(1e4 * (1.0 - field.inner_fraction) * field.inner_m2 / field.reach_m2) * 1e-4);

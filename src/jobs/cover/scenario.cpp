@@ -115,10 +115,11 @@ Outcome<CoverTask> load_task(const CoverScenario& scenario) {
 
 CoverTask task_of(const CoverScenario& scenario, const CoverMethod& method, CoverArea area,
                   const std::optional<Pose2>& start) {
-  CoverTask task{scenario.problem, method, {}, {}, {}};
+  CoverTask task{scenario.problem, method, {}, {}};
   task.note = std::move(area.note);
-  task.frame = std::move(area.frame);
-  if (start) task.problem.start = Pose2{task.frame.to_local(start->position), wrap_angle(start->heading_rad)};
+  task.problem.frame = std::move(area.frame);
+  if (start)
+    task.problem.start = Pose2{task.problem.frame.to_local(start->position), wrap_angle(start->heading_rad)};
   for (std::size_t i = 0; i < area.polygons.size(); ++i) {
     AreaPolygon& polygon = area.polygons[i];
     const std::string of = i == 0 ? "" : fmt::format(" of area {}", i + 1);
@@ -139,8 +140,6 @@ CoverTask task_of(const CoverScenario& scenario, const CoverMethod& method, Cove
 }
 
 Fault placed(Fault fault, const CoverTask& task) {
-  if (fault.where == "start" && task.frame.moved())
-    fault.sentence += fmt::format(", in {}", sentence_of(task.frame));
   for (const auto& [name, where] : task.places) {
     if (fault.where != name) continue;
     fault.where = where;

@@ -110,21 +110,28 @@ bool leaves_stop(DriveMission& mission, double now_s, bool accepted) {
   return true;
 }
 
+/// Returns the likely causes of tags that are where they cannot be, by what the images of the run show.
+std::string likely_causes(const DriveMission& mission) {
+  if (2 * mission.relocaliser.contradictory > mission.refused)
+    return "the tags contradict one another or the floor: are their places, tag_size and the camera right?";
+  if (mission.used == 0)
+    return "no image ever agreed with the start: are it, the places of the tags and tag_size right?";
+  return fmt::format("{} images before agreed: was the robot moved, or a tag?", mission.used);
+}
+
 /// Returns why the robot is lost; empty if it is not.
 std::string lost_reason(const DriveMission& mission, double now_s) {
   const PoseBelief& belief = mission.reckoning.belief;
   const bool in_sight = mission.refused > 0 && now_s - mission.refused_s <= out_of_sight_s;
   if (mission.refused >= mission.task.rules.most_refused) {
     return fmt::format(
-        "lost: {} images in a row show tags where they cannot be, and they do not agree on where it is; was "
-        "the robot moved?",
-        mission.refused);
+        "lost: {} images in a row show tags where they cannot be, and they do not agree on where it is; {}",
+        mission.refused, likely_causes(mission));
   }
   if (mission.refused >= mission.task.rules.hold_refused && !in_sight) {
     return fmt::format(
-        "lost: {} images in a row show tags where they cannot be, and none is in sight any more; was the "
-        "robot moved?",
-        mission.refused);
+        "lost: {} images in a row show tags where they cannot be, and none is in sight any more; {}",
+        mission.refused, likely_causes(mission));
   }
   if (in_sight || !is_lost(belief, mission.task.reckoning)) return {};
   return fmt::format(

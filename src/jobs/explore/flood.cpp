@@ -60,10 +60,10 @@ void Flood::begin(const Grid<std::uint8_t>& blocks, std::uint32_t from, Walls wa
 
 bool Flood::advance(const Grid<std::uint8_t>& blocks, std::uint32_t cost) {
   const std::array<Step, 8> steps = steps_of(blocks.frame.width);
-  for (std::size_t empty = 0; next_ < cost; ++next_) {
+  const auto is_empty = [](const std::vector<std::uint32_t>& bucket) { return bucket.empty(); };
+  for (; next_ < cost; ++next_) {
     std::vector<std::uint32_t>& bucket = buckets_[next_ % buckets_.size()];
-    empty = bucket.empty() ? empty + 1 : 0;
-    if (empty == buckets_.size()) return false;
+    if (bucket.empty() && std::ranges::all_of(buckets_, is_empty)) return false;
     // A step costs from 5 to 14, so nothing joins the bucket in hand.
     for (const std::uint32_t block : bucket) {
       if (cost_[block] != next_) continue;

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/world/clearance.hpp"
 #include "outrider/world/occupancy.hpp"
@@ -89,9 +90,10 @@ Status check_sight(const RangeFinder& laser, const Box2& standing, Vec2 start) {
   if (standing.grown(most_m).contains(start)) return {};
   return fault(
       FaultCode::start_blocked,
-      fmt::format("{:g},{:g} is outside the map, and nothing is within the {:g} m that the laser sees: all "
-                  "that stands lies between {:.4g},{:.4g} and {:.4g},{:.4g}; start it in there",
-                  start.x, start.y, most_m, standing.low.x, standing.low.y, standing.high.x, standing.high.y),
+      fmt::format("{} is outside the map, and nothing is within the {:g} m that the laser sees: all that "
+                  "stands lies between {} and {}; start it in there",
+                  place_text(start.x, start.y), most_m, place_text(standing.low.x, standing.low.y),
+                  place_text(standing.high.x, standing.high.y)),
       "start");
 }
 

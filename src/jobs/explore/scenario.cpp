@@ -13,12 +13,11 @@ namespace {
 /// Refuses a start outside the box of all that stands, where the world has no end.
 Status check_start(const Box2& bounds, Vec2 start) {
   if (bounds.contains(start)) return {};
-  return fault(
-      FaultCode::start_blocked,
-      fmt::format("{:g},{:g} is outside the map, which lies between {:.4g},{:.4g} and {:.4g},{:.4g}; "
-                  "start it in there",
-                  start.x, start.y, bounds.low.x, bounds.low.y, bounds.high.x, bounds.high.y),
-      "start");
+  return fault(FaultCode::start_blocked,
+               fmt::format("{} is outside the map, which lies between {} and {}; start it in there",
+                           place_text(start.x, start.y), place_text(bounds.low.x, bounds.low.y),
+                           place_text(bounds.high.x, bounds.high.y)),
+               "start");
 }
 
 Status check_laser(const RangeFinderModel& laser) {

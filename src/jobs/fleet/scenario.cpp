@@ -87,7 +87,7 @@ Outcome<std::shared_ptr<const GridMap>> grid_of(const FleetScenario& scenario) {
         fmt::format(
             "robots of {} m would touch each other in cells of {} m; take at most {:g} m, or a map of "
             "larger cells",
-            scenario.radius_m, cells->occupancy.frame.resolution_m, most_m),
+            short_number(scenario.radius_m), short_number(cells->occupancy.frame.resolution_m), most_m),
         "radius");
   }
   auto blocked = inflated(cells->occupancy, scenario.radius_m);

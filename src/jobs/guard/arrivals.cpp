@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "outrider/core/text.hpp"
+
 namespace outrider {
 namespace {}  // namespace
 
@@ -34,7 +36,7 @@ std::vector<Option> describe(ArrivalOptions& options) {
 Outcome<ArrivalObjective> find_objective(const std::string& name) {
   if (name == "time_inside") return ArrivalObjective::time_inside;
   if (name == "makespan") return ArrivalObjective::makespan;
-  return bad_input(fmt::format("'{}' is no objective; take time_inside or makespan", name),
+  return bad_input(fmt::format("'{}' is no objective; take time_inside or makespan", excerpt(name)),
                    "arrivals.objective");
 }
 

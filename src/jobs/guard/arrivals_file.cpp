@@ -30,9 +30,9 @@ Outcome<Entrance> entrance_of(std::string_view word, const Box2& bounds) {
   }
   const std::string name(word.substr(0, equals));
   if (!bounds.contains({*x, *y})) {
-    return bad_input(fmt::format("{} at ({:g}, {:g}) is outside the yard, which spans ({:g}, {:g}) to "
-                                 "({:g}, {:g}); move it in",
-                                 name, *x, *y, bounds.low.x, bounds.low.y, bounds.high.x, bounds.high.y),
+    return bad_input(fmt::format("{} at {} is outside the yard, which spans {} to {}; move it in",
+                                 excerpt(name), place_text(*x, *y), place_text(bounds.low.x, bounds.low.y),
+                                 place_text(bounds.high.x, bounds.high.y)),
                      entrances_key);
   }
   return Entrance{name, {*x, *y}};

@@ -9,6 +9,7 @@
 
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/core/parallel.hpp"
+#include "outrider/core/text.hpp"
 
 namespace outrider {
 namespace {
@@ -62,11 +63,11 @@ Status check_terrain(const GuardProblem& problem) {
   const Box2 has = problem.world.terrain->bounds();
   const Box2& yard = problem.world.bounds;
   if (!yard.empty() && !(has.grown(1e-9).contains(yard.low) && has.grown(1e-9).contains(yard.high))) {
-    return bad_input(fmt::format("it spans ({:g}, {:g}) to ({:g}, {:g}), and the yard ({:g}, {:g}) to ({:g}, "
-                                 "{:g}); make it larger, or give bounds within it",
-                                 has.low.x, has.low.y, has.high.x, has.high.y, yard.low.x, yard.low.y,
-                                 yard.high.x, yard.high.y),
-                     "terrain");
+    return bad_input(
+        fmt::format("it spans {} to {}, and the yard {} to {}; make it larger, or give bounds within it",
+                    place_text(has.low.x, has.low.y), place_text(has.high.x, has.high.y),
+                    place_text(yard.low.x, yard.low.y), place_text(yard.high.x, yard.high.y)),
+        "terrain");
   }
   if (problem.air.none()) return {};
   return bad_input("drag is modelled on level ground only; set air.drag to 0 or leave the terrain out",
@@ -167,12 +168,13 @@ Status check_start(const GuardProblem& problem, const CollisionMap& ground) {
   const Vec2 p = problem.start.position;
   const double radius = problem.robot.radius_m;
   if (!problem.world.bounds.contains(p)) {
-    return fault(FaultCode::outside_map,
-                 fmt::format("({:g}, {:g}) is outside the yard, which spans ({:g}, {:g}) to ({:g}, {:g}); "
-                             "start inside, or give bounds that contain it",
-                             p.x, p.y, problem.world.bounds.low.x, problem.world.bounds.low.y,
-                             problem.world.bounds.high.x, problem.world.bounds.high.y),
-                 "start");
+    return fault(
+        FaultCode::outside_map,
+        fmt::format(
+            "{} is outside the yard, which spans {} to {}; start inside, or give bounds that contain it",
+            place_text(p.x, p.y), place_text(problem.world.bounds.low.x, problem.world.bounds.low.y),
+            place_text(problem.world.bounds.high.x, problem.world.bounds.high.y)),
+        "start");
   }
   const double clearance = ground.clearance(p, radius);
   if (clearance < radius) {

@@ -14,6 +14,7 @@
 #include <dart/dynamics/WeldJoint.hpp>
 #include <memory>
 
+#include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/sim/wheels.hpp"
 

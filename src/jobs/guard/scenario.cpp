@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "outrider/core/text.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/sdf.hpp"
 #include "outrider/io/targets.hpp"
@@ -144,7 +145,8 @@ Status check_team(const GuardScenario& scenario) {
 /// The simulator by its name, and what of the rest combines.
 Status check_combination(const GuardScenario& scenario) {
   if (scenario.sim != "kinematic" && scenario.sim != "physics") {
-    return bad_input(fmt::format("'{}' is not valid; expected kinematic or physics", scenario.sim), "sim");
+    return bad_input(fmt::format("'{}' is not valid; expected kinematic or physics", excerpt(scenario.sim)),
+                     "sim");
   }
   if (scenario.wander.any() && scenario.problem.targets.empty()) {
     return bad_input("intruders that walk about need at least one target; list one", "targets");

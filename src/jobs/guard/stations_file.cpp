@@ -41,11 +41,10 @@ Outcome<Station> station_of(std::string_view word, const Box2& bounds) {
   }
   const std::string name(word.substr(0, equals));
   if (!bounds.contains({*x, *y})) {
-    return bad_input(
-        fmt::format("{} at ({:g}, {:g}) is outside the yard, which spans ({:g}, {:g}) to ({:g}, {:g}); "
-                    "move it in",
-                    name, *x, *y, bounds.low.x, bounds.low.y, bounds.high.x, bounds.high.y),
-        key);
+    return bad_input(fmt::format("{} at {} is outside the yard, which spans {} to {}; move it in",
+                                 excerpt(name), place_text(*x, *y), place_text(bounds.low.x, bounds.low.y),
+                                 place_text(bounds.high.x, bounds.high.y)),
+                     key);
   }
   return Station{name, {*x, *y}, parts[2] != "charge", parts[2] != "water"};
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "outrider/core/text.hpp"
 #include "terrain_refine.hpp"
 
 namespace outrider {
@@ -20,8 +21,8 @@ Outcome<GridQuery> terrain_query(const Problem& problem, std::string_view planne
     return bad_input(
         fmt::format("the costs are those of a grid of {} x {} cells at ({}, {}), not of this "
                     "one of {} x {} cells at ({}, {})",
-                    other.width, other.height, other.origin.x, other.origin.y, frame.width, frame.height,
-                    frame.origin.x, frame.origin.y));
+                    other.width, other.height, short_number(other.origin.x), short_number(other.origin.y),
+                    frame.width, frame.height, short_number(frame.origin.x), short_number(frame.origin.y)));
   }
   return query;
 }

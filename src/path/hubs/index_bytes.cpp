@@ -123,8 +123,8 @@ Outcome<std::span<const std::byte>> content_of(const StoredIndex& stored, const 
   const Header wanted = header_for(key);
   if (header->planner != wanted.planner) {
     const std::string_view name(header->planner.data(), header->planner.size());
-    return refuse(fmt::format("it holds the index of {}, not of {}",
-                              printable(std::string(name.substr(0, name.find('\0')))), key.planner));
+    return refuse(fmt::format("it holds the index of {}, not of {}", excerpt(name.substr(0, name.find('\0'))),
+                              key.planner));
   }
   if (header->ground != wanted.ground) return refuse("it was made for another map");
   if (header->costs != wanted.costs) return refuse("it was made for other costs of the cells");

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "../visibility/polygon_ground_check.hpp"
+#include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/path/pieces.hpp"
 
@@ -38,8 +39,8 @@ Status check_piece(const PathPiece& piece, const Steering& steering, double slac
   const bool arc = std::abs(piece.turn_rad) < 2.0 * pi && distance(end, piece.to) <= slack;
   if (!arc) return refused(fmt::format("piece {} is no arc from its begin to its end", i));
   if (radius >= steering.turning_radius_m - slack) return {};
-  return refused(fmt::format("piece {} has a radius of {} m, below the {} m of the robot", i, radius,
-                             steering.turning_radius_m));
+  return refused(fmt::format("piece {} has a radius of {} m, below the {} m of the robot", i,
+                             short_number(radius), short_number(steering.turning_radius_m)));
 }
 
 /// Returns true if the path may begin or end at p instead of at the given point.
@@ -102,8 +103,8 @@ Status check_room(const Plan& plan, const GridMap& ground) {
       for (int y = static_cast<int>(std::floor(box.low.y)) - 1; y <= box.high.y + 1.0; ++y) {
         for (int x = static_cast<int>(std::floor(box.low.x)) - 1; x <= box.high.x + 1.0; ++x) {
           if (!ground.blocked({x, y}) || !touches(piece, {x, y})) continue;
-          return refused(
-              fmt::format("the disk {} m ahead touches the cell ({}, {}) on piece {}", ahead_m, x, y, i));
+          return refused(fmt::format("the disk {} m ahead touches the cell ({}, {}) on piece {}",
+                                     short_number(ahead_m), x, y, i));
         }
       }
     }
@@ -120,7 +121,8 @@ Status check_waypoints(const Plan& plan, const Problem& problem) {
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
     const Vec2 before = plan.waypoints[i == 0 ? 0 : i - 1];
     if (near(plan.waypoints[i]) && near(0.5 * (before + plan.waypoints[i]))) continue;
-    return refused(fmt::format("the leg to waypoint {} strays by more than {} m", i, plan.waypoint_error_m));
+    return refused(fmt::format("the leg to waypoint {} strays by more than {} m", i,
+                               short_number(plan.waypoint_error_m)));
   }
   if (distance(plan.waypoints.front(), plan.pieces.front().from) <= error) return {};
   return refused("its waypoints do not begin at the start");

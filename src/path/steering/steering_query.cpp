@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cell_sweep.hpp"
+#include "outrider/core/text.hpp"
 #include "turning_pieces.hpp"
 
 namespace outrider {
@@ -61,7 +62,7 @@ Outcome<SteeringQuery> steering_query(const Problem& problem, const SteeringOpti
                       steering_of(options).disks_m};
   if (!(query.radius <= most_radius && query.radius >= 1.0 / most_radius)) {
     return bad_input(fmt::format("{} m is not valid on cells of {} m; expected 1e-6 to 1e6 cells",
-                                 options.turning_radius_m, frame.resolution_m),
+                                 short_number(options.turning_radius_m), short_number(frame.resolution_m)),
                      "turning_radius");
   }
   for (double& disk : query.disks) disk *= per_m;

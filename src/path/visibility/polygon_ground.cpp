@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/core/text.hpp"
 #include "polygon_ground_free.hpp"
 #include "polygon_ground_predicates.hpp"
 
 namespace outrider {
 namespace {
 
-std::string text(Vec2 p) { return fmt::format("({}, {})", p.x, p.y); }
+std::string text(Vec2 p) { return place_text(p.x, p.y); }
 
 double twice_area(const std::vector<Vec2>& polygon) {
   double sum = 0.0;
@@ -81,7 +82,7 @@ Status check_all(const std::vector<Vec2>& boundary, const std::vector<std::vecto
   const bool good_radius = radius_m >= least_polygon_radius_m && radius_m <= most_polygon_radius_m;
   if (!good_radius) {
     return bad_input(fmt::format("a robot radius of {} m is not valid among polygons; expected {} to {} m",
-                                 radius_m, least_polygon_radius_m, most_polygon_radius_m));
+                                 short_number(radius_m), least_polygon_radius_m, most_polygon_radius_m));
   }
   if (auto good = check_count(boundary, obstacles); !good) return good;
   if (auto good = check_polygon(boundary, "the boundary"); !good) return good;

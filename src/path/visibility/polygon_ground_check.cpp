@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/path/check.hpp"
 
@@ -79,8 +80,8 @@ Status check_pieces(const Plan& plan, const Problem& problem) {
     }
     const double clear = clearance(piece, ground);
     if (!(clear >= ground.radius_m - slack_m)) {
-      return refused(
-          fmt::format("a disk of {} m comes within {} m of an edge on piece {}", ground.radius_m, clear, i));
+      return refused(fmt::format("a disk of {} m comes within {} m of an edge on piece {}",
+                                 short_number(ground.radius_m), short_number(clear), i));
     }
     at = piece.to;
   }
@@ -104,7 +105,7 @@ Status check_waypoints(const Plan& plan, const Problem& problem) {
       return refused(
           fmt::format("waypoint {} lies {} m from the path and {} m from an edge, which its "
                       "error of {} m does not allow",
-                      i, apart, clear, plan.waypoint_error_m));
+                      i, short_number(apart), short_number(clear), short_number(plan.waypoint_error_m)));
     }
   }
   return {};

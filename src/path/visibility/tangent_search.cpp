@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/core/text.hpp"
 #include "outrider/search/best_first.hpp"
 #include "placed_trace.hpp"
 #include "visibility_plan.hpp"
@@ -180,7 +181,7 @@ Status check_options(const VisibilityOptions& options) {
   const double step = degrees(options.arc_step_rad);
   const bool good = step >= 1.0 - 1e-9 && step <= 90.0 + 1e-9;
   if (good) return {};
-  return bad_input(fmt::format("{} degrees is not valid; expected 1 to 90", step), "arc_step");
+  return bad_input(fmt::format("{} degrees is not valid; expected 1 to 90", short_number(step)), "arc_step");
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ TEST(AreaFrame, MetresFarFromTheOriginAreMovedByWholeMetres) {
   EXPECT_EQ(utm.to_local(corner), (Vec2{0.125, 0.75}));
   EXPECT_EQ(utm.to_file({0.125, 0.75}), corner);
   EXPECT_EQ(sentence_of(utm), "metres east and north of (456789, 5428123)");
+  EXPECT_EQ(place_text(utm, {0.125, 0.75}), "(456789.125, 5428123.75)");
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "outrider/sweep/manifest.hpp"
 
+#include <array>
+
 #include "outrider/sweep/canary.hpp"
 #include "sweep_job.hpp"
 
@@ -64,6 +66,65 @@ TEST_F(ManifestTest, OtherTextIsRefused) {
     ASSERT_FALSE(read) << text;
     EXPECT_EQ(read.error().where, "m.json");
   }
+}
+
+TEST_F(ManifestTest, OnlyWholeNumbersInRangeAreRead) {
+  const std::string text = manifest_text(manifest(sweep({.runs = 3, .seed = 8})));
+  const auto with = [&](const std::string& key, const std::string& old, const std::string& value) {
+    std::string changed = text;
+    const std::string before = "\"" + key + "\": ";
+    const std::size_t at = changed.find(before + old);
+    EXPECT_NE(at, std::string::npos) << key;
+    return changed.replace(at + before.size(), old.size(), value);
+  };
+  ASSERT_TRUE(read_manifest(with("seed", "8", "1000000000000000"), "m.json"));
+  for (const auto& [key, old, value] : std::vector<std::array<std::string, 3>>{
+           {"seed", "8", "-1"},
+           {"seed", "8", "1e19"},
+           {"seed", "8", "10000000000000000000"},
+           {"seed", "8", "1000000000000001"},
+           {"seed", "8", "1.5"},
+           {"seed", "8", "8.0"},
+           {"seed", "8", "\"8\""},
+           {"seed", "8", std::string(200'000, '[') + std::string(200'000, ']')},
+           {"runs", "3", "0"},
+           {"runs", "3", "-3"},
+           {"runs", "3", "3.5"},
+           {"chunk_runs", "1000", "0"},
+           {"chunk_runs", "1000", "1e3"},
+           {"chunk_runs", "1000", "null"}}) {
+    const auto read = read_manifest(with(key, old, value), "m.json");
+    ASSERT_FALSE(read) << key << value.substr(0, 20);
+    EXPECT_EQ(read.error().where, "m.json");
+    EXPECT_TRUE(read.error().sentence.starts_with(key + " '")) << read.error().sentence;
+    EXPECT_LT(read.error().sentence.size(), 200U);
+  }
+}
+
+TEST_F(ManifestTest, ItsHashIsThatOfWhatTheRunsDependOn) {
+  const Manifest made = manifest(sweep({.runs = 3}));
+  std::set<std::string> hashes = {manifest_hash(made)};
+  const auto differs = [&](auto change) {
+    Manifest other = made;
+    change(other);
+    EXPECT_TRUE(hashes.insert(manifest_hash(other)).second) << hashes.size();
+  };
+  differs([](Manifest& m) { m.version = "9"; });
+  differs([](Manifest& m) { m.build = "9"; });
+  differs([](Manifest& m) { m.job = "9"; });
+  differs([](Manifest& m) { m.scenario_hash = "9"; });
+  differs([](Manifest& m) { m.request.runs = 4; });
+  differs([](Manifest& m) { m.request.seed = 4; });
+  differs([](Manifest& m) { m.request.vary = {"x=1,2"}; });
+  differs([](Manifest& m) { m.request.vary = {"x=1", "mode=2"}; });
+  differs([](Manifest& m) { m.request.vary = {"x=1 mode=2"}; });
+  differs([](Manifest& m) { m.request.compare = {"x=1,2"}; });
+  differs([](Manifest& m) { m.request.chunk_runs = 4; });
+  differs([](Manifest& m) { m.inputs[0].second = "9"; });
+  differs([](Manifest& m) { m.mathematics[0].second = "9"; });
+  Manifest moved = made;
+  moved.request.scenario = "elsewhere/toy.yaml";
+  EXPECT_EQ(manifest_hash(moved), manifest_hash(made));
 }
 
 TEST(Canary, IsTheSameInOneProcess) {

@@ -162,6 +162,52 @@ TEST_F(RunSweep, ADamagedChunkIsRefusedByItsName) {
   EXPECT_EQ(table(all, "out"), whole);
 }
 
+/// Each of these sweeps has whole chunks of the same names; none may become part of the table of another.
+TEST_F(RunSweep, AChunkOfAnotherSweepIsRefusedBeforeAnyRun) {
+  const Sweep all = sweep(toy_request());
+  const std::string whole = table(all, "out");
+  std::vector<std::pair<SweepRequest, std::string>> others(6, {toy_request(), ""});
+  others[0].first.seed = 6;
+  others[0].second = "the seed of its first run ('";
+  others[1].first.vary[0] = "x=uniform(0,9)";
+  others[1].second = "the x of its first run ('";
+  others[2].first.vary = {"x=uniform(0,10)"};
+  others[2].second = "the keys that vary";
+  others[3].first.chunk_runs = 8;
+  others[3].second = "the number of its first run ('8' there, '7' here)";
+  others[4].first.runs = 61;
+  others[4].second = "--runs";
+  others[5].second = "a file that the scenario reads";
+  std::filesystem::rename(path("out/chunks/000003.csv"), path("mine.csv"));
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    SCOPED_TRACE(others[i].second);
+    if (i == 5) write("input.txt", "b\n");
+    const std::string folder = "other" + std::to_string(i);
+    ASSERT_FALSE(table(sweep(others[i].first), folder).empty());
+    std::filesystem::copy_file(path(folder + "/chunks/000001.csv"), path("out/chunks/000001.csv"),
+                               std::filesystem::copy_options::overwrite_existing);
+    int runs = 0;
+    const auto computed = compute_chunks(all, {.folder = path("out"), .end_chunk = all.chunks()},
+                                         {{}, [&](const SweepProgress&) { ++runs; }});
+    std::filesystem::copy_file(path("mine.csv"), path("out/chunks/000003.csv"));
+    const auto merged = merge(all, "out");
+    std::filesystem::remove(path("out/chunks/000003.csv"));
+    ASSERT_FALSE(computed);
+    ASSERT_FALSE(merged);
+    EXPECT_EQ(runs, 0);
+    EXPECT_EQ(computed.error().sentence, merged.error().sentence);
+    EXPECT_EQ(computed.error().where, path("out/chunks/000001.csv"));
+    EXPECT_NE(computed.error().sentence.find("differs in "), std::string::npos);
+    EXPECT_NE(computed.error().sentence.find(others[i].second), std::string::npos)
+        << computed.error().sentence;
+    EXPECT_NE(computed.error().sentence.find("remove the chunk"), std::string::npos);
+    EXPECT_EQ(read_file(path("out/table.csv")).value_or(""), whole) << "the old table stays";
+  }
+  write("input.txt", "a\n");
+  std::filesystem::remove(path("out/chunks/000001.csv"));
+  EXPECT_EQ(table(all, "out"), whole);
+}
+
 TEST_F(RunSweep, AFolderWithOtherFilesIsLeftAlone) {
   const Sweep all = sweep(toy_request());
   write("out.txt", "mine");

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
+#include "outrider/io/area_frame.hpp"
 #include "outrider/jobs/cover/coverage.hpp"
 #include "outrider/jobs/cover/region.hpp"
 #include "outrider/jobs/cover/track.hpp"
@@ -67,6 +68,7 @@ struct CoverProblem {
   std::int64_t headland = 0;   ///< laps along every border, with a turning radius; 0: as many as turns need
   std::optional<Pose2> start;  ///< none: the robot starts where its track begins
   Pace pace;                   ///< speeds, accelerations and pauses
+  AreaFrame frame = {};        ///< from these metres back to the coordinates of the file, for sentences
 
   /// Returns true if the robot cannot turn in place.
   [[nodiscard]] bool curves() const { return turning_radius_m > 0.0; }

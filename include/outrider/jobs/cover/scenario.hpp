@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
-#include "outrider/io/area_frame.hpp"
 #include "outrider/jobs/cover/plan.hpp"
 #include "outrider/jobs/cover/saved_map.hpp"
 #include "outrider/sim/track_faults.hpp"
@@ -35,7 +34,6 @@ struct CoverTask {
   CoverProblem problem;
   CoverMethod method;
   std::string note;  ///< how the units of the file were interpreted, if that is uncertain
-  AreaFrame frame;   ///< from the metres of the problem back to the coordinates of the file
 
   /// The rings as faults of cover_ground() name them, each with its place in the file.
   std::vector<std::pair<std::string, std::string>> places = {};

@@ -19,6 +19,8 @@ struct Relocaliser {
   std::optional<PoseBelief> pose;  ///< fused pose of the images that agree
   std::int64_t images = 0;         ///< number of these images
   std::set<int> tags;              ///< ids of the tags in them
+  /// Number of all images whose tags contradict one another or the floor, wherever the robot stands.
+  std::int64_t contradictory = 0;
 
   /// Adds the tags of an image that is taken while the robot stands.
   void add(std::span<const TagSighting> sightings, const TagMap& map, const RobotCamera& camera,

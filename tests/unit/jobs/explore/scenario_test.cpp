@@ -46,7 +46,7 @@ TEST(ExploreScenario, WhatIsNoGoodIsRefused) {
               s.world.world = walls;
               s.start = "1,8,0";
             }),
-            "start: 1,8 is outside the map, which lies between 0,0 and 4,3; start it in there");
+            "start: (1, 8) is outside the map, which lies between (0, 0) and (4, 3); start it in there");
   const auto post = [&](const std::string& place, double at_s) {
     return fault([&](auto& s) {
       s.world.world = walls;
@@ -57,9 +57,9 @@ TEST(ExploreScenario, WhatIsNoGoodIsRefused) {
   };
   EXPECT_EQ(post("2,1.5", 5.0), "none");
   EXPECT_EQ(post("2", 5.0), "faults.blocked_place: '2' is not valid; expected x,y in m, such as 3.5,-2");
-  EXPECT_EQ(
-      post("2,9", 5.0),
-      "faults.blocked_place: 2,9 is outside the map, which lies between 0,0 and 4,3; put the post in there");
+  EXPECT_EQ(post("2,9", 5.0),
+            "faults.blocked_place: 2,9 is outside the map, which lies between (0, 0) and (4, 3); put the "
+            "post in there");
   EXPECT_EQ(
       post("2,1.5", 1e9),
       "faults.blocked_place: a post is put at 2,1.5 at no time; give faults.blocked_at, or leave this out");
