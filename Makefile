@@ -23,9 +23,10 @@ LOAD_SECONDS ?= 600
 MOMENTS ?= 50
 RUNS ?= 200
 MISSIONS ?= 1000
+TIMES ?= 10
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops replays totality growth writes load hostile fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops replays totality growth flaky writes load hostile fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -53,6 +54,12 @@ test:  ## build everything and run every test
 	@ninja -C build -j $(JOBS)
 	@ctest --preset release -j $(JOBS) && echo "Every test passed." || \
 	  { echo "Some tests failed; the list above names them."; exit 1; }
+
+flaky: build  ## run the tests that wait for anything TIMES in a row, 10 unless given, beside four busy loops
+	$(INSTALL) build test physics cbc ompl page browser python notebook
+	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
+	@ninja -C build -j $(JOBS) outrider unit_server
+	@scripts/flaky $(TIMES) $(JOBS)
 
 # UNITS="io log" runs only the tests of these units.
 asan:  ## run the test programs, costly tests in part, under the address and undefined-behaviour sanitizers

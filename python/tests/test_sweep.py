@@ -38,7 +38,7 @@ def start_workers(scheduler, tmp_path):
                                  "--no-nanny", "--no-dashboard", "--local-directory", str(tmp_path / f"worker{i}")],
                                 stderr=subprocess.DEVNULL) for i in range(3)]
     with distributed.Client(scheduler) as client:
-        client.wait_for_workers(3, timeout=60)
+        client.wait_for_workers(3)
     yield workers
     for worker in workers:
         worker.kill()
@@ -47,15 +47,15 @@ def start_workers(scheduler, tmp_path):
 
 def test_a_cluster_that_loses_a_worker_makes_the_same_table(scheduler, workers, tmp_path):
     subprocess.run([TOOL, "sweep", *WORDS, "--out", tmp_path / "once"], check=True, capture_output=True)
+    workers[0].send_signal(signal.SIGSTOP)  # what it is given waits until it is killed
     sweep = subprocess.Popen([sys.executable, "-m", "outrider.sweep", "--scheduler", scheduler, *WORDS, "--out",
                               str(tmp_path / "out")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     chunks = tmp_path / "out" / "chunks"
-    end = time.monotonic() + 60
-    while not list(chunks.glob("*.csv")) and time.monotonic() < end:
+    while not list(chunks.glob("*.csv")) and sweep.poll() is None:
         time.sleep(0.01)
     workers[0].send_signal(signal.SIGKILL)
-    assert len(list(chunks.glob("*.csv"))) < 12, "it was killed too late"
-    out, error = sweep.communicate(timeout=120)
+    assert len(list(chunks.glob("*.csv"))) < 12, "the one that was stopped has not done its part"
+    out, error = sweep.communicate()
     assert sweep.returncode == 0, error
     table = (tmp_path / "out" / "table.csv").read_bytes()
     assert hashlib.sha256(table).hexdigest() in out

@@ -79,8 +79,7 @@ class Arrivals(ToolTest):
 
     def test_the_bundled_scenario_and_its_table(self):
         scenario = SOURCE / "scenarios" / "arrivals" / "arrivals.yaml"
-        result = self.run_tool("run", scenario, "--json", "--plan-resolution", "0.2", "--arrivals-stops", "40",
-                               timeout=300)
+        result = self.run_tool("run", scenario, "--json", "--plan-resolution", "0.2", "--arrivals-stops", "40")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(self.json_of(result)["metrics"]["reached"], 24)
         for name in ["yard.sdf", "targets.txt"]:

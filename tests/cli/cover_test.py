@@ -31,7 +31,7 @@ class Cover(ToolTest):
         self.write("room.txt", ROOM)
 
     def cover(self, *args):
-        result = self.run_tool("cover", *args, "--json", timeout=300)
+        result = self.run_tool("cover", *args, "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         answer = flat(self.json_of(result))
         self.assertLessEqual(KEYS, set(answer))

@@ -22,7 +22,7 @@ def place_at(log, time):
 class DriveBy(ToolTest):
     def run_of(self, *args, out="out"):
         """The metrics and the log of a run."""
-        result = self.run_tool(*args, "--out", out, timeout=300)
+        result = self.run_tool(*args, "--out", out)
         self.assertEqual(result.returncode, 0, result.stderr)
         return self.result_of(out)["metrics"], self.log_of(out)
 

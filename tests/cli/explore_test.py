@@ -15,7 +15,7 @@ class Explore(ToolTest):
         self.write("room.sdf", ROOM)
 
     def explore(self, *args, verb="explore"):
-        result = self.run_tool(verb, *args, "--json", timeout=300)
+        result = self.run_tool(verb, *args, "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         answer = flat(self.json_of(result))
         self.assertLessEqual(KEYS, set(answer))
@@ -77,7 +77,7 @@ class Explore(ToolTest):
 
     def test_slices_whose_outer_wall_has_a_gap(self):
         self.write("gap.csv", "0,0,6,0\n6,0,6,1.5\n6,2.5,6,4\n6,4,0,4\n0,4,0,0\n2,0,2,2.5\n")
-        result = self.run_tool("explore", "gap.csv", "--start=1,1,0", "--json", timeout=60)
+        result = self.run_tool("explore", "gap.csv", "--start=1,1,0", "--json")
         self.assertEqual(result.returncode, 1, result.stderr)
         answer = flat(self.json_of(result))
         self.assertEqual(answer["status"], "not_done")

@@ -48,7 +48,7 @@ class Fuzz(ToolTest):
             content = mutated(rng, text)
             self.write(name, content)
             words[words.index(flag) + 1] = name
-            self.check(self.run_tool(*words, timeout=120), content)
+            self.check(self.run_tool(*words), content)
 
     def test_worlds(self):
         self.guard_with("--world", "m.sdf", YARD, 1)
@@ -62,7 +62,7 @@ class Fuzz(ToolTest):
             content = mutated(rng, SCENARIO)
             self.write("m.yaml", content)
             self.check(self.run_tool("run", "m.yaml", "--json", "--plan-memory-cap", "16", "--plan-aim-step", "0.2",
-                                     "--plan-pitch-step", "15", timeout=120), content)
+                                     "--plan-pitch-step", "15"), content)
 
     def test_maps(self):
         rng = random.Random(4)
@@ -93,7 +93,7 @@ class Fuzz(ToolTest):
             if flag == "--start":
                 at = words.index("--start")
                 del words[at:at + 2]
-            self.check(self.run_tool(*words, timeout=120), value)
+            self.check(self.run_tool(*words), value)
 
 
 if __name__ == "__main__":

@@ -35,7 +35,7 @@ def replay(shot, drag, wind, gravity):
 class Air(ToolTest):
     def run_of(self, *args, out="out"):
         """The metrics and the log of a run."""
-        result = self.run_tool(*args, "--out", out, timeout=300)
+        result = self.run_tool(*args, "--out", out)
         self.assertIn(result.returncode, [0, 1], result.stderr)
         return self.result_of(out)["metrics"], self.log_of(out)
 
@@ -96,7 +96,7 @@ class Trees(ToolTest):
     def test_flights_pass_under_crowns_and_through_gaps(self):
         scenario = SOURCE / "scenarios" / "orchard" / "orchard.yaml"
         result = self.run_tool("run", scenario, "--plan-resolution", "0.2", "--plan-iterations", "200", "--out", "out",
-                               "--json", timeout=300)
+                               "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         metrics, log = self.result_of("out")["metrics"], self.log_of("out")
         self.assertEqual(metrics["reached"], metrics["targets"])

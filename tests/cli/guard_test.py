@@ -198,7 +198,7 @@ class Reference(ToolTest):
         for name in ["by_small", "by_small2"]:
             result = self.run_tool("guard", "--world", YARD_WORLDS / f"{name}.sdf", "--targets",
                                    DATA / "guard" / "goals_params.txt", "--start", "0,-9.5,90", "--seed", "1", "--json",
-                                   "--out", name, "--plan-resolution", "0.25", "--plan-iterations", "200", timeout=300)
+                                   "--out", name, "--plan-resolution", "0.25", "--plan-iterations", "200")
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertIn("outrider: warning: ", result.stderr)
             summary = self.json_of(result)
@@ -208,7 +208,7 @@ class Reference(ToolTest):
 
     def test_the_bundled_scenario_loads(self):
         result = self.run_tool("run", SOURCE / "scenarios/yard/yard.yaml", "--json", "--plan-resolution", "0.4",
-                               "--plan-iterations", "20", "--plan-aim-step", "0.3", "--plan-pitch-step", "10", timeout=300)
+                               "--plan-iterations", "20", "--plan-aim-step", "0.3", "--plan-pitch-step", "10")
         self.assertIn(result.returncode, [0, 1], result.stderr)
         self.assertGreaterEqual(self.json_of(result)["metrics"]["targets"], 20)
 

@@ -31,7 +31,7 @@ class Live(ToolTest):
 
     def check(self, *words):
         """With and without a reader: the same files. The log that the reader got is that of the run."""
-        status = self.run_tool(*words, "--out", "alone", timeout=300).returncode
+        status = self.run_tool(*words, "--out", "alone").returncode
         watched, data = self.watched(*words, "--out", "seen")
         self.assertEqual(watched, status)
         for path in sorted((self.folder / "alone").iterdir()):

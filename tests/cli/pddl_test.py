@@ -222,8 +222,7 @@ class Pddl(ToolTest):
 
     def test_the_bundled_scenario(self):
         scenario = SOURCE / "scenarios" / "stations" / "stations.yaml"
-        result = self.run_tool("guard", "--scenario", scenario, "--plan-resolution", "0.2", "--pddl", "--out", "pddl",
-                               timeout=300)
+        result = self.run_tool("guard", "--scenario", scenario, "--plan-resolution", "0.2", "--pddl", "--out", "pddl")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("(fill-", self.text("plan.txt"))
         self.followed()

@@ -3,30 +3,35 @@ import json
 import os
 import pathlib
 import pty
+import re
 import subprocess
+import time
 import unittest
+
+from held_run import HeldRun
 
 from tool import SOURCE, TOOL, ToolTest, main
 
-# Some seconds of work in the bundled yard.
-LONG = [TOOL, "run", str(SOURCE / "scenarios/yard/yard.yaml"), "--plan-resolution", "0.15", "--threads", "1"]
+YARD = ["run", str(SOURCE / "scenarios/yard/yard.yaml"), "--plan-resolution", "0.15"]
 
 
-def run_on_terminal(words):
-    """Status, standard output, and what a terminal that is standard error was sent."""
+def run_on_terminal(words, expected):
+    """Status, standard output, and what a terminal that is standard error was sent. The run is held until what is
+    expected was sent."""
     master, slave = pty.openpty()
-    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=slave, stdin=subprocess.DEVNULL)
-    os.close(slave)
-    output = process.stdout.read()
     shown = b""
-    try:
-        while chunk := os.read(master, 4096):
-            shown += chunk
-    except OSError:  # the end of a terminal
-        pass
+    with HeldRun(*words, stdout=subprocess.PIPE, stderr=slave) as run:
+        os.close(slave)
+        try:
+            while True:
+                if re.search(expected, shown):
+                    run.let_go()
+                shown += os.read(master, 4096)
+        except OSError:  # the end of a terminal
+            pass
+        output = run.stdout.read()
     os.close(master)
-    process.stdout.close()
-    return process.wait(), output, shown
+    return run.returncode, output, shown
 
 
 def has_terminals():
@@ -42,22 +47,26 @@ def has_terminals():
 class Progress(ToolTest):
     @unittest.skipUnless(has_terminals(), "this system has no pseudo-terminals")
     def test_long_work_on_a_terminal(self):
-        status, output, shown = run_on_terminal(LONG)
+        line = rb"\r\x1b\[K\[[#.]{20}\] [a-z ]+, [1-9]\d* s"
+        status, output, shown = run_on_terminal(YARD, line)
         self.assertIn(status, [0, 1])
-        self.assertRegex(shown, rb"\r\x1b\[K\[[#.]{20}\] [a-z ]+, [1-9]\d* s")
+        self.assertRegex(shown, line)
         self.assertTrue(shown.endswith(b"\r\x1b[K"), shown[-80:])
         self.assertNotIn(b"\x1b", output)
 
     @unittest.skipUnless(has_terminals(), "this system has no pseudo-terminals")
     def test_short_work_on_a_terminal(self):
-        status, _, shown = run_on_terminal([TOOL, "list"])
+        status, _, shown = run_on_terminal(["list"], b"")
         self.assertEqual((status, shown), (0, b""))
 
     def test_no_terminal(self):
-        result = self.run_tool(*LONG[1:], timeout=300)
-        self.assertIn(result.returncode, [0, 1])
-        self.assertEqual(result.stderr, "")
-        self.assertNotIn("\x1b", result.stdout)
+        with HeldRun(*YARD, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
+            time.sleep(1.5)  # a terminal would have a line by then
+            run.let_go()
+            output, errors = run.communicate()
+        self.assertIn(run.returncode, [0, 1])
+        self.assertEqual(errors, "")
+        self.assertNotIn("\x1b", output)
 
     def test_names_are_told_as_json(self):
         """A name with quotes and a backslash stays one; each line is JSON."""

@@ -50,11 +50,11 @@ def places(topic, message):
 class RunLog(ToolTest):
     def logged(self, scenario):
         """(lines of JSON, log) of a run."""
-        result = self.run_tool("run", scenario, "--out", "out", timeout=600)
+        result = self.run_tool("run", scenario, "--out", "out")
         self.assertIn(result.returncode, (0, 1), result.stderr)
         log = McapLog((self.folder / "out/run.mcap").read_bytes())
         self.assertTrue(log.complete)
-        result = self.run_tool("convert", "out/run.mcap", "run.jsonl", timeout=300)
+        result = self.run_tool("convert", "out/run.mcap", "run.jsonl")
         self.assertEqual(result.returncode, 0, result.stderr)
         with open(self.folder / "run.jsonl", encoding="utf-8") as lines:
             return [json.loads(line) for line in lines], log

@@ -9,7 +9,7 @@ YARD = str(SOURCE / "scenarios/explore/unknown_yard.yaml")
 
 class Scout(ToolTest):
     def test_unknown_yard(self):
-        result = self.run_tool("run", YARD, "--json", "--out", self.folder, *PAGE, timeout=300)
+        result = self.run_tool("run", YARD, "--json", "--out", self.folder, *PAGE)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         summary = json.loads(result.stdout)
         metrics = summary["metrics"]

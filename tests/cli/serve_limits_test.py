@@ -3,32 +3,33 @@ import os
 import pathlib
 import resource
 import subprocess
-import time
 
 import serve_load
 from serve_case import Serve
 from server_client import Server
-from serve_load import MIB, memory_mib, settled_memory_mib, version_time_s
-from tool import FLOOR, TOOL, main, world
+from serve_load import MIB, memory_mib, settled_memory_mib
+from tool import TOOL, main, until
 
 # Of memory that the server may hold, whatever is done to it. A sanitizer keeps what was freed, to watch it.
 SANITIZED = b"libasan" in subprocess.run(["ldd", TOOL], capture_output=True, check=True).stdout
 MOST_MIB = 3000 if SANITIZED else 300
-QUICK_S = 5  # "/version" in the meantime; expected milliseconds, and the machine may be busy
 
 
 class Limits(Serve):
     def check_memory(self, server):
         self.assertLess(settled_memory_mib(server, MOST_MIB), MOST_MIB)
 
+    def answers(self, server):
+        server.json("GET", "/api/v1/version")
+
     def test_readers_that_stall(self):
         (self.folder / "large.json").write_bytes(b"x" * (60 * MIB))
         with Server(self.folder) as server:
             readers = serve_load.stalled_readers(server, "large.json", 20)
-            self.assertEqual(readers[0].recv(12), b"HTTP/1.1 200", "the premise: they are being served")
-            time.sleep(1)
+            for reader in readers:
+                self.assertEqual(reader.recv(12), b"HTTP/1.1 200", "the premise: they are being served")
+            self.answers(server)
             self.assertLess(memory_mib(server), MOST_MIB)
-            self.assertLess(version_time_s(server), QUICK_S)
             for reader in readers:
                 reader.close()
             status, headers, body = server.request("GET", "/api/v1/files/large.json")
@@ -37,7 +38,7 @@ class Limits(Serve):
     def test_half_requests(self):
         with Server(self.folder) as server:
             connections = serve_load.half_requests(server, 320)
-            self.assertLess(version_time_s(server), QUICK_S)
+            self.answers(server)
             self.check_memory(server)
             for connection in connections:
                 connection.close()
@@ -50,7 +51,7 @@ class Limits(Serve):
         with Server(self.folder) as server:
             connections = [server.connect() for _ in range(400)]
             connections += serve_load.half_requests(server, 800)
-            self.assertLess(version_time_s(server), QUICK_S, "those that have waited longest give way")
+            self.answers(server)  # those that have waited longest give way
             for connection in connections:
                 connection.close()
 
@@ -70,10 +71,8 @@ class Limits(Serve):
         self.write("crowd.sdf", serve_load.crowded_world(200))
         self.assertLess((self.folder / "crowd.sdf").stat().st_size, 50_000)
         with Server(self.folder) as server:
-            begin = time.monotonic()
             status, _, body = server.request("POST", "/api/v1/maps", {"path": "crowd.sdf"})
             self.assertIn(status, (200, 400, 503), body[:300])
-            self.assertLess(time.monotonic() - begin, 60)
             self.check_memory(server)
 
     def reader_pids(self, server):
@@ -81,31 +80,23 @@ class Limits(Serve):
         return [int(pid) for child in children for pid in child.read_text().split()]
 
     def test_nobody_reads_on_for_a_client_that_has_left(self):
-        # Slow to read: rings of includes, each of them many times.
-        self.write("leaf.sdf", "<sdf version='1.6'>" + serve_load.CYLINDER.format(i=0, x=0, y=0) + "</sdf>")
-        includes = "<include><uri>leaf.sdf</uri></include>" * 900
-        self.write("slow.sdf", world(FLOOR, includes))
         with Server(self.folder) as server:
+            server.hold("serve-reader")
             with server.connect() as connection:
-                body = b'{"path": "slow.sdf"}'
+                body = b'{"path": "yard.sdf"}'
                 connection.sendall(b"POST /api/v1/maps HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\n"
                                    b"Content-Length: %d\r\n\r\n" % len(body) + body)
-                self.until(lambda: self.reader_pids(server))
-            self.until(lambda: not self.reader_pids(server))
-
-    def until(self, condition, seconds=10):
-        end = time.monotonic() + seconds
-        while not condition():
-            self.assertLess(time.monotonic(), end)
-            time.sleep(0.002)
+                until("a reader", lambda: self.reader_pids(server))
+            until("the end of the reader", lambda: not self.reader_pids(server))
 
     def test_a_flood_without_the_token_starves_nobody_who_has_it(self):
         token = "0123456789abcdef"
         with Server(self.folder, "--token", token) as server:
-            statuses = serve_load.together(8, lambda: [server.request("GET", "/api/v1/version")[0] for _ in range(100)])
-            flat = [status for some in statuses for status in some]
-            self.assertIn(429, flat, "the flood is held back")
-            self.assertTrue(set(flat) <= {401, 429}, set(flat))
+            def flood():
+                statuses = serve_load.together(8, lambda: [server.request("GET", "/api/v1/version")[0] for _ in range(100)])
+                return {status for some in statuses for status in some}
+
+            self.assertEqual(until("a flood that is held back", lambda: (got := flood()) != {401} and got), {401, 429})
             for _ in range(50):
                 server.json("GET", "/api/v1/version", Authorization="Bearer " + token)
 
@@ -114,17 +105,18 @@ class Limits(Serve):
         run = self.started(server, {"scenario": "long.yaml"})
         connections = serve_load.half_requests(server, 20)
         self.still_running(server, run)
-        begin = time.monotonic()
         self.assertEqual(server.end(), 0)
-        self.assertLess(time.monotonic() - begin, 10)
         for connection in connections:
+            try:
+                self.assertEqual(connection.recv(12), b"", "it has waited for the rest")
+            except ConnectionResetError:
+                pass
             connection.close()
 
     def test_mixed_load(self):
         seconds = float(os.environ.get("OUTRIDER_LOAD_SECONDS") or 5)
         found = serve_load.mixed_load(self.folder, seconds)
         self.assertLess(found["worst_mib"], MOST_MIB, found)
-        self.assertLess(found["slowest_s"], QUICK_S, found)
 
 
 if __name__ == "__main__":

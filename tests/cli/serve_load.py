@@ -15,7 +15,7 @@ import threading
 import time
 
 from server_client import Server, WebSocket
-from tool import FLOOR, world
+from tool import FLOOR, until, world
 
 MIB = 1 << 20
 ROOM = {"grid": {"resolution_m": 1, "width": 40, "height": 30, "runs": [0, 600, 1, 5, 0, 595]}}
@@ -29,12 +29,9 @@ def memory_mib(server):
     return int(status.split("VmRSS:")[1].split()[0]) / 1024
 
 
-def settled_memory_mib(server, most, seconds=12):
+def settled_memory_mib(server, most):
     """The same once memory that nobody uses was given back."""
-    end = time.monotonic() + seconds
-    while memory_mib(server) > most and time.monotonic() < end:
-        time.sleep(0.2)
-    return memory_mib(server)
+    return until(f"memory of at most {most} MiB", lambda: (now := memory_mib(server)) <= most and now)
 
 
 def version_time_s(server):
@@ -110,12 +107,13 @@ def ordinary_use(server, rng):
 
 def patient(act):
     """Until it is answered: what is refused for a while (429, 503) is asked again."""
-    for _ in range(200):
+    def answer():
         try:
-            return act()
+            return [act()]
         except (AssertionError, ConnectionError, OSError):
-            time.sleep(0.1)
-    raise AssertionError("never answered")
+            return []
+
+    return until("an answer", answer)[0]
 
 
 def mixed_load(folder, seconds):

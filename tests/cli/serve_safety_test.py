@@ -2,11 +2,10 @@
 import os
 import pathlib
 import socket
-import time
 
 from serve_case import Serve
 from server_client import Server, WebSocket
-from tool import costly_cases, main
+from tool import costly_cases, main, until
 
 
 class Safety(Serve):
@@ -111,7 +110,6 @@ class Safety(Serve):
             server.json("GET", "/api/v1/version")
             if costly_cases(1) > 1:  # they are let go after ten seconds
                 for connection in idle:
-                    connection.settimeout(25)
                     while connection.recv(4096):
                         pass
             for connection in idle:
@@ -119,15 +117,16 @@ class Safety(Serve):
 
     def children(self, server):
         """The processes of the server, once there is one: a run is "running" a moment before its process exists."""
-        end = time.monotonic() + 10
-        found = []
-        while not found and time.monotonic() < end:
+        def found():
+            pids = []
             for task in pathlib.Path(f"/proc/{server.process.pid}/task").glob("*/children"):
                 try:
-                    found += [int(pid) for pid in task.read_text().split()]
+                    pids += [int(pid) for pid in task.read_text().split()]
                 except (FileNotFoundError, ProcessLookupError):
                     pass  # that thread has ended
-        return found
+            return pids
+
+        return until("a process", found)
 
     def test_kill_and_restart_on_the_same_port(self):
         server = Server(self.folder)
@@ -137,10 +136,7 @@ class Safety(Serve):
             self.assertEqual(len(missions), 1)
             self.still_running(server, run)
             server.end(kill=True)
-        end = time.monotonic() + 10
-        while pathlib.Path(f"/proc/{missions[0]}/exe").exists() and time.monotonic() < end:
-            time.sleep(0.02)
-        self.assertFalse(pathlib.Path(f"/proc/{missions[0]}/exe").exists(), "the mission outlived its server")
+        until("the end of the mission after that of its server", lambda: not pathlib.Path(f"/proc/{missions[0]}/exe").exists())
         with Server(self.folder, port=server.port) as again:
             self.assertEqual([(one["id"], one["state"]) for one in again.json("GET", "/api/v1/runs")["runs"]], [(run, "cut_short")])
             self.refused("serve", ".", "--port", again.port, says=["--port", str(again.port), "taken"])

@@ -1,12 +1,11 @@
 """`outrider serve` from outside: its files and its missions."""
 import gzip
 import pathlib
-import time
 import urllib.request
 
 from serve_case import COURT, Serve
 from server_client import Server, WebSocket
-from tool import main
+from tool import PATIENCE_S, main
 
 
 class Interface(Serve):
@@ -38,7 +37,7 @@ class Interface(Serve):
         self.write("large.sdf", (self.folder / "yard.sdf").read_text() + "<!-- " + "fence " * 1000 + "-->")
         def fetched(path, **headers):
             asked = urllib.request.Request(f"http://127.0.0.1:{server.port}/{path}", headers={name.replace("_", "-"): value for name, value in headers.items()})
-            with urllib.request.urlopen(asked, timeout=20) as answer:
+            with urllib.request.urlopen(asked, timeout=PATIENCE_S) as answer:
                 return answer.status, answer.headers, answer.read()
         with Server(self.folder) as server:
             for path in ("api/v1/catalogue", "api/v1/files/large.sdf"):
@@ -128,7 +127,7 @@ class Interface(Serve):
             self.assertEqual(server.json("DELETE", f"/api/v1/runs/{second}")["state"], "cancelled")
             self.still_running(server, first)
             server.json("DELETE", f"/api/v1/runs/{first}")
-            self.assertEqual(server.wait(first, 10)["state"], "cancelled")
+            self.assertEqual(server.wait(first)["state"], "cancelled")
             third = server.json("POST", "/api/v1/runs", {"scenario": "court.yaml"}, status=202)["id"]
             self.assertIn(server.wait(third)["state"], ("done", "not_done"))
             fourth = self.started(server, {"scenario": "long.yaml"})
@@ -137,9 +136,7 @@ class Interface(Serve):
             full = [server.request("POST", "/api/v1/runs", {"scenario": "long.yaml"})[0] for _ in range(2)]
             self.assertEqual(full, [429, 429])
             self.still_running(server, fourth)
-            began = time.monotonic()
             self.assertEqual(server.end(), 0)
-            self.assertLess(time.monotonic() - began, 15)
 
 if __name__ == "__main__":
     main()

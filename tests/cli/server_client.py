@@ -1,24 +1,40 @@
 """A small HTTP and WebSocket client on bare sockets, which can also do what no browser would."""
+import atexit
 import base64
+import functools
 import hashlib
 import json
 import os
+import pathlib
 import re
+import shutil
 import socket
 import struct
 import subprocess
-import time
+import sys
+import tempfile
 
-from tool import TOOL
+from tool import PATIENCE_S, SOURCE, TOOL, until
 
-SCENARIO_SECONDS = 60
+HELD_MISSION = SOURCE / "tests/support/held_mission.py"
+
+
+@functools.cache
+def own_copy():
+    """A copy of the tool in a folder for temporary files."""
+    home = tempfile.mkdtemp(prefix="outrider-tool-")
+    atexit.register(shutil.rmtree, home)
+    return shutil.copy(TOOL, home)
 
 
 class Server:
-    """`outrider serve` on a port of its own, ended with the block."""
+    """`outrider serve` on a port of its own, ended with the block. A test can hold its missions."""
 
     def __init__(self, folder, *words, port=0, **variables):
-        self.process = subprocess.Popen([TOOL, "serve", str(folder), "--port", str(port), *words],
+        self.home = tempfile.TemporaryDirectory(prefix="outrider-held-")
+        tool = pathlib.Path(self.home.name) / "outrider"
+        tool.hardlink_to(own_copy())
+        self.process = subprocess.Popen([tool, "serve", str(folder), "--port", str(port), *words],
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
                                         text=True, env=os.environ | variables)
         first = self.process.stdout.readline()
@@ -26,6 +42,25 @@ class Server:
         if not found:
             raise AssertionError(first + self.process.stderr.read())
         self.port = int(found[2])
+        # From now on each program that it starts comes by this.
+        between = tool.with_name("between")
+        between.write_text(f'#!/bin/sh\nexec {sys.executable} -ESB {HELD_MISSION} {self.home.name} {TOOL} "$@"\n')
+        between.chmod(0o700)
+        between.rename(tool)
+
+    def hold(self, scenario="unsaved"):
+        """From now on missions of this scenario, or "serve-reader", wait for pass_on()."""
+        if not self._hold(scenario).exists():
+            os.mkfifo(self._hold(scenario))
+
+    def pass_on(self, scenario="unsaved", **most):
+        """Lets a mission that is held go on up to a `time` or a `step`, or to its end."""
+        pipe = os.open(self._hold(scenario), os.O_WRONLY)  # waits until the mission has begun
+        os.write(pipe, json.dumps(most).encode() + b"\n")
+        os.close(pipe)
+
+    def _hold(self, scenario):
+        return pathlib.Path(self.home.name) / scenario.replace("/", "+")
 
     def __enter__(self):
         return self
@@ -36,13 +71,14 @@ class Server:
     def end(self, kill=False):
         if self.process.poll() is None:
             self.process.kill() if kill else self.process.terminate()
-        status = self.process.wait(timeout=30)
+        status = self.process.wait()
         self.process.stdout.close()
         self.process.stderr.close()
+        self.home.cleanup()
         return status
 
-    def connect(self, timeout=20):
-        return socket.create_connection(("127.0.0.1", self.port), timeout=timeout)
+    def connect(self):
+        return socket.create_connection(("127.0.0.1", self.port), timeout=PATIENCE_S)
 
     def raw(self, data):
         """Everything that is answered to these bytes."""
@@ -85,15 +121,13 @@ class Server:
             raise AssertionError(f"{method} {path}: {got} instead of {status}: {text[:500]}")
         return json.loads(text)
 
-    def wait(self, run, timeout=SCENARIO_SECONDS):
+    def wait(self, run):
         """The run, once it has ended."""
-        end = time.monotonic() + timeout
-        while time.monotonic() < end:
+        def ended():
             state = self.json("GET", f"/api/v1/runs/{run}")
-            if state["state"] not in ("queued", "running"):
-                return state
-            time.sleep(0.02)
-        raise AssertionError(f"run {run} has not ended")
+            return state["state"] not in ("queued", "running") and state
+
+        return until(f"the end of run {run}", ended)
 
 
 class WebSocket:

@@ -15,7 +15,7 @@ def path_of(path):
 
 class SlamCase(ToolTest):
     def result(self, *args):
-        run = self.run_tool("slam", *args, "--json", timeout=300)
+        run = self.run_tool("slam", *args, "--json")
         self.assertEqual(run.returncode, 0, run.stderr)
         found = flat(self.json_of(run))
         self.assertEqual((found["status"], found["job"]), ("done", "slam"))

@@ -19,11 +19,11 @@ class SlamKnownMapTest(SlamCase):
     def mapped(self, steps):
         """Maps the whole log; returns the position at each scan."""
         self.write("whole.log", laser_logs.text(steps))
-        self.assertEqual(self.run_tool("slam", "whole.log", "--out", "whole", timeout=300).returncode, 0)
+        self.assertEqual(self.run_tool("slam", "whole.log", "--out", "whole").returncode, 0)
         return self.rows("whole")
 
     def located(self, log, *args, status="done"):
-        run = self.run_tool("slam", log, "--map", "whole/map.yaml", "--out", "found", "--json", *args, timeout=300)
+        run = self.run_tool("slam", log, "--map", "whole/map.yaml", "--out", "found", "--json", *args)
         found = flat(self.json_of(run))
         self.assertEqual((found["status"], run.returncode), (status, 0 if status == "done" else 1), run.stderr)
         return found

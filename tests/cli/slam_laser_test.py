@@ -58,7 +58,7 @@ class SlamLaser(SlamCase):
         return f"{name}.log"
 
     def mapped(self, *args):
-        run = self.run_tool("slam", *args, "--json", timeout=900)
+        run = self.run_tool("slam", *args, "--json")
         self.assertEqual(run.returncode, 0, run.stderr)
         return flat(self.json_of(run))
 
@@ -89,7 +89,7 @@ class SlamLaser(SlamCase):
     def map_damaged(self, name, steps):
         """Maps a damaged log, and returns the result and whether the map is right."""
         self.write(f"{name}.log", laser_logs.text(steps))
-        run = self.run_tool("slam", f"{name}.log", "--json", timeout=900)
+        run = self.run_tool("slam", f"{name}.log", "--json")
         found = flat(self.json_of(run))
         self.assertIn((run.returncode, found["status"]), ((0, "done"), (1, "doubtful")), run.stderr)
         return found, found["mean_absolute_error_m"] < 0.5
@@ -145,12 +145,12 @@ class SlamLaser(SlamCase):
         self.assertEqual((found["steps_matched"], found["reason"]), (0, "the map may be wrong: only 0 of 1 scans matched the map"))
 
     def mapped_again(self, log, folder):
-        run = self.run_tool("slam", log, "--out", folder, "--json", timeout=300)
+        run = self.run_tool("slam", log, "--out", folder, "--json")
         self.assertEqual(run.returncode, 0, run.stderr)
         return flat(self.json_of(run)), (self.folder / folder / "map.pgm").read_bytes()
 
     def test_the_log_of_an_exploration_is_mapped_again(self):
-        run = self.run_tool("run", SOURCE / "scenarios/explore/office.yaml", "--out", "r", "--json", timeout=300)
+        run = self.run_tool("run", SOURCE / "scenarios/explore/office.yaml", "--out", "r", "--json")
         self.assertIn(run.returncode, (0, 1), run.stderr)  # it may find a gap that is too narrow for it
         explored = flat(self.json_of(run))
         found, image = self.mapped_again("r/run.mcap", "a")

@@ -50,7 +50,7 @@ class Stations(ToolTest):
 
     def test_the_bundled_scenario(self):
         scenario = SOURCE / "scenarios" / "stations" / "stations.yaml"
-        result = self.run_tool("run", scenario, "--json", "--plan-resolution", "0.2", timeout=300)
+        result = self.run_tool("run", scenario, "--json", "--plan-resolution", "0.2")
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertGreaterEqual(self.json_of(result)["metrics"]["fills"], 2)
 

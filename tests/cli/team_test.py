@@ -25,7 +25,7 @@ def place_at(places, time):
 
 class Team(ToolTest):
     def run_of(self, *args, out="out"):
-        result = self.run_tool(*self.guard(*args, "--out", out), timeout=300)
+        result = self.run_tool(*self.guard(*args, "--out", out))
         self.assertIn(result.returncode, [0, 1], result.stderr)
         return self.result_of(out), self.log_of(out), result.stdout
 
@@ -90,7 +90,7 @@ class Team(ToolTest):
 
     def test_the_example(self):
         result = self.run_tool("run", SOURCE / "scenarios/yard/two_robots.yaml", "--plan-resolution", "0.2",
-                               "--plan-iterations", "50", "--plan-refinements", "0", "--out", "out", timeout=300)
+                               "--plan-iterations", "50", "--plan-refinements", "0", "--out", "out")
         self.assertEqual(result.returncode, 0, result.stderr)
         report = self.result_of("out")
         self.assertEqual((report["status"], report["metrics"]["robots"]), ("done", 2))

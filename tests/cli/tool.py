@@ -4,6 +4,7 @@ import os
 import pathlib
 import subprocess
 import tempfile
+import time
 import unittest
 
 from mcap_log import McapLog
@@ -12,12 +13,25 @@ TOOL = os.environ["OUTRIDER"]
 SOURCE = pathlib.Path(os.environ["OUTRIDER_SOURCE"])
 DATA = pathlib.Path(os.environ.get("OUTRIDER_DATA") or SOURCE.parent / "shared" / "data")
 
+# However busy the machine is, nothing that is waited for takes longer; who waits, waits for an event.
+PATIENCE_S = 400
+
 WALL = """<model name="{name}"><static>true</static><pose>{x} {y} 0.5 0 0 0</pose><link name="link">
 <collision name="body"><geometry><box><size>{sx} {sy} 1</size></box></geometry></collision></link></model>
 """
 FLOOR = """<model name="floor"><static>true</static><link name="link"><collision name="body">
 <geometry><plane><normal>0 0 1</normal><size>20 20</size></plane></geometry></collision></link></model>
 """
+
+
+def until(what, ask):
+    """Asks again and again until the answer is true, and returns it."""
+    end = time.monotonic() + PATIENCE_S
+    while not (answer := ask()):
+        if time.monotonic() > end:
+            raise AssertionError(f"{what} does not come")
+        time.sleep(0.01)
+    return answer
 
 
 def costly_cases(usual):
@@ -47,7 +61,7 @@ MAP = "type octile\nheight 4\nwidth 6\nmap\n...@..\n...@..\n...@..\n......\n"
 # A tool that was built without npm has no page, and says so.
 NO_PAGE = "built without the page"
 PAGE = [] if NO_PAGE in subprocess.run([TOOL, "replay", "none.json", "--html", "none.html"], capture_output=True,
-                                       text=True, stdin=subprocess.DEVNULL, timeout=60).stderr else ["--html"]
+                                       text=True, stdin=subprocess.DEVNULL, timeout=PATIENCE_S).stderr else ["--html"]
 
 
 def flat(answer):
@@ -71,7 +85,7 @@ class ToolTest(unittest.TestCase):
         path.write_bytes(content if isinstance(content, bytes) else content.encode())
         return name
 
-    def run_tool(self, *args, timeout=60):
+    def run_tool(self, *args, timeout=PATIENCE_S):
         return subprocess.run([TOOL, *map(str, args)], cwd=self.folder, capture_output=True, text=True,
                               errors="replace", stdin=subprocess.DEVNULL, timeout=timeout)
 

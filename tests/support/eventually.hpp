@@ -7,10 +7,13 @@
 
 namespace outrider::testing {
 
-/// Asks again and again, for at most half a minute. Returns true once it is true.
+/// However busy the machine is, nothing that is waited for takes longer; who waits, waits for an event.
+inline constexpr std::chrono::seconds patience{300};
+
+/// Asks again and again, for as long as patience lasts. Returns true once it is true.
 inline bool eventually(const std::function<bool()>& what) {
   using Clock = std::chrono::steady_clock;
-  for (const auto end = Clock::now() + std::chrono::seconds(30); Clock::now() < end;) {
+  for (const auto end = Clock::now() + patience; Clock::now() < end;) {
     if (what()) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }

@@ -12,6 +12,7 @@
 
 #include "app.hpp"
 #include "outrider/jobs/catalog.hpp"
+#include "support/eventually.hpp"
 #include "temporary_folder.hpp"
 
 namespace outrider::server {
@@ -62,13 +63,13 @@ class AppTest : public ::testing::Test {
 
   /// The run once its state is one of those that last.
   Json ended(const std::string& id) {
-    for (int i = 0; i < 2000; ++i) {
-      Json run = json("GET", "/api/v1/runs/" + id);
-      if (run["state"] != "queued" && run["state"] != "running") return run;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    ADD_FAILURE() << "run " << id << " does not end";
-    return {};
+    Json run;
+    EXPECT_TRUE(testing::eventually([&] {
+      run = json("GET", "/api/v1/runs/" + id);
+      return run["state"] != "queued" && run["state"] != "running";
+    })) << "run "
+        << id << " does not end";
+    return run;
   }
 
   TemporaryFolder home_;

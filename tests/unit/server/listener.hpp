@@ -39,17 +39,16 @@ class Listener {
   }
   /// Returns what was told, up to the first message of that type.
   std::vector<Json> until(const std::string& type) {
-    for (int i = 0; i < 4000; ++i) {
-      {
-        const std::lock_guard lock(mutex_);
-        const auto found = std::find_if(told_.begin(), told_.end(),
-                                        [&](const Json& message) { return message["type"] == type; });
-        if (found != told_.end()) return {told_.begin(), found + 1};
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    ADD_FAILURE() << "nothing of type " << type;
-    return {};
+    std::vector<Json> all;
+    EXPECT_TRUE(testing::eventually([&] {
+      const std::lock_guard lock(mutex_);
+      const auto found = std::find_if(told_.begin(), told_.end(),
+                                      [&](const Json& message) { return message["type"] == type; });
+      if (found != told_.end()) all = {told_.begin(), found + 1};
+      return found != told_.end();
+    })) << "nothing of type "
+        << type;
+    return all;
   }
   /// Returns the bytes of the log that came before the first message of that type.
   std::string log_until(const std::string& type) {

@@ -52,12 +52,12 @@ TEST_F(AppTest, ARunThatTheServerLosesIsNoneOfTheOthers) {
   });
   const auto state = [&](const Response& started) {
     const std::string id = Json::parse(started.body)["id"];
-    for (int i = 0; i < 2000; ++i) {
-      const Json run = Json::parse(runs.state(id).body);
-      if (run["state"] != "queued" && run["state"] != "running") return run;
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return Json();
+    Json run;
+    EXPECT_TRUE(testing::eventually([&] {
+      run = Json::parse(runs.state(id).body);
+      return run["state"] != "queued" && run["state"] != "running";
+    }));
+    return run;
   };
   const Json lost = state(runs.start({"a.yaml", {}, {}, {}}, {}));
   EXPECT_EQ(lost["state"], "failed");

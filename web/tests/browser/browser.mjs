@@ -12,17 +12,35 @@ export const executable = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/u
 /** A page that a test serves itself (useBuiltPage) has no address, and may not open a socket to this machine without the feature off. */
 const plain = ["--disable-features=LocalNetworkAccessChecks", "--no-sandbox", "--disable-dev-shm-usage", "--disable-background-networking", "--force-color-profile=srgb", "--font-render-hinting=none"];
 /** Chromium draws the plane by itself, which is fast, and the view in space by a graphics card made of software. */
-export const launch = () => chromium.launch({ executablePath: executable, args: [...plain, "--disable-gpu", "--enable-unsafe-swiftshader"] });
+export const launch = () => chromium.launch({ executablePath: executable, timeout: 1000 * patience_s, args: [...plain, "--disable-gpu", "--enable-unsafe-swiftshader"] });
+
+/** However busy the machine is, nothing that is waited for takes longer; who waits, waits for an event. */
+export const patience_s = 300;
 
 /** Waits until `ask` answers with something true, which is returned. */
-export async function until(what, ask, seconds = 60) {
-  const end = Date.now() + 1000 * seconds;
+export async function until(what, ask) {
+  const end = Date.now() + 1000 * patience_s;
   for (;;) {
     const answer = await ask();
     if (answer) return answer;
-    if (Date.now() > end) throw new Error(`${what}: not within ${seconds} s`);
+    if (Date.now() > end) throw new Error(`${what} does not come`);
     await new Promise((resolve) => setTimeout(resolve, 40));
   }
+}
+
+const pictureOf = (page, selector) => page.evaluate((one) => new Promise((done) => {
+  requestAnimationFrame(() => requestAnimationFrame(() => done(document.querySelector(one).toDataURL())));
+}), selector);
+
+/** The picture of a canvas, once ten frames of the page have not changed it. */
+export async function rested(page, selector) {
+  let picture = await pictureOf(page, selector);
+  for (let same = 0; same < 5; ++same) {
+    const now = await pictureOf(page, selector);
+    if (now !== picture) same = -1;
+    picture = now;
+  }
+  return picture;
 }
 
 /** The bytes of the file that the page gives after `act`. */

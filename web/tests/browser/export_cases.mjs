@@ -12,7 +12,7 @@ const played = (page, bytes) => page.evaluate(async (text) => {
   return { width: video.videoWidth, height: video.videoHeight, duration: video.duration };
 }, bytes.toString("base64"));
 
-export const exportCases = ({ open, text, frames }) => ({
+export const cases = ({ open, text, frames }) => ({
   async "one menu saves the view as PNG and SVG, a film by the encoder of the browser, the numbers and the log"() {
     const page = await open("#watch/runs/yard/run.mcap?t=20");
     await page.waitForSelector(".targets tbody");

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
 import { createRequire } from "node:module";
-import { until } from "./browser.mjs";
+import { patience_s, until } from "./browser.mjs";
 import { makeFolder, serve, useBuiltPage } from "./server.mjs";
 
 const executablePath = ["/usr/bin/firefox-esr", "/usr/bin/firefox"].find(existsSync);
@@ -15,7 +15,7 @@ const { _bidiFirefox: firefox } = createRequire(import.meta.url)("playwright-cor
 
 const { folder, remove } = makeFolder();
 const server = await serve(folder);
-const browser = await firefox.launch({ executablePath });
+const browser = await firefox.launch({ executablePath, timeout: 1000 * patience_s });
 const faults = [];
 let page;  // of the case that is running
 
@@ -24,7 +24,7 @@ async function open(hash) {
   await useBuiltPage(page);
   page.on("pageerror", (error) => faults.push(error.message));
   page.on("console", (message) => { if (message.type() === "error") faults.push(message.text()); });
-  page.setDefaultTimeout(60_000);
+  page.setDefaultTimeout(1000 * patience_s);
   await page.goto(server.url + hash);
 }
 

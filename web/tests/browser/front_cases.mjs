@@ -13,7 +13,7 @@ const playing = (page) => page.locator(".hero").getAttribute("data-playing");
 const drawn = (page) => until("the pictures", () => page.evaluate(() => [...document.querySelectorAll(".card")]
   .filter((one) => one.getBoundingClientRect().top < innerHeight).every((one) => one.querySelector(".card-picture").matches(".drawn, .bare"))));
 
-export const frontCases = ({ open, text, frames, server, folder, output }) => ({
+export const cases = ({ open, text, frames, server, folder, output }) => ({
   async "the front page, before other cases add their files"() {
     const page = await open();
     const plain = [];  // long answers that came as they are

@@ -7,7 +7,7 @@ import { onScreen } from "./drag.mjs";
 
 const box = [-10.06, -7.06, 10.06, 7.06];  // of the fence of the yard
 
-export const lookCases = ({ open, text, frames, server, folder }) => ({
+export const cases = ({ open, text, frames, server, folder }) => ({
   async "the legend switches layers off and, opened, makes them faint, in plan and in space; the address keeps it; what is off cannot be selected"() {
     const page = await open("#watch/runs/yard/run.mcap?t=20");
     await page.waitForSelector(".targets tbody");

@@ -23,7 +23,7 @@ function makeGap(folder) {
   return () => { for (const name of Object.keys(files)) rmSync(join(folder, "maps", name)); };
 }
 
-export const planToolCases = ({ open, text, cell, answers, server, folder }) => ({
+export const cases = ({ open, text, cell, answers, server, folder }) => ({
   async "clearance is the distance of the robot's middle to the nearest obstacle, on cells, polygons and solids alike"() {
     const removeGap = makeGap(folder);
     const page = await open("#live");

@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { compareShot, until } from "./browser.mjs";
 import { serve, source } from "./server.mjs";
 
-export const runsCases = ({ open, text, output }) => ({
+export const cases = ({ open, text, output }) => ({
   async "the list of runs tells seed, verdict, duration and age; it is there after a restart, and so are the logs; a run is run again"() {
     const folder = mkdtempSync(join(tmpdir(), "outrider-runs-"));
     cpSync(join(source, "scenarios/cover"), join(folder, "cover"), { recursive: true });

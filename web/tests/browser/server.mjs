@@ -1,6 +1,6 @@
 // `outrider serve` on a folder of its own, at a port that is free.
 import { execFileSync, spawn } from "node:child_process";
-import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { closeSync, copyFileSync, cpSync, mkdirSync, mkdtempSync, openSync, readFileSync, renameSync, rmSync, writeFileSync, writeSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
@@ -18,9 +18,12 @@ export function makeFolder() {
   return { folder, remove: () => rmSync(home, { recursive: true, force: true }) };
 }
 
-/** Resolves with the address that it prints. */
+/** Resolves with the server: the address that it prints, and what holds its missions. */
 export async function serve(folder) {
-  const child = spawn(tool, ["serve", folder, "--port", "0"], { stdio: ["ignore", "pipe", "pipe"] });
+  const home = mkdtempSync(join(tmpdir(), "outrider-held-"));
+  const own = join(home, "outrider");
+  copyFileSync(tool, own);
+  const child = spawn(own, ["serve", folder, "--port", "0"], { stdio: ["ignore", "pipe", "pipe"] });
   let text = "";
   const url = await new Promise((resolve, reject) => {
     const hear = (chunk) => {
@@ -32,7 +35,26 @@ export async function serve(folder) {
     child.stderr.on("data", hear);
     child.on("exit", () => reject(new Error(`outrider serve ended: ${text}`)));
   });
-  return { url, stop: () => new Promise((resolve) => { child.on("exit", resolve); child.kill("SIGTERM"); }) };
+  // From now on each program that it starts comes by this.
+  writeFileSync(join(home, "between"), `#!/bin/sh\nexec python3 -ESB ${join(source, "tests/support/held_mission.py")} ${home} ${tool} "$@"\n`, { mode: 0o700 });
+  renameSync(join(home, "between"), own);
+  const holds = {};
+  return {
+    url,
+    /** From now on missions of this scenario wait for passOn(). */
+    hold(scenario) {
+      const pipe = join(home, scenario.replaceAll("/", "+"));
+      execFileSync("mkfifo", [pipe]);
+      holds[scenario] = openSync(pipe, "r+");
+    },
+    /** Lets a mission that is held tell what happens up to a `time` and a `step`; all of it, if they are not given. */
+    passOn(scenario, most = {}) { writeSync(holds[scenario], `${JSON.stringify(most)}\n`); },
+    async stop() {
+      await new Promise((resolve) => { child.on("exit", resolve); child.kill("SIGTERM"); });
+      for (const pipe of Object.values(holds)) closeSync(pipe);
+      rmSync(home, { recursive: true });
+    },
+  };
 }
 
 /** The viewer as one file, of a log. */

@@ -6,7 +6,7 @@ import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSy
 import { tmpdir } from "node:os";
 import { extname, join, resolve } from "node:path";
 import { deadLinks } from "../../build/site_links.mjs";
-import { executable, launch } from "./browser.mjs";
+import { executable, launch, patience_s } from "./browser.mjs";
 
 const out = resolve(process.argv[2]);
 const built = (folder, env = {}) => new Promise((done) => {
@@ -57,6 +57,7 @@ const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/cs
 const browser = await launch();
 try {
   const page = await browser.newPage();
+  page.setDefaultTimeout(1000 * patience_s);
   const wrong = [];
   page.on("pageerror", (error) => wrong.push(String(error)));
   await page.route("**/*", (route) => {
@@ -85,7 +86,7 @@ try {
   const address = await result.getAttribute("href");
   await result.click();
   await page.waitForURL((url) => url.pathname === new URL(address, "http://site.test").pathname);
-  await page.locator(".vp-doc").filter({ hasText: /any.angle/i }).waitFor({ timeout: 5000 });
+  await page.locator(".vp-doc").filter({ hasText: /any.angle/i }).waitFor();
   if (wrong.length > 0) throw new Error(wrong.join("\n"));
   console.log(`found ${address}`);
 } finally {

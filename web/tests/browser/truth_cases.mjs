@@ -8,7 +8,7 @@ import { serve, source } from "./server.mjs";
 import { contentsOf } from "./streams.mjs";
 import { tellRun } from "./told.mjs";
 
-export const truthCases = ({ open, text, frames, cell, answers, server, folder }) => ({
+export const cases = ({ open, text, frames, cell, answers, server, folder }) => ({
   async "a plot tells nothing that comes later, and its dots are on the cursor; so does the table"() {
     const page = await open("#watch/runs/yard/run.mcap?t=0");
     await page.waitForSelector(".targets tbody");
