@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view prefix = ".outrider-";
 constexpr std::string_view suffix = ".part";
+constexpr int attempts = 1000;         // to find a name that no other file has
 constexpr int longest_wait_ms = 2000;  // for a lock on a folder; a writer holds it for some renamings
 
 tl::unexpected<Fault> cannot_write(int error, const std::string& path) {
@@ -35,11 +36,14 @@ bool lock(int descriptor) {
          status.st_nlink > 0;
 }
 
+std::string temporary_name(int number) {
+  return fmt::format("{}{}-{}{}", prefix, ::getpid(), number, suffix);
+}
+
 /// Creates a new file in the folder and locks it.
 Outcome<int> create(const OpenFolder& folder, const std::string& path, std::string& name) {
-  constexpr int attempts = 1000;
   for (int i = 0; i < attempts; ++i) {
-    name = fmt::format("{}{}-{}{}", prefix, ::getpid(), i, suffix);
+    name = temporary_name(i);
     const int descriptor =
         ::openat(folder.descriptor(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0 && lock(descriptor)) return descriptor;
@@ -119,6 +123,25 @@ Outcome<TemporaryFile> TemporaryFile::adopt(Place place, const std::string& writ
   return file;
 }
 
+Outcome<std::optional<TemporaryFile>> TemporaryFile::keep_old(const TemporaryFile& file) {
+  const Place& place = file.place_;
+  const int folder = place.folder.descriptor();
+  TemporaryFile old(place, place.folder);
+  old.descriptor_ = ::openat(folder, place.name.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
+  if (old.descriptor_ >= 0) lock(old.descriptor_);  // so that no other writer takes it for abandoned
+  for (int i = 0; i < attempts; ++i) {
+    const std::string name = temporary_name(i);
+    if (::linkat(folder, place.name.c_str(), folder, name.c_str(), 0) == 0) {
+      old.name_ = name;
+      break;
+    }
+    if (errno == ENOENT) return std::optional<TemporaryFile>();
+    if (errno == ENOSPC || errno == EDQUOT || errno == EIO) return cannot_write(errno, place.path);
+    if (errno != EEXIST) break;
+  }
+  return std::optional<TemporaryFile>(std::move(old));
+}
+
 TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
     : place_(other.place_),
       from_(other.from_),
@@ -132,6 +155,18 @@ TemporaryFile::~TemporaryFile() {
 
 bool TemporaryFile::rename() const {
   return ::renameat(from_.descriptor(), name_.c_str(), place_.folder.descriptor(), place_.name.c_str()) == 0;
+}
+
+void TemporaryFile::remove_final() const { ::unlinkat(place_.folder.descriptor(), place_.name.c_str(), 0); }
+
+int rename_all(const std::vector<TemporaryFile>& files, const OldFiles& old) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files[i].rename()) continue;
+    const int error = errno;
+    while (i-- > 0) old[i] ? void(old[i]->rename()) : files[i].remove_final();
+    return error;
+  }
+  return 0;
 }
 
 Status TemporaryFile::finish(int error) {

@@ -1,7 +1,9 @@
 // TemporaryFile: a complete file under a temporary name, which can be renamed to its final name.
+// rename_all(): renames several files, or none.
 // FolderLocks: of several writers, one renames at a time.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +35,11 @@ class TemporaryFile {
   /// Takes a complete file as the temporary one, and waits for the disk.
   static Outcome<TemporaryFile> adopt(Place place, const std::string& written);
 
+  /// Makes a second name for the file that has the final name of `file` now; its rename() brings it back,
+  /// unless the file system allows no second name. Returns nothing if there is no such file. Fault:
+  /// cannot_write, for instance because the disk is full.
+  static Outcome<std::optional<TemporaryFile>> keep_old(const TemporaryFile& file);
+
   TemporaryFile(TemporaryFile&& other) noexcept;
   TemporaryFile& operator=(TemporaryFile&&) = delete;
   ~TemporaryFile();
@@ -40,6 +47,8 @@ class TemporaryFile {
   /// Renames the file to its final name and does nothing else, so it may be called between fork() and
   /// _exit().
   [[nodiscard]] bool rename() const;
+  /// Removes the file with the final name; as safe as rename().
+  void remove_final() const;
   /// Returns a fault unless rename() has succeeded, in this process or another. `error` is the errno of
   /// rename().
   Status finish(int error);
@@ -52,6 +61,14 @@ class TemporaryFile {
   std::string name_;  // there; empty: there is no file to remove
   int descriptor_ = -1;
 };
+
+/// The old files that others replace, in their order.
+using OldFiles = std::vector<std::optional<TemporaryFile>>;
+
+/// Renames all files in order. At the first failure it brings the files back that `old` keeps, and removes
+/// those that are new, so all or none are renamed; a second failure, or a file that could not be kept, may
+/// leave a part of them. Returns 0, or errno. It makes only calls that are safe between fork() and _exit().
+int rename_all(const std::vector<TemporaryFile>& files, const OldFiles& old);
 
 /// Holds locks on folders, so that of two writers one renames all its files before the other renames any. A
 /// forked process keeps them while it lives. A folder that cannot be locked is left out: a file system may

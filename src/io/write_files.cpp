@@ -1,7 +1,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <map>
 #include <utility>
@@ -13,20 +12,13 @@
 namespace outrider {
 namespace {
 
-/// Renames all files in order and stops at the first failure. Returns 0, or errno. It makes only calls that
-/// are safe between fork() and _exit().
-int rename_all(const std::vector<TemporaryFile>& files) {
-  const auto failed = std::ranges::find_if_not(files, &TemporaryFile::rename);
-  return failed == files.end() ? 0 : errno;
-}
-
 /// Renames all files in a separate process with its own session, which survives if this process is killed.
-int rename_all_unharmed(const std::vector<TemporaryFile>& files) {
+int rename_all_unharmed(const std::vector<TemporaryFile>& files, const OldFiles& old) {
   const pid_t child = ::fork();
-  if (child < 0) return rename_all(files);  // no new process is possible
+  if (child < 0) return rename_all(files, old);  // no new process is possible
   if (child == 0) {
     ::setsid();
-    ::_exit(rename_all(files) & 0x7f);
+    ::_exit(rename_all(files, old) & 0x7f);
   }
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
@@ -60,7 +52,13 @@ Status write_to(const std::vector<Place>& places, const std::vector<NamedContent
     written.push_back(std::move(*file));
   }
   const FolderLocks locks(folders);
-  const int error = written.size() < 2 ? rename_all(written) : rename_all_unharmed(written);
+  OldFiles old;
+  for (const TemporaryFile& file : written) {
+    auto kept = TemporaryFile::keep_old(file);
+    if (!kept) return pass_on(kept);
+    old.push_back(std::move(*kept));
+  }
+  const int error = written.size() < 2 ? rename_all(written, old) : rename_all_unharmed(written, old);
   Status first;
   for (TemporaryFile& file : written) {
     if (auto ok = file.finish(error); !ok && first) first = ok;

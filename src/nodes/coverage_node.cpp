@@ -114,7 +114,7 @@ void CoverageNode::plan() {
     return set_status(NodeLevel::error, "refused",
                       "the track was refused by its proof: " + to_string(proof.error()));
   for (const Vec2 point : points_along(made->track.start.position, made->track.pieces, chord_rad))
-    track_.push_back(task_->frame.to_file(point));
+    track_.push_back(task_->problem.frame.to_file(point));
   set_status(NodeLevel::info, "planned",
              fmt::format("a track of {:.1f} m was sent; it surely covers {:.2f} % of what the robot reaches",
                          made->sums.length_m, 100.0 * proof->sure_fraction));

@@ -27,6 +27,12 @@ void* __libc_malloc(std::size_t size) noexcept;
 void* __libc_calloc(std::size_t count, std::size_t size) noexcept;
 void* __libc_realloc(void* place, std::size_t size) noexcept;
 void* __libc_memalign(std::size_t alignment, std::size_t size) noexcept;
+
+// The mode is there only if a file may be made, which makes no difference to how it is passed on.
+int failing_open(const char* path, int flags, mode_t mode) asm("open");
+int failing_open64(const char* path, int flags, mode_t mode) asm("open64");
+int failing_openat(int folder, const char* path, int flags, mode_t mode) asm("openat");
+int failing_openat64(int folder, const char* path, int flags, mode_t mode) asm("openat64");
 }
 
 namespace {
@@ -109,21 +115,18 @@ int posix_memalign(void** place, std::size_t alignment, std::size_t size) noexce
   return *place == nullptr ? ENOMEM : 0;
 }
 
-int open(const char* path, int flags, ...) {
-  va_list rest;
-  va_start(rest, flags);
-  const auto mode = static_cast<mode_t>((flags & O_CREAT) != 0 ? va_arg(rest, int) : 0);
-  va_end(rest);
-  static const auto real = next(&::open, "open");
-  return fails_to_open(path, flags) ? -1 : real(path, flags, mode);
+int failing_openat(int folder, const char* path, int flags, mode_t mode) {
+  static const auto real = reinterpret_cast<decltype(&failing_openat)>(::dlsym(RTLD_NEXT, "openat"));
+  return fails_to_open(path, flags) ? -1 : real(folder, path, flags, mode);
 }
-int open64(const char* path, int flags, ...) {
-  va_list rest;
-  va_start(rest, flags);
-  const auto mode = static_cast<mode_t>((flags & O_CREAT) != 0 ? va_arg(rest, int) : 0);
-  va_end(rest);
-  static const auto real = next(&::open64, "open64");
-  return fails_to_open(path, flags) ? -1 : real(path, flags, mode);
+int failing_openat64(int folder, const char* path, int flags, mode_t mode) {
+  return failing_openat(folder, path, flags, mode);
+}
+int failing_open(const char* path, int flags, mode_t mode) {
+  return failing_openat(AT_FDCWD, path, flags, mode);
+}
+int failing_open64(const char* path, int flags, mode_t mode) {
+  return failing_openat(AT_FDCWD, path, flags, mode);
 }
 ssize_t write(int descriptor, const void* bytes, std::size_t count) {
   static const auto real = next(&::write, "write");
@@ -144,13 +147,13 @@ int close(int descriptor) {
   errno = code;
   return fail ? -1 : result;
 }
-int rename(const char* from, const char* to) noexcept {
-  static const auto real = next(&::rename, "rename");
-  return fails("rename") ? -1 : real(from, to);
+int renameat(int from_folder, const char* from, int to_folder, const char* to) noexcept {
+  static const auto real = next(&::renameat, "renameat");
+  return fails("rename") ? -1 : real(from_folder, from, to_folder, to);
 }
-int link(const char* from, const char* to) noexcept {
-  static const auto real = next(&::link, "link");
-  return fails("link") ? -1 : real(from, to);
+int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) noexcept {
+  static const auto real = next(&::linkat, "linkat");
+  return fails("link") ? -1 : real(from_folder, from, to_folder, to, flags);
 }
 int mkdir(const char* path, mode_t mode) noexcept {
   static const auto real = next(&::mkdir, "mkdir");

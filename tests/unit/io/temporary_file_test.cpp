@@ -20,11 +20,13 @@ void rename_but_not_the_last(const test::Folder& folder, bool kept) {
   const auto at = [&](const char* name) { return (folder.path / name).string(); };
   std::vector<TemporaryFile> files;
   for (const char* name : {"a", "new", "last"}) {
-    auto file = TemporaryFile::write(at(name), "2");
+    auto place = place_of(at(name));
+    ASSERT_TRUE(place);
+    auto file = TemporaryFile::write(std::move(*place), "2");
     ASSERT_TRUE(file);
     files.push_back(std::move(*file));
   }
-  std::vector<std::optional<TemporaryFile>> old;
+  OldFiles old;
   for (const TemporaryFile& file : files) {
     auto one = TemporaryFile::keep_old(file);
     ASSERT_TRUE(one);

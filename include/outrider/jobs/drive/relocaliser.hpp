@@ -16,9 +16,9 @@ namespace outrider {
 
 /// The state of the search.
 struct Relocaliser {
-  std::optional<PoseBelief> pose;  ///< fused pose of the images that agree
-  std::int64_t images = 0;         ///< number of these images
-  std::set<int> tags;              ///< ids of the tags in them
+  std::optional<PoseBelief> pose = {};  ///< fused pose of the images that agree
+  std::int64_t images = 0;              ///< number of these images
+  std::set<int> tags = {};              ///< ids of the tags in them
   /// Number of all images whose tags contradict one another or the floor, wherever the robot stands.
   std::int64_t contradictory = 0;
 
