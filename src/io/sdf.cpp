@@ -177,6 +177,11 @@ Outcome<LoadedWorld> sdf_from_text(std::string_view text, const std::string& nam
   SdfFiles files(options.model_path);
   auto file = files.parse(text, name);
   if (!file) return pass_on(file);
+  const XmlElement root = (*file)->document.root();
+  if (!root.child("world")) {
+    files.warnings.add((*file)->document.where(root),
+                       "there is no <world>; its models were put into one, on a floor at z = 0");
+  }
   auto scene = scan_sdf(files, **file);
   if (!scene) return pass_on(scene);
   auto world = build(files, *scene, name);

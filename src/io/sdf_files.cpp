@@ -111,6 +111,13 @@ std::optional<int> version_of(std::string_view text) {
 
 }  // namespace
 
+std::vector<std::string_view> first_words(std::string_view text, std::size_t most) {
+  std::vector<std::string_view> words;
+  for (std::string_view word; words.size() < most && !(word = take_word(text)).empty();)
+    words.push_back(word);
+  return words;
+}
+
 std::vector<std::string> parts_of_path(std::string_view list) {
   std::vector<std::string> folders;
   while (!list.empty()) {

@@ -83,6 +83,9 @@ class SdfFiles {
   std::size_t includes_ = 0;
 };
 
+/// Returns the first words of a text, at most `most`.
+std::vector<std::string_view> first_words(std::string_view text, std::size_t most);
+
 /// Returns the parts of a list that are separated by ':', without empty ones.
 std::vector<std::string> parts_of_path(std::string_view list);
 

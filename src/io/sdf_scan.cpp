@@ -97,7 +97,6 @@ class Scan {
     if (scene_.bare) {
       world = {&file, file.is_urdf() ? XmlElement() : root.element};
       scene_.name = "yard";
-      warn(root, "there is no <world>; its models were put into one, on a floor at z = 0");
     } else {
       if (const XmlElement other = world.element.next_sibling("world"))
         warn({&file, other}, "only the first <world> was read");
@@ -171,7 +170,7 @@ class Scan {
     std::array<double, 8> v = {0, 0, 0, 0, 0, 0, quaternion ? 1.0 : 0.0, 0};
     const bool is_origin = pose.element.name() == std::string_view("origin");
     const std::string text = is_origin ? origin_text(pose) : std::string(xml_text(pose.element));
-    const auto parts = words(text, v.size());
+    const auto parts = first_words(text, v.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const auto value = number<double>(parts[i]);
       if (!value) refuse(pose, fmt::format("'{}' in a <pose> is no finite number", excerpt(parts[i])));
@@ -413,7 +412,7 @@ class Scan {
   void read_state(const Part& state) {
     for (const char* name : {"sim_time", "real_time", "wall_time"}) {
       const Part time = state.child(name);
-      const auto parts = words(xml_text(time.element), 3);
+      const auto parts = first_words(xml_text(time.element), 3);
       const bool pair = parts.size() == 2 && number<std::int64_t>(parts[0]) && number<std::int64_t>(parts[1]);
       if (time.element && !pair)
         warn(time, "a time in <state> is not seconds and nanoseconds and was left out");
@@ -439,7 +438,7 @@ class Scan {
   /// Reads the saved pose of a model or a link, which is in the frame of the world.
   void read_stated(const Part& part, const std::string& key) {
     if (part.child("pose").element) scene_.stated.emplace(key, pose_of(part.child("pose")));
-    const auto factors = words(xml_text(part.element, "scale"), 3);
+    const auto factors = first_words(xml_text(part.element, "scale"), 3);
     if (std::ranges::any_of(factors, [](std::string_view factor) { return number<double>(factor) != 1.0; }))
       warn(part, "a <scale> in <state> was not applied; sizes are those of the models");
   }

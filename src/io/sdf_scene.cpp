@@ -7,12 +7,6 @@
 namespace outrider {
 namespace {
 
-Pose3 inverse(const Pose3& a_T_b) {
-  const auto& [x, y, z] = a_T_b.rotation.axes;
-  return {-1.0 * a_T_b.rotation.unrotate(a_T_b.position),
-          {{Vec3{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}}};
-}
-
 /// A frame, or the origin of a scope.
 struct Place {
   std::size_t scope = 0;
@@ -132,6 +126,12 @@ Pose3 stated_or(const SdfScene& scene, const std::string& key, const Pose3& pose
 }
 
 }  // namespace
+
+Pose3 inverse(const Pose3& a_T_b) {
+  const auto& [x, y, z] = a_T_b.rotation.axes;
+  return {-1.0 * a_T_b.rotation.unrotate(a_T_b.position),
+          {{Vec3{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}}};
+}
 
 Outcome<std::vector<Pose3>> collision_poses(const SdfScene& scene) {
   FramePoses poses(scene);

@@ -63,6 +63,9 @@ struct SdfScene {
 /// files, as often as they are included); no recursion.
 Outcome<SdfScene> scan_sdf(SdfFiles& files, const SdfFile& file);
 
+/// Returns b_T_a.
+Pose3 inverse(const Pose3& a_T_b);
+
 /// Returns world_T_collision of every collision. Faults: bad_input with the place of a frame whose pose is
 /// relative to a frame that does not exist, or to itself. O((frames + collisions) (depth + log frames)); no
 /// recursion.

@@ -220,7 +220,7 @@ Vec3 SdfNumbers::of(XmlElement shape, const char* part, std::size_t count, Vec3 
 
 Vec3 SdfNumbers::read(XmlElement element, const char* name, std::string_view text, std::size_t count) {
   std::array<double, 3> values{};
-  const auto parts = words(text, values.size() + 1);
+  const auto parts = first_words(text, values.size() + 1);
   bool valid = parts.size() == count;
   for (std::size_t i = 0; i < count && valid; ++i) {
     const auto value = number<double>(parts[i]);

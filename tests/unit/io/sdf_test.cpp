@@ -290,7 +290,7 @@ TEST(Sdf, NamesSayWhatDistinguishesAndAreUnique) {
 TEST(Sdf, RefusesWhatIsWrong) {
   EXPECT_EQ(load_sdf("/no/such.sdf").error().where, "/no/such.sdf");
   EXPECT_TRUE(sdf_fault(world_of(ground + "<model name='a'>")).starts_with("w.sdf:")) << sdf_fault("<sdf");
-  EXPECT_EQ(sdf_fault("<robot/>"), "w.sdf: its root element is <robot>, not <sdf>");
+  EXPECT_EQ(sdf_fault("<gazebo/>"), "w.sdf: its root element is <gazebo>, not <sdf>");
   EXPECT_EQ(sdf_fault(world_of(ground + model("a", "0 nan 0 0 0 0", unit_box))),
             "w.sdf:4: 'nan' in a <pose> is no finite number");
   EXPECT_EQ(sdf_fault(world_of(ground + model("a", "0 0 0 0", unit_box))),
