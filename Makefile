@@ -119,7 +119,7 @@ writes:  ## make each call fail with which a run is written, and each allocation
 	@ninja -C build -j $(JOBS) outrider failing_calls
 	@OUTRIDER_CASES=100 ctest --preset release -R '^cli[.]write_faults$$' --timeout 3600 --output-on-failure
 
-cancel: build  ## stop each published scenario with Ctrl-C at MOMENTS random moments, 50 unless given; tells the worst latency
+cancel: build  ## stop scenarios and planners with Ctrl-C and SIGTERM at MOMENTS random moments, 50 unless given; tells the worst latency
 	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) python3 -B tests/cli/cancel_soak.py --moments $(MOMENTS)
 
 totality: RUNS = 20000

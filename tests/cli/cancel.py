@@ -1,4 +1,4 @@
-"""Stops runs with Ctrl-C at chosen moments, and checks what they leave behind."""
+"""Stops runs with Ctrl-C or SIGTERM at chosen moments, and checks what they leave behind."""
 import dataclasses
 import json
 import os
@@ -11,7 +11,7 @@ import time
 
 from tool import SOURCE, TOOL
 
-WITHIN_S = 0.2  # a run ends so soon after the signal, on a machine that does nothing else
+WITHIN_S = 1.0  # of processor time, by all threads: what a run may still work after a signal
 MOST_S = 60.0  # whatever takes longer is killed
 
 
@@ -56,6 +56,46 @@ def more_runs():
             ("slam, a log", ["run", str(SOURCE / "scenarios/slam/office.yaml")])]
 
 
+def square(folder, side_m):
+    """Writes a polygon map: a square room with pillars."""
+    path = pathlib.Path(folder) / f"square{side_m}.txt"
+    pillars = [(x, y) for x in range(5, side_m - 5, 10) for y in range(5, side_m - 5, 10)]
+    path.write_text(f"(0,0) ({side_m},0) ({side_m},{side_m}) (0,{side_m})\n---\n" + "".join(
+        f"({x},{y}) ({x + 2},{y + 1}) ({x + 1},{y + 3})\n" for x, y in pillars))
+    return path
+
+
+def open_map(folder, side, draws):
+    """Writes a MovingAI map whose cells are blocked at random, but not at two corners."""
+    path = pathlib.Path(folder) / "random.map"
+    rows = ["".join("@" if draws.random() < 0.1 and 2 < x + y < 2 * side - 4 else "." for x in range(side))
+            for y in range(side)]
+    path.write_text(f"type octile\nheight {side}\nwidth {side}\nmap\n" + "\n".join(rows) + "\n")
+    return path
+
+
+def planning_runs(folder, draws):
+    """Each planner of each catalogue on something large, so that most of a run is planning: (name, words)."""
+    catalogue = json.loads(subprocess.run([TOOL, "list", "--json"], capture_output=True, text=True, check=True).stdout)
+    cells, field = open_map(folder, 1500, draws), square(folder, 200)
+    for row in catalogue["path_planners"]:
+        polygons = row["models"] in ([], ["corners"])
+        where = [str(field), "--from", "1,1", "--to", "199,199"] if polygons else \
+                [str(cells), "--from", "0.5,0.5", "--to", "1499.5,1499.5"]
+        radius = "0.01" if polygons else "0"
+        yield f"plan by {row['name']}", ["plan", *where, "--planner", row["name"], "--radius", radius]
+    for row in catalogue["cover_methods"]:
+        yield f"cover by {row['name']}", ["cover", str(square(folder, 100)), "--method", row["name"], "--width", "0.2"]
+    for row in catalogue["pursuit_planners"]:
+        yield f"pursue by {row['name']}", ["run", str(SOURCE / "scenarios/pursuit/park.yaml"), "--planner", row["name"]]
+    for row in catalogue["fleet_planners"]:
+        warehouse = str(SOURCE / "scenarios/fleet/warehouse.yaml")
+        yield f"fleet by {row['name']}", ["run", warehouse, "--planner", row["name"]]
+    yard = str(SOURCE / "scenarios/yard/yard.yaml")
+    for row in catalogue["guard_planners"]:
+        yield f"guard by {row['name']}", ["run", yard, "--plan-planner", row["name"], "--plan-resolution", "0.05"]
+
+
 def complaint_of(status, output, errors, folder):
     if status not in (0, 1):
         return f"exit status {status}: {errors.strip()}"
@@ -90,11 +130,11 @@ def processor_s(pid):
 
 def hold_back():
     """While a program is loaded nobody listens, and a signal would end it: it waits until somebody does."""
-    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT, signal.SIGTERM])
 
 
-def stop_at(words, moment_s):
-    """Runs the tool in a folder of its own and sends it SIGINT after so long."""
+def stop_at(words, moment_s, number=signal.SIGINT):
+    """Runs the tool in a folder of its own and sends it a signal after so long."""
     with tempfile.TemporaryDirectory(prefix="outrider-cancel-") as home:
         folder = pathlib.Path(home) / "out"
         folder.mkdir()
@@ -106,7 +146,7 @@ def stop_at(words, moment_s):
             if not select.select([ended], [], [], moment_s)[0]:
                 before_s = processor_s(process.pid)
                 sent_s = time.monotonic()
-                os.kill(process.pid, signal.SIGINT)  # send_signal() would take away what has just ended
+                os.kill(process.pid, number)  # send_signal() would take away what has just ended
                 select.select([ended], [], [], MOST_S)
                 latency_s = time.monotonic() - sent_s
             os.close(ended)

@@ -14,6 +14,8 @@ std::atomic<std::int64_t> blocks_run{0};
 std::atomic<std::int64_t> allocations_made{0};
 std::atomic<std::int64_t> bytes_held{0};
 std::atomic<std::int64_t> most_bytes_held{0};
+std::atomic<std::int64_t> stop_at{-1};  // in blocks_run
+std::stop_source* to_stop = nullptr;
 
 void took(void* place) {
   if (place == nullptr) return;
@@ -44,7 +46,9 @@ void __wrap_free(void* place);
 
 void __sanitizer_cov_trace_pc() {
   // Not fetch_add(), which takes longer: only one thread counts.
-  blocks_run.store(blocks_run.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  const std::int64_t run = blocks_run.load(std::memory_order_relaxed) + 1;
+  blocks_run.store(run, std::memory_order_relaxed);
+  if (run == stop_at.load(std::memory_order_relaxed)) to_stop->request_stop();
 }
 
 void* __wrap_malloc(std::size_t size) {
@@ -93,6 +97,15 @@ Work work_of(const std::function<void()>& call) {
   return {static_cast<double>(blocks_run - blocks_before),
           static_cast<double>(allocations_made - allocations_before),
           static_cast<double>(most_bytes_held - held_before)};
+}
+
+double blocks_when_stopped(double at, const std::function<void(const std::stop_token&)>& call) {
+  std::stop_source source;
+  to_stop = &source;
+  stop_at = blocks_run + static_cast<std::int64_t>(at);
+  const Work work = work_of([&] { call(source.get_token()); });
+  stop_at = -1;
+  return work.blocks;
 }
 
 }  // namespace outrider::growth

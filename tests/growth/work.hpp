@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <stop_token>
 
 namespace outrider::growth {
 
@@ -21,5 +22,9 @@ struct Work {
 
 /// Runs the call with one thread of TBB, and returns what it took.
 Work work_of(const std::function<void()>& call);
+
+/// Runs the call with one thread of TBB, and requests a stop when it has run that many blocks. Returns how
+/// many it ran in all.
+double blocks_when_stopped(double at, const std::function<void(const std::stop_token&)>& call);
 
 }  // namespace outrider::growth

@@ -14,6 +14,7 @@ constexpr double arc_part = 2.5e-4;       // of the stride, between a true arc a
 constexpr double least_bar = 1e-3;        // of the width of a bar: its least length
 constexpr double most_bar = 100.0;        // widths of a bar: its length, and how far ahead it is
 constexpr double turning_room = 1.0002;   // for a bar: the judge's polygons about its turns
+constexpr double most_strips = 10'000.0;  // side by side: more would take days to put in order and to measure
 constexpr double transfer_margin = 10.0;  // widths around all areas that transfers may use
 
 Status check_outline(const AreaOutline& outline, const std::string& of) {
@@ -291,6 +292,24 @@ Status connect(CoverageArea& made, const CoverProblem& problem) {
   return {};
 }
 
+/// Refuses areas whose strips are hopelessly many.
+Status check_strips(const CoverProblem& problem, const std::vector<AreaOutline>& outlines) {
+  for (const AreaOutline& outline : outlines) {
+    const Region area = region_of(outline.boundary, outline.holes);
+    const Vec2 size = bounds_of(area).size();
+    const double strips = std::max(size.x, size.y) / problem.stride_m();
+    if (strips <= most_strips) continue;
+    return bad_input(
+        fmt::format(
+            "its {:.4g} x {:.4g} m take up to {:.0f} strips {:.4g} m apart, {:.3g} km in all, and at most "
+            "{:.0f} strips are planned; give a wider robot, or cover the area in parts",
+            size.x, size.y, strips, problem.stride_m(), 1e-3 * area_of(area) / problem.stride_m(),
+            most_strips),
+        "area");
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<Option> describe(CoverTool& tool) {
@@ -347,6 +366,7 @@ Outcome<CoverageArea> cover_ground(const CoverProblem& problem) {
   CoverageArea made;
   made.arc_m = arc_part * problem.stride_m();
   const std::vector<AreaOutline> outlines = outlines_apart(problem);
+  if (auto good = check_strips(problem, outlines); !good) return pass_on(good);
   if (outlines.size() > 1 && !problem.transfers) {
     return bad_input(
         fmt::format("{} areas lie apart; allow transfers, which cross the ground between them, or "

@@ -140,6 +140,8 @@ CoverTask task_of(const CoverScenario& scenario, const CoverMethod& method, Cove
 }
 
 Fault placed(Fault fault, const CoverTask& task) {
+  if (fault.where == "area" && task.problem.frame.degrees)
+    fault.sentence += "; if the numbers of the file are metres and not degrees, say units: metres";
   for (const auto& [name, where] : task.places) {
     if (fault.where != name) continue;
     fault.where = where;

@@ -136,9 +136,15 @@ Status solve_graph(const SlamJob& job, const GraphInput<Pose>& input, Run& run, 
   const auto solution = optimise(input.graph, scenario.graph, watch.budget());
   const double time_s = wall_s() - began_s;
   if (!solution) return tl::unexpected<Fault>(solution.error());
+  const auto cancelled = [] {
+    return fault(FaultCode::cancelled, "it was cancelled before the graph was solved and judged");
+  };
+  if (watch.stopped()) return cancelled();
   const PoseGraphOf<Pose> kept = without_edges(input.graph, solution->refused);
   const auto marginals = marginal_covariances(kept, solution->poses);
+  if (watch.stopped()) return cancelled();
   run.report.metrics = metrics_of(input, kept, *solution);
+  if (watch.stopped()) return cancelled();
   PlanGraph plan = {plan_of(kept),
                     plan_of(solution->poses),
                     plan_of(odometry_of(input.graph, solution->poses)),

@@ -110,9 +110,10 @@ struct CoverageArea {
 
 /// Prepares the area. Faults: bad_input on a polygon that crosses itself, a hole that is not inside the
 /// boundary, a robot wider than every part of the area (with the widest that fits), numbers out of range, an
-/// overlap too small for the tracking error (with the one that is enough), areas apart without transfers, an
-/// area in a hole of another, a tracking error or transfers with a bar; start_blocked; outside_map. `where`
-/// is "boundary", "hole 2", "boundary of area 2", "hole 1 of area 2", or the key.
+/// overlap too small for the tracking error (with the one that is enough), more than 10,000 strips side by
+/// side, areas apart without transfers, an area in a hole of another, a tracking error or transfers with a
+/// bar; start_blocked; outside_map. `where` is "boundary", "hole 2", "boundary of area 2", "hole 1 of area
+/// 2", or the key.
 Outcome<CoverageArea> cover_ground(const CoverProblem& problem);
 
 }  // namespace outrider

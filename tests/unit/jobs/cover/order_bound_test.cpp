@@ -79,6 +79,16 @@ TEST(OrderBound, IsNeverAboveTheBestOfAllOrdersAndNearIt) {
   EXPECT_GT(ratios / cases, 0.9);
 }
 
+/// What is known at a stop is a bound still: nothing at first.
+TEST(OrderBound, AStopLeavesABound) {
+  Rng rng(42);
+  const RandomOrder order = random_order(rng, 6, true);
+  std::stop_source source;
+  source.request_stop();
+  ASSERT_GT(cover::order_bound_s(order.problem, true, 10.0), 0.0);
+  EXPECT_EQ(cover::order_bound_s(order.problem, true, 10.0, source.get_token()), 0.0);
+}
+
 TEST(OrderBound, OneUnitTakesItsBestWay) {
   TourProblem problem;
   problem.goals = 1;

@@ -253,6 +253,44 @@ void expect_refused(const CoverProblem& problem, const std::string& where, const
   EXPECT_NE(ground.error().sentence.find(says), std::string::npos) << ground.error().sentence;
 }
 
+/// Hopeless areas are refused before memory is taken, with the number of strips and their length.
+TEST(CoverPlan, HopelessAreasAreRefusedWithTheEstimate) {
+  CoverProblem field = room(9000.0);
+  field.overlap = 0.1;
+  for (const CoverMethod& method : cover_methods()) {
+    const auto plan = method.plan(field, {}, {});
+    ASSERT_FALSE(plan) << method.name;
+    EXPECT_EQ(plan.error().code, FaultCode::bad_input);
+    EXPECT_EQ(plan.error().where, "area");
+    for (const char* part : {"9000 x 9000 m", "50000 strips", "0.18 m apart", "4.5e+05 km"})
+      EXPECT_NE(plan.error().sentence.find(part), std::string::npos) << plan.error().sentence;
+  }
+  field.width_m = 20.0;
+  EXPECT_TRUE(cover_ground(field)) << "500 strips are not many";
+}
+
+TEST(CoverPlan, EveryMethodHearsAStop) {
+  std::stop_source source;
+  source.request_stop();
+  Budget stopped;
+  stopped.stop = source.get_token();
+  CoverProblem curves = room(6.0), bar = room(6.0);
+  curves.turning_radius_m = 0.4;
+  bar.tool = {.shape = "bar", .width_m = 0.4, .length_m = 0.1, .forward_m = 0.2};
+  for (const CoverMethod& method : cover_methods()) {
+    for (const CoverProblem& problem : {room(3.0), curves, bar}) {
+      if (method.name == "spiral" && problem.bar()) continue;  // not planned
+      const auto plan = method.plan(problem, {}, stopped);
+      ASSERT_FALSE(plan) << method.name;
+      EXPECT_EQ(plan.error().code, FaultCode::cancelled) << method.name << ": " << to_string(plan.error());
+    }
+  }
+  const CoverProblem problem = room(3.0);
+  const auto proof = prove(planned(problem, "boustrophedon"), problem, stopped);
+  ASSERT_FALSE(proof);
+  EXPECT_EQ(proof.error().code, FaultCode::cancelled) << to_string(proof.error());
+}
+
 TEST(CoverPlan, BadInputIsRefusedInASentence) {
   CoverProblem wide = room(1.5);
   wide.width_m = 2.0;
