@@ -7,8 +7,8 @@
 namespace outrider::server {
 namespace {
 
-constexpr std::size_t most_names = 100'000;  // of a folder
-constexpr std::size_t most_together = 500;   // files of a question
+constexpr std::size_t most_entries = 100'000;  // of a folder
+constexpr std::size_t most_asked = 500;   // files of a question
 
 }  // namespace
 
@@ -20,7 +20,7 @@ std::vector<FileList::Found> FileList::found(bool& truncated, const std::stop_to
     folders.pop_back();
     const auto folder = folder_.gate().folder(above);
     if (!folder) continue;
-    for (const std::string& name : folder->names(most_names)) {
+    for (const std::string& name : folder->names(most_entries)) {
       const auto status = good_name(name) ? folder->status(name) : std::nullopt;
       if (!status) continue;
       if (status->is_folder && depth + 1 < deepest_folder)
@@ -66,7 +66,7 @@ Status FileList::learn_changed(const std::vector<Found>& files, const std::stop_
   for (const Found& file : files) {
     if (!kind_of(file).is_null()) continue;
     const std::uint64_t more = is_parsed(file.path) ? file.status.bytes : 0;
-    if (!together.empty() && (bytes + more > largest_saved_bytes || together.size() == most_together)) {
+    if (!together.empty() && (bytes + more > largest_saved_bytes || together.size() == most_asked)) {
       if (auto ok = learn(std::exchange(together, {}), stop); !ok) return ok;
       bytes = 0;
     }

@@ -2,6 +2,7 @@
 import os
 import pathlib
 import socket
+import time
 
 from serve_case import Serve
 from server_client import Server, WebSocket

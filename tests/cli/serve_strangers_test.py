@@ -2,19 +2,17 @@
 
 No test here measures time: they count processes, bytes, memory and processor time.
 """
-import ctypes
 import json
 import os
 import pathlib
 import subprocess
 import sys
 import tempfile
-import time
 
 from serve_case import COURT, Serve
 from server_client import Server
 from serve_load import MIB
-from tool import main
+from tool import main, until
 from witness import Witness
 
 MOST_MIB = 150  # that the server itself ever held; a bomb took 300 and more
@@ -76,12 +74,6 @@ class Strangers(Serve):
         self.addCleanup(outside.cleanup)
         self.outside = pathlib.Path(outside.name)
 
-    def until(self, condition, seconds=120):
-        end = time.monotonic() + seconds
-        while not condition():
-            self.assertLess(time.monotonic(), end)
-            time.sleep(0.005)
-
     def stays_small(self, server):
         self.assertLess(status_of(server, "VmHWM") / 1024, MOST_MIB)
 
@@ -98,7 +90,7 @@ class Strangers(Serve):
                 server.json("GET", "/api/v1/version")
             for connection in waiting:
                 connection.close()
-            self.until(lambda: not children(server))
+            until("the end of the readers", lambda: not children(server))
             self.assertLess(processor_s(server) - before_s, 3)
             self.stays_small(server)
             evil = {"Origin": "http://evil.com", "Sec_Fetch_Site": "cross-site"}
