@@ -143,8 +143,8 @@ Outcome<std::optional<TemporaryFile>> TemporaryFile::keep_old(const TemporaryFil
 }
 
 TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
-    : place_(other.place_),
-      from_(other.from_),
+    : place_(std::move(other.place_)),
+      from_(std::move(other.from_)),
       name_(std::exchange(other.name_, {})),
       descriptor_(std::exchange(other.descriptor_, -1)) {}
 

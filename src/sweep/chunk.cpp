@@ -59,8 +59,10 @@ std::string difference(const Sweep& sweep, std::uint64_t chunk, std::string_view
   const auto columns = fixed_columns(sweep);
   const auto here = given_fields(sweep, run_of(sweep, sweep.begin_of(chunk)));
   const auto names = csv_fields(take_line(text)), there = csv_fields(take_line(text));
+  const bool same_keys = names.size() >= columns.size() && there.size() >= here.size() &&
+                         std::equal(columns.begin(), columns.end(), names.begin());
+  if (!same_keys) return "the keys that vary";
   for (std::size_t i = 0; i < here.size(); ++i) {
-    if (i >= std::min(names.size(), there.size()) || names[i] != columns[i]) return "the keys that vary";
     if (there[i] == here[i]) continue;
     return fmt::format("the {} of its first run ('{}' there, '{}' here)", i == 0 ? "number" : columns[i],
                        excerpt(there[i]), excerpt(here[i]));

@@ -90,11 +90,8 @@ std::string reasons_text(const SweepSummary& summary) {
   std::string text = summary.reasons.empty() ? "" : "\nWhy runs are not done\n";
   for (std::size_t i = 0; i < std::min(summary.reasons.size(), most_reasons_shown); ++i) {
     const ReasonSummary& one = summary.reasons[i];
-    const std::string reason = one.reason.size() > most_reason_bytes
-                                   ? printable(one.reason.substr(0, most_reason_bytes)) + "..."
-                                   : one.reason;
     text += fmt::format("  {:>8} {}{}{}; run {} is one\n", one.rate.hits, one.status,
-                        reason.empty() ? "" : ": ", reason, one.example);
+                        one.reason.empty() ? "" : ": ", excerpt(one.reason, most_reason_bytes), one.example);
   }
   return text;
 }

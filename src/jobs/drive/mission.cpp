@@ -115,7 +115,7 @@ std::string likely_causes(const DriveMission& mission) {
   if (2 * mission.relocaliser.contradictory > mission.refused)
     return "the tags contradict one another or the floor: are their places, tag_size and the camera right?";
   if (mission.used == 0)
-    return "no image ever agreed with the start: are it, the places of the tags and tag_size right?";
+    return "no image ever agreed with the start: are the start, the places of the tags and tag_size right?";
   return fmt::format("{} images before agreed: was the robot moved, or a tag?", mission.used);
 }
 

@@ -19,8 +19,8 @@ DriveTask task_with(std::vector<Waypoint> waypoints) {
   return task;
 }
 
-/// What the camera sees without an error.
-std::vector<TagSighting> seen_from_pose(const DriveTask& task, const Pose2& pose) {
+/// What the camera sees without an error, of tags that are `scale` times as large as the robot believes.
+std::vector<TagSighting> seen_from_pose(const DriveTask& task, const Pose2& pose, double scale = 1.0) {
   const RobotCamera camera = robot_camera(task.eye);
   const Pose3 world_T_robot{{pose.position.x, pose.position.y, 0.0},
                             Rotation::from_rpy(0.0, 0.0, pose.heading_rad)};
@@ -28,7 +28,7 @@ std::vector<TagSighting> seen_from_pose(const DriveTask& task, const Pose2& pose
   for (const Tag& tag : task.tags.tags) {
     TagSighting sighting;
     sighting.id = tag.id;
-    const auto corners = tag_corners(tag.size_m);
+    const auto corners = tag_corners(scale * tag.size_m);
     for (std::size_t i = 0; i < 4; ++i) {
       const Vec3 point = (world_T_robot * camera.robot_T_camera).to_local(tag.world_T_tag * corners[i]);
       sighting.corners_px[i] = *project(camera.camera, point);
@@ -190,23 +190,46 @@ TEST(DriveMission, ATagThatContradictsTheOthersMakesTheDriveDoubtful) {
   EXPECT_NE(mission.reason.find("tag 3"), std::string::npos) << mission.reason;
 }
 
-TEST(DriveMission, StopsWhenImagesContradictTheBelief) {
+/// Drives until the robot is lost by images that it cannot have from where it believes to be, after `before`
+/// images that agree. Returns the reason.
+std::string reason_when_lost(const std::vector<TagSighting>& impossible, int before) {
   DriveTask task = task_with({{{{1, 0}, 0}}});
   task.rules.most_refused = 3;
+  task.rules.relocalise = 100;
   DriveMission mission = begin(task);
-  const auto elsewhere = seen_from_pose(task, {{-0.5, 0.4}, 0.2});
   double time_s = 0.0;
   WheelSpeeds4 last{};
-  for (int i = 0; i < 20; ++i) {
-    const auto command = step(mission, at(time_s, time_s, elsewhere));
+  for (int i = 0; i < before + 20; ++i) {
+    const Pose2 believed = mission.reckoning.belief.world_T_robot;
+    const auto command =
+        step(mission, at(time_s, time_s, i < before ? seen_from_pose(task, believed) : impossible));
     if (!command) break;
     last = command->wheels;
     time_s = command->until_s;
   }
   EXPECT_EQ(mission.end, DriveEnd::lost);
   EXPECT_EQ(mission.refused, 3);
-  EXPECT_NE(mission.reason.find("was the robot moved?"), std::string::npos);
+  EXPECT_EQ(mission.used, before);
   EXPECT_EQ(last, WheelSpeeds4{});
+  return mission.reason;
+}
+
+TEST(DriveMission, ALostRobotNamesTheCausesThatItsImagesSupport) {
+  const DriveTask task = task_with({});
+  const auto elsewhere = seen_from_pose(task, {{-0.5, 0.4}, 0.2});
+  const auto larger = seen_from_pose(task, {}, 1.5);
+  const std::vector<TagSighting> one_larger(larger.begin(), larger.begin() + 1);
+  const std::string moved = reason_when_lost(elsewhere, 4), start = reason_when_lost(elsewhere, 0);
+  const std::string size = reason_when_lost(larger, 0), late = reason_when_lost(larger, 4);
+  EXPECT_NE(moved.find("4 images before agreed: was the robot moved, or a tag?"), std::string::npos) << moved;
+  EXPECT_NE(start.find("no image ever agreed with the start: are the start, "), std::string::npos) << start;
+  for (const std::string& reason : {size, late})
+    EXPECT_NE(reason.find("contradict one another or the floor: are their places, tag_size "),
+              std::string::npos)
+        << reason;
+  for (const std::string& reason : {start, size, late})
+    EXPECT_EQ(reason.find("was the robot moved"), std::string::npos) << reason;
+  EXPECT_NE(reason_when_lost(one_larger, 0).find("tag_size"), std::string::npos) << "of one tag too";
 }
 
 TEST(DriveMission, GivesUpWhenItsPatienceEnds) {
