@@ -14,7 +14,7 @@ namespace outrider {
 namespace {
 
 /// Returns the solids of a robot in the frame of its model.
-Outcome<std::vector<Solid>> solids_of(SdfFiles& files, const SdfScene& scene, const std::string& path) {
+Outcome<std::vector<Solid>> robot_solids(SdfFiles& files, const SdfScene& scene, const std::string& path) {
   auto poses = collision_poses(scene);
   if (!poses) return pass_on(poses);
   std::vector<Solid> solids;
@@ -46,7 +46,7 @@ Outcome<RobotFile> load_robot(const std::string& path, const SdfOptions& options
   if (!file) return pass_on(file);
   auto scene = scan_sdf(files, **file);
   if (!scene) return pass_on(scene);
-  auto solids = solids_of(files, *scene, path);
+  auto solids = robot_solids(files, *scene, path);
   if (!solids) return pass_on(solids);
   auto frames = frame_poses(*scene, 1);
   if (!frames) return pass_on(frames);
@@ -88,6 +88,38 @@ Outcome<Pose3> mount(const RobotFile& robot, const std::string& frame, const std
   std::vector<std::string> known;
   for (const auto& [name, pose] : robot.robot_T_frame) known.push_back(name);
   return no_such_row("link or frame", frame, known, key);
+}
+
+Option describe_file(RobotFileOptions& options, std::string name) {
+  return file_option(std::move(name), "URDF or SDF file of the robot, in place of its radius and height",
+                     &options.file);
+}
+
+Option describe_link(RobotFileOptions& options) {
+  return {"link",
+          "",
+          0,
+          0,
+          "link or frame of the robot's file that says where it stands; empty: as given here",
+          &options.link};
+}
+
+Outcome<std::optional<Pose3>> take_robot_file(const RobotFileOptions& options, const std::string& link_key,
+                                              const SdfOptions& sdf, double& radius_m, double& height_m,
+                                              std::vector<std::string>& warnings) {
+  if (options.file.empty()) {
+    if (options.link.empty()) return std::optional<Pose3>();
+    return bad_input("links are those of the robot's own file; name it, or leave the link out", link_key);
+  }
+  auto robot = load_robot(options.file, sdf);
+  if (!robot) return pass_on(robot);
+  radius_m = robot->radius_m;
+  height_m = robot->height_m;
+  warnings.insert(warnings.end(), robot->warnings.begin(), robot->warnings.end());
+  if (options.link.empty()) return std::optional<Pose3>();
+  auto found = mount(*robot, options.link, link_key);
+  if (!found) return pass_on(found);
+  return std::optional(*found);
 }
 
 }  // namespace outrider

@@ -18,7 +18,7 @@ namespace outrider {
 namespace {
 
 constexpr double farthest_m = 1e6;
-constexpr std::size_t most_solids = 200'000;
+constexpr std::size_t most_world_solids = 200'000;
 constexpr std::size_t largest_world_bytes = std::size_t{64} << 20;
 
 bool is_place(Vec3 p) {  // false for NaN too
@@ -101,9 +101,9 @@ Status add_solids_of(Building& building, const SdfCollision& collision, const st
       building.floors.push_back({solid.world_T_solid.position, known ? xy(size) : Vec2{}});
     }
     building.world.solids.push_back(std::move(solid));
-    if (building.world.solids.size() > most_solids) {
+    if (building.world.solids.size() > most_world_solids) {
       return bad_input(
-          fmt::format("the world has more than {} collisions, the most that is read", most_solids),
+          fmt::format("the world has more than {} collisions, the most that is read", most_world_solids),
           building.name);
     }
   }

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_bytes = std::size_t{64} << 20;
+constexpr std::size_t most_world_bytes = std::size_t{64} << 20;
 constexpr std::size_t most_tags = 2'000'000;
 constexpr std::size_t most_includes = 20'000;
 constexpr int most_folders_above = 4;
@@ -178,8 +178,9 @@ Outcome<const SdfFile*> SdfFiles::parse(std::string_view text, const std::string
 Outcome<const SdfFile*> SdfFiles::admit(const SdfFile& file) {
   bytes_ += file.bytes;
   tags_ += file.tags;
-  if (bytes_ > most_bytes)
-    return bad_input(fmt::format("it has more than {} bytes with what it includes", most_bytes), file.name);
+  if (bytes_ > most_world_bytes)
+    return bad_input(fmt::format("it has more than {} bytes with what it includes", most_world_bytes),
+                     file.name);
   if (tags_ > most_tags) {
     return bad_input(fmt::format("it has {} tags with what it includes, and at most {} are read; leave out "
                                  "what has no collisions, or cut the world in two",
@@ -250,7 +251,7 @@ Outcome<const SdfFile*> SdfFiles::include(const SdfFile& by, XmlElement include)
   if (const auto before = parsed_.find(found.value_or(uri)); before != parsed_.end())
     return admit(*before->second);
   if (!found) return parse(known, uri);
-  auto text = read_file(*found, most_bytes);
+  auto text = read_file(*found, most_world_bytes);
   if (!text) return pass_on(text);
   return parse(*text, *found);
 }

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <set>
 
 #include "outrider/io/text.hpp"
 #include "sdf_shapes.hpp"
@@ -17,8 +15,6 @@ constexpr std::size_t most_parts = 200'000;
 constexpr std::size_t most_name_bytes = std::size_t{64} << 20;
 constexpr int deepest_model = 100;
 constexpr int deepest_include = 8;
-
-// ---- Names ---------------------------------------------------------------------------------------
 
 /// Replaces every "::" in a name by "_", because SDF reserves "::".
 std::string without_colons(std::string_view given) {
@@ -42,31 +38,8 @@ std::string joined(const std::string& outer, std::string_view between, std::stri
   return outer.empty() ? std::string(name) : fmt::format("{}{}{}", outer, between, name);
 }
 
-// ---- Poses ---------------------------------------------------------------------------------------
-
-/// Returns the rotation of a quaternion (x, y, z, w); of zero, none.
-Rotation rotation_of(std::array<double, 4> q) {
-  const double length = std::sqrt(q[3] * q[3] + q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
-  if (!(length > 0.0)) return {};
-  const auto [x, y, z, w] = std::array{q[0] / length, q[1] / length, q[2] / length, q[3] / length};
-  return {{Vec3{1 - (2 * y * y + 2 * z * z), 2 * y * x + 2 * z * w, 2 * z * x - 2 * y * w},
-           {2 * y * x - 2 * z * w, 1 - (2 * x * x + 2 * z * z), 2 * z * y + 2 * x * w},
-           {2 * z * x + 2 * y * w, 2 * z * y - 2 * x * w, 1 - (2 * x * x + 2 * y * y)}}};
-}
-
-/// Returns the quaternion (x, y, z, w) of fixed-axis roll, pitch, yaw.
-std::array<double, 4> quaternion_of(double roll_rad, double pitch_rad, double yaw_rad) {
-  const auto [sr, cr] = std::array{std::sin(0.5 * roll_rad), std::cos(0.5 * roll_rad)};
-  const auto [sp, cp] = std::array{std::sin(0.5 * pitch_rad), std::cos(0.5 * pitch_rad)};
-  const auto [sy, cy] = std::array{std::sin(0.5 * yaw_rad), std::cos(0.5 * yaw_rad)};
-  return {sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy,
-          cr * cp * cy + sr * sp * sy};
-}
-
-// ---- Scan ----------------------------------------------------------------------------------------
-
 /// The elements of a scope that are still to be read.
-struct Open {
+struct OpenElements {
   const SdfFile* file;
   XmlElement next;
   std::size_t scope;
@@ -74,11 +47,11 @@ struct Open {
 };
 
 /// An element and its file.
-struct Part {
+struct SdfPart {
   const SdfFile* file;
   XmlElement element;
 
-  [[nodiscard]] Part child(const char* name) const { return {file, element.child(name)}; }
+  [[nodiscard]] SdfPart child(const char* name) const { return {file, element.child(name)}; }
   [[nodiscard]] std::string where() const { return file->document.where(element); }
   [[nodiscard]] std::string attribute(const char* name) const {
     return std::string(xml_attribute(element, name));
@@ -91,8 +64,8 @@ class Scan {
   explicit Scan(SdfFiles& files) : files_(files) {}
 
   Outcome<SdfScene> world_of(const SdfFile& file) {
-    const Part root{&file, file.document.root()};
-    Part world = root.child("world");
+    const SdfPart root{&file, file.document.root()};
+    SdfPart world = root.child("world");
     scene_.bare = !world.element;
     if (scene_.bare) {
       world = {&file, file.is_urdf() ? XmlElement() : root.element};
@@ -107,7 +80,7 @@ class Scan {
     open_.push_back({&file, world.element.first_child(), 0, 0});
     if (file.is_urdf()) add_model(open_.back(), {root, {&file, {}}, root.attribute("name"), "", false, 0});
     while (!open_.empty() && !fault_) {
-      const Open at = open_.back();
+      const OpenElements at = open_.back();
       if (!at.next) {
         open_.pop_back();
       } else {
@@ -122,12 +95,12 @@ class Scan {
   }
 
  private:
-  void warn(const Part& part, const std::string& sentence) { files_.warnings.add(part.where(), sentence); }
-  void refuse(const Part& part, const std::string& sentence) {
+  void warn(const SdfPart& part, const std::string& sentence) { files_.warnings.add(part.where(), sentence); }
+  void refuse(const SdfPart& part, const std::string& sentence) {
     if (!fault_) fault_ = Fault{FaultCode::bad_input, sentence, part.where()};
   }
 
-  void read_child(const Open& at, const Part& part) {
+  void read_child(const OpenElements& at, const SdfPart& part) {
     const std::string_view kind = part.element.name();
     if (kind == "model") {
       add_model(at, {part, part.child("pose"), part.attribute("name"), part.attribute("placement_frame"),
@@ -140,8 +113,7 @@ class Scan {
       add_frame(at.scope, part);
     } else if (at.scope == 0 && kind == "gravity") {
       read_gravity(part);
-    } else if (at.scope == 0 && kind == "physics" && at.file->version < 106 &&
-               part.child("gravity").element) {
+    } else if (at.scope == 0 && kind == "physics" && at.file->version < 106) {
       read_gravity(part.child("gravity"));
     } else if (kind == "population") {
       warn(part, "a <population> was left out; place its models one by one");
@@ -150,13 +122,14 @@ class Scan {
     }
   }
 
-  void read_gravity(const Part& part) {
+  void read_gravity(const SdfPart& part) {
+    if (!part.element) return;
     SdfNumbers numbers(*part.file);
     scene_.gravity = numbers.of(part.element, 3);
     if (numbers.fault()) fault_ = numbers.fault();
   }
 
-  void warn_of_macro(const Part& part) {
+  void warn_of_macro(const SdfPart& part) {
     const std::string_view kind = part.element.name();
     if (kind.find(':') != std::string_view::npos)
       warn(part, fmt::format("a left-over <{}> was left out", excerpt(kind)));
@@ -165,11 +138,14 @@ class Scan {
   // ---- Poses and names
 
   /// Reads a <pose>, with a warning if it is repaired; the identity if there is none.
-  Pose3 pose_of(const Part& pose) {
+  Pose3 pose_of(const SdfPart& pose) {
     const bool quaternion = pose.attribute("rotation_format") == "quat_xyzw";
     std::array<double, 8> v = {0, 0, 0, 0, 0, 0, quaternion ? 1.0 : 0.0, 0};
-    const bool is_origin = pose.element.name() == std::string_view("origin");
-    const std::string text = is_origin ? origin_text(pose) : std::string(xml_text(pose.element));
+    std::string text(xml_text(pose.element));
+    if (one_of(pose.element.name(), {"origin"})) {  // of URDF
+      const auto three = [&](const char* name) { return pose.element.attribute(name).as_string("0 0 0"); };
+      text = fmt::format("{} {}", three("xyz"), three("rpy"));
+    }
     const auto parts = first_words(text, v.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const auto value = number<double>(parts[i]);
@@ -187,21 +163,14 @@ class Scan {
                                    : quaternion_of(unit * v[3], unit * v[4], unit * v[5]))};
   }
 
-  /// Returns the <origin> of URDF as the text of a <pose>.
-  static std::string origin_text(const Part& origin) {
-    const std::string xyz = origin.attribute("xyz");
-    const std::string rpy = origin.attribute("rpy");
-    return fmt::format("{} {}", xyz.empty() ? "0 0 0" : xyz, rpy.empty() ? "0 0 0" : rpy);
-  }
-
   /// Returns the name of the frame that a pose is relative to.
-  static std::string base_of(const Part& pose) {
+  static std::string base_of(const SdfPart& pose) {
     const std::string old = pose.file->version < 107 ? pose.attribute("frame") : "";
     return old.empty() ? pose.attribute("relative_to") : old;
   }
 
   /// Makes a name unique among those of its siblings, without "::".
-  std::string unique_name(const Part& part, UniqueNames& taken, std::string_view given) {
+  std::string unique_name(const SdfPart& part, UniqueNames& taken, std::string_view given) {
     std::string wanted = without_colons(given);
     if (wanted != given) warn(part, "'::' in a name was replaced by '_'");
     if (wanted.empty()) {
@@ -219,7 +188,7 @@ class Scan {
   }
 
   /// Counts a part and its names, before they take memory.
-  void count(const Part& part, std::size_t name_bytes) {
+  void count(const SdfPart& part, std::size_t name_bytes) {
     name_bytes_ += name_bytes;
     if (++parts_ > most_parts) {
       refuse(part, fmt::format("it has more than {} models, links, collisions, frames and joints with what "
@@ -239,7 +208,7 @@ class Scan {
     const std::size_t index = scene_.frames.size();
     std::size_t owner = frame.scope;
     while (scene_.scopes[owner].merged) owner = scene_.scopes[owner].parent;
-    const Part part{frame.file, frame.element};
+    const SdfPart part{frame.file, frame.element};
     count(part, given.size() + scene_.scopes[owner].name.size());
     frame.name = unique_name(part, scene_.scopes[owner].taken, given);
     for (std::size_t at = frame.scope;; at = scene_.scopes[at].parent) {
@@ -251,9 +220,9 @@ class Scan {
     return index;
   }
 
-  void add_frame(std::size_t scope, const Part& part) {
-    const Part pose = part.child("pose");
-    const std::string_view otherwise = part.element.name() == std::string_view("joint")
+  void add_frame(std::size_t scope, const SdfPart& part) {
+    const SdfPart pose = part.child("pose");
+    const std::string_view otherwise = one_of(part.element.name(), {"joint"})
                                            ? xml_text(part.element, "child")
                                            : xml_attribute(part.element, "attached_to");
     const std::string base = base_of(pose);
@@ -268,9 +237,9 @@ class Scan {
         part.attribute("name"));
   }
 
-  void add_link(std::size_t scope, const Part& part) {
+  void add_link(std::size_t scope, const SdfPart& part) {
     const std::string given = part.attribute("name");
-    Part pose = part.child("pose");
+    SdfPart pose = part.child("pose");
     std::string base = base_of(pose);
     if (const auto joint = joints_.find({part.file, given}); joint != joints_.end()) {
       pose = {part.file, joint->second.child("origin")};
@@ -290,16 +259,16 @@ class Scan {
     }
   }
 
-  void add_collision(const Part& part, std::size_t link, const std::string& path, UniqueNames& taken) {
+  void add_collision(const SdfPart& part, std::size_t link, const std::string& path, UniqueNames& taken) {
     const bool is_urdf = part.file->is_urdf();  // whose collisions have no names as a rule
     const std::string own = part.attribute("name");
     const std::string given = is_urdf && own.empty() ? "collision" : own;
     count(part, path.size() + given.size());
-    const Part pose = part.child(is_urdf ? "origin" : "pose");
+    const SdfPart pose = part.child(is_urdf ? "origin" : "pose");
     SdfCollision collision{part.file,     {},           {}, link, unique_name(part, taken, given),
                            base_of(pose), pose_of(pose)};
     const std::string name = path + '/' + collision.name;
-    collision.shape = choose_shape(part, name);
+    collision.shape = sdf_shape(files_, *part.file, part.element, name);
     if (!collision.shape) return;
     if (one_of(collision.shape.name(), {"mesh", "heightmap"})) {
       const std::string_view uri =
@@ -317,54 +286,26 @@ class Scan {
     scene_.collisions.push_back(std::move(collision));
   }
 
-  /// Returns the shape of a collision; none, with a warning, if it has none that is modelled.
-  XmlElement choose_shape(const Part& collision, const std::string& name) {
-    const Part geometry = collision.child("geometry");
-    XmlElement first;
-    XmlElement kept;
-    std::set<std::string_view> kinds;
-    for (const XmlElement child : geometry.element.children()) {
-      if (child.type() != pugi::node_element) continue;
-      if (!first) first = child;
-      kinds.insert(child.name());
-    }
-    for (const char* kind : sdf_shapes) {
-      if (!kept) kept = geometry.element.child(kind);
-    }
-    if (!first) {
-      warn(collision, fmt::format("collision '{}' has no shape and was left out", name));
-    } else if (!kept) {
-      warn(collision, fmt::format("collision '{}' is a <{}>, which is not modelled; it was left out", name,
-                                  excerpt(first.name())));
-    } else if (kept.name() == std::string_view("empty")) {
-      return {};
-    } else if (kinds.size() > 1 ||
-               (kept.next_sibling(kept.name()) && kept.name() != std::string_view("polyline"))) {
-      warn(geometry, fmt::format("a <geometry> has several shapes; its <{}> was kept", kept.name()));
-    }
-    return kept;
-  }
-
   // ---- Models
 
   /// A model, as an <include> may change it.
   struct Model {
-    Part part;
-    Part pose;
+    SdfPart part;
+    SdfPart pose;
     std::string name;
     std::string placement;
     bool merge = false;
     int includes = 0;
   };
 
-  void add_include(const Open& at, const Part& part) {
+  void add_include(const OpenElements& at, const SdfPart& part) {
     const auto file = files_.include(*part.file, part.element);
     if (!file) fault_ = file.error();
     if (!file || *file == nullptr) return;
     if (at.includes == deepest_include) {
       return refuse(part, fmt::format("includes nest more than {} deep, or in a circle", deepest_include));
     }
-    const Part model{*file, (*file)->model()};
+    const SdfPart model{*file, (*file)->model()};
     const auto has = [&](const char* kind) { return !model.child(kind).element.empty(); };
     if (!has("link") && !has("model") && !has("include")) return;  // a light or an actor
     const auto either = [&](std::string_view here, const char* there) {
@@ -376,7 +317,7 @@ class Scan {
                    part.element.attribute("merge").as_bool(), at.includes + 1});
   }
 
-  void add_model(const Open& at, const Model& model) {
+  void add_model(const OpenElements& at, const Model& model) {
     const SdfScope& outer = scene_.scopes[at.scope];
     if (outer.depth == deepest_model)
       return refuse(model.part, fmt::format("its models nest more than {} deep; put models beside each other",
@@ -409,16 +350,16 @@ class Scan {
 
   // ---- Saved states
 
-  void read_state(const Part& state) {
+  void read_state(const SdfPart& state) {
     for (const char* name : {"sim_time", "real_time", "wall_time"}) {
-      const Part time = state.child(name);
+      const SdfPart time = state.child(name);
       const auto parts = first_words(xml_text(time.element), 3);
       const bool pair = parts.size() == 2 && number<std::int64_t>(parts[0]) && number<std::int64_t>(parts[1]);
       if (time.element && !pair)
         warn(time, "a time in <state> is not seconds and nanoseconds and was left out");
     }
     for (const char* name : {"insertions", "deletions"}) {
-      const Part change = state.child(name);
+      const SdfPart change = state.child(name);
       if (change.element.first_child())
         warn(change, fmt::format("the <{}> of <state> were left out; save the world again", name));
     }
@@ -427,7 +368,7 @@ class Scan {
       const auto [child, prefix] = open.back();
       open.back().first = child.next_sibling();
       if (!child) open.pop_back();
-      const Part part{state.file, child};
+      const SdfPart part{state.file, child};
       if (!one_of(child.name(), {"model", "link"}) || part.attribute("name").empty()) continue;
       open.emplace_back(child.first_child(), joined(prefix, "::", without_colons(part.attribute("name"))));
       count(part, open.back().second.size());
@@ -436,7 +377,7 @@ class Scan {
   }
 
   /// Reads the saved pose of a model or a link, which is in the frame of the world.
-  void read_stated(const Part& part, const std::string& key) {
+  void read_stated(const SdfPart& part, const std::string& key) {
     if (part.child("pose").element) scene_.stated.emplace(key, pose_of(part.child("pose")));
     const auto factors = first_words(xml_text(part.element, "scale"), 3);
     if (std::ranges::any_of(factors, [](std::string_view factor) { return number<double>(factor) != 1.0; }))
@@ -445,7 +386,7 @@ class Scan {
 
   SdfFiles& files_;
   SdfScene scene_;
-  std::vector<Open> open_;
+  std::vector<OpenElements> open_;
   std::map<std::pair<const SdfFile*, std::string_view>, XmlElement> joints_;  // of URDF, by the link below
   std::optional<Fault> fault_;
   std::size_t parts_ = 0;

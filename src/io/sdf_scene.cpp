@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "outrider/io/text.hpp"
 
 namespace outrider {
 namespace {
 
 /// A frame, or the origin of a scope.
-struct Place {
+struct FramePlace {
   std::size_t scope = 0;
   std::size_t frame = no_index;
 };
@@ -61,12 +63,12 @@ class FramePoses {
   }
 
   /// Finds a name such as "link", "model::nested::frame" or "model::__model__".
-  [[nodiscard]] std::optional<Place> find(std::size_t scope, std::string_view name) const {
+  [[nodiscard]] std::optional<FramePlace> find(std::size_t scope, std::string_view name) const {
     for (;;) {
-      if (name.empty() || name == "__model__" || (scope == 0 && name == "world")) return Place{scope};
+      if (name.empty() || name == "__model__" || (scope == 0 && name == "world")) return FramePlace{scope};
       const auto& frames = scene_.scopes[scope].frames;
       if (const auto found = frames.find(name); found != frames.end())
-        return Place{scene_.frames[found->second].scope, found->second};
+        return FramePlace{scene_.frames[found->second].scope, found->second};
       const std::size_t colons = name.find("::");
       const auto head = frames.find(name.substr(0, colons));
       if (colons == std::string_view::npos || head == frames.end()) return std::nullopt;
@@ -77,7 +79,7 @@ class FramePoses {
   }
 
   /// Returns the frames from a place up to a scope around it.
-  [[nodiscard]] std::vector<std::size_t> chain(const Place& place, std::size_t scope) const {
+  [[nodiscard]] std::vector<std::size_t> chain(const FramePlace& place, std::size_t scope) const {
     std::vector<std::size_t> frames;
     if (place.frame != no_index) frames.push_back(place.frame);
     for (std::size_t at = place.scope; at != scope; at = scene_.scopes[at].parent)
@@ -86,7 +88,7 @@ class FramePoses {
   }
 
   /// Returns the pose of a place in a scope around it; the chain between them is resolved.
-  [[nodiscard]] Pose3 in_scope(const Place& place, std::size_t scope) const {
+  [[nodiscard]] Pose3 in_scope(const FramePlace& place, std::size_t scope) const {
     Pose3 pose;
     for (const std::size_t frame : chain(place, scope)) pose = poses_[frame] * pose;
     return pose;
@@ -126,6 +128,23 @@ Pose3 stated_or(const SdfScene& scene, const std::string& key, const Pose3& pose
 }
 
 }  // namespace
+
+Rotation rotation_of(std::array<double, 4> q) {
+  const double length = std::sqrt(q[3] * q[3] + q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+  if (!(length > 0.0)) return {};
+  const auto [x, y, z, w] = std::array{q[0] / length, q[1] / length, q[2] / length, q[3] / length};
+  return {{Vec3{1 - (2 * y * y + 2 * z * z), 2 * y * x + 2 * z * w, 2 * z * x - 2 * y * w},
+           {2 * y * x - 2 * z * w, 1 - (2 * x * x + 2 * z * z), 2 * z * y + 2 * x * w},
+           {2 * z * x + 2 * y * w, 2 * z * y - 2 * x * w, 1 - (2 * x * x + 2 * y * y)}}};
+}
+
+std::array<double, 4> quaternion_of(double roll_rad, double pitch_rad, double yaw_rad) {
+  const auto [sr, cr] = std::array{std::sin(0.5 * roll_rad), std::cos(0.5 * roll_rad)};
+  const auto [sp, cp] = std::array{std::sin(0.5 * pitch_rad), std::cos(0.5 * pitch_rad)};
+  const auto [sy, cy] = std::array{std::sin(0.5 * yaw_rad), std::cos(0.5 * yaw_rad)};
+  return {sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy,
+          cr * cp * cy + sr * sp * sy};
+}
 
 Pose3 inverse(const Pose3& a_T_b) {
   const auto& [x, y, z] = a_T_b.rotation.axes;

@@ -2,6 +2,7 @@
 // frame semantics). See sdf.hpp.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -62,6 +63,12 @@ struct SdfScene {
 /// all that it includes; repairs what is slightly broken. Faults: bad_input with file:line. O(tags of the
 /// files, as often as they are included); no recursion.
 Outcome<SdfScene> scan_sdf(SdfFiles& files, const SdfFile& file);
+
+/// Returns the rotation of a quaternion (x, y, z, w); of zero, none.
+Rotation rotation_of(std::array<double, 4> q);
+
+/// Returns the quaternion (x, y, z, w) of fixed-axis roll, pitch, yaw.
+std::array<double, 4> quaternion_of(double roll_rad, double pitch_rad, double yaw_rad);
 
 /// Returns b_T_a.
 Pose3 inverse(const Pose3& a_T_b);

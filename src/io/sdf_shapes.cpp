@@ -17,6 +17,10 @@ namespace {
 
 using Pieces = std::vector<SdfPiece>;
 
+/// The kinds of shapes, those that are preferred first. An <empty> one is nothing.
+constexpr auto sdf_shapes = {"box",  "capsule", "cylinder",  "ellipsoid", "plane", "sphere",
+                             "mesh", "cone",    "heightmap", "polyline",  "empty"};
+
 constexpr double largest_m = 1e6;
 constexpr double smallest_scale = 1e-6;
 constexpr std::size_t most_world_triangles = 2'000'000;
@@ -149,35 +153,35 @@ Outcome<MeshShape> mesh_shape(SdfFiles& files, const SdfFile& file, XmlElement m
 // ---- Polylines -----------------------------------------------------------------------------------
 
 /// Adds a quadrilateral; its corners go around.
-void add_face(MeshShape& mesh, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+void add_quadrilateral(MeshShape& mesh, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   mesh.triangles.push_back({a, b, c});
   mesh.triangles.push_back({a, c, d});
 }
 
-using Edge = std::pair<Vec2, Vec2>;  // from the lower to the higher end
+using PolylineEdge = std::pair<Vec2, Vec2>;  // from the lower to the higher end
 
-double x_at(const Edge& edge, double y) {
+double x_at(const PolylineEdge& edge, double y) {
   const auto& [low, high] = edge;
   return low.x + (high.x - low.x) * ((y - low.y) / (high.y - low.y));
 }
 
 /// Covers what the edges enclose by the even-odd rule, at two heights: in strips between the heights of the
 /// corners, it consists of trapezoids between neighbouring edges. O(edges^2 log edges).
-void add_covers(MeshShape& mesh, const std::vector<Edge>& edges, double top_m) {
+void add_covers(MeshShape& mesh, const std::vector<PolylineEdge>& edges, double top_m) {
   std::set<double> levels;
   for (const auto& [low, high] : edges) levels.insert({low.y, high.y});
   for (auto level = levels.begin(); level != levels.end() && std::next(level) != levels.end(); ++level) {
     const double low = *level;
     const double high = *std::next(level);
-    std::vector<Edge> crossing;
-    for (const Edge& edge : edges) {
+    std::vector<PolylineEdge> crossing;
+    for (const PolylineEdge& edge : edges) {
       if (edge.first.y <= low && edge.second.y >= high) crossing.push_back(edge);
     }
-    std::ranges::sort(crossing, {}, [&](const Edge& edge) { return x_at(edge, 0.5 * (low + high)); });
+    std::ranges::sort(crossing, {}, [&](const PolylineEdge& edge) { return x_at(edge, 0.5 * (low + high)); });
     for (std::size_t k = 0; k + 1 < crossing.size(); k += 2) {
       for (const double z : {0.0, top_m}) {
-        add_face(mesh, {x_at(crossing[k], low), low, z}, {x_at(crossing[k + 1], low), low, z},
-                 {x_at(crossing[k + 1], high), high, z}, {x_at(crossing[k], high), high, z});
+        add_quadrilateral(mesh, {x_at(crossing[k], low), low, z}, {x_at(crossing[k + 1], low), low, z},
+                          {x_at(crossing[k + 1], high), high, z}, {x_at(crossing[k], high), high, z});
       }
     }
   }
@@ -187,7 +191,7 @@ void add_covers(MeshShape& mesh, const std::vector<Edge>& edges, double top_m) {
 Outcome<MeshShape> extruded(SdfNumbers& numbers, XmlElement first, double top_m) {
   constexpr std::size_t most_corners = 1000;
   MeshShape mesh;
-  std::vector<Edge> edges;
+  std::vector<PolylineEdge> edges;
   for (XmlElement line = first; line; line = line.next_sibling("polyline")) {
     std::vector<Vec2> corners;
     for (const XmlElement point : line.children("point")) {
@@ -198,7 +202,8 @@ Outcome<MeshShape> extruded(SdfNumbers& numbers, XmlElement first, double top_m)
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Vec2 a = corners[i];
       const Vec2 b = corners[(i + 1) % corners.size()];
-      if (a != b) add_face(mesh, {a.x, a.y, 0.0}, {b.x, b.y, 0.0}, {b.x, b.y, top_m}, {a.x, a.y, top_m});
+      if (a != b)
+        add_quadrilateral(mesh, {a.x, a.y, 0.0}, {b.x, b.y, 0.0}, {b.x, b.y, top_m}, {a.x, a.y, top_m});
       if (a.y != b.y) edges.emplace_back(a.y < b.y ? a : b, a.y < b.y ? b : a);
     }
   }
@@ -207,6 +212,35 @@ Outcome<MeshShape> extruded(SdfNumbers& numbers, XmlElement first, double top_m)
 }
 
 }  // namespace
+
+XmlElement sdf_shape(SdfFiles& files, const SdfFile& file, XmlElement collision, const std::string& name) {
+  const XmlElement geometry = collision.child("geometry");
+  const auto warn = [&](XmlElement at, const std::string& sentence) {
+    files.warnings.add(file.document.where(at), sentence);
+  };
+  std::set<std::string_view> kinds;
+  XmlElement first;
+  XmlElement kept;
+  for (const XmlElement child : geometry.children()) {
+    if (child.type() != pugi::node_element) continue;
+    if (!first) first = child;
+    kinds.insert(child.name());
+  }
+  for (const char* kind : sdf_shapes) {
+    if (!kept) kept = geometry.child(kind);
+  }
+  if (!first) {
+    warn(collision, fmt::format("collision '{}' has no shape and was left out", name));
+  } else if (!kept) {
+    warn(collision, fmt::format("collision '{}' is a <{}>, which is not modelled; it was left out", name,
+                                excerpt(first.name())));
+  } else if (one_of(kept.name(), {"empty"})) {
+    return {};
+  } else if (kinds.size() > 1 || (kept.next_sibling(kept.name()) && !one_of(kept.name(), {"polyline"}))) {
+    warn(geometry, fmt::format("a <geometry> has several shapes; its <{}> was kept", kept.name()));
+  }
+  return kept;
+}
 
 Vec3 SdfNumbers::of(XmlElement element, std::size_t count) {
   return read(element, element.name(), xml_text(element), count);

@@ -15,10 +15,6 @@
 
 namespace outrider {
 
-/// The kinds of shapes, those that are preferred first. An <empty> one is nothing.
-inline constexpr auto sdf_shapes = {"box",  "capsule", "cylinder",  "ellipsoid", "plane", "sphere",
-                                    "mesh", "cone",    "heightmap", "polyline",  "empty"};
-
 inline bool one_of(std::string_view name, std::initializer_list<std::string_view> names) {
   return std::ranges::find(names, name) != names.end();
 }
@@ -53,6 +49,10 @@ class SdfNumbers {
   const SdfFile& file_;
   std::optional<Fault> fault_;
 };
+
+/// Returns the shape of a collision, the preferred one of several; none, with a warning, if it has none that
+/// is modelled. `name` is for warnings.
+XmlElement sdf_shape(SdfFiles& files, const SdfFile& file, XmlElement collision, const std::string& name);
 
 /// Converts a shape; `mesh` is the path of its file, if it is a mesh. Refuses what is no number, sizes that
 /// are not above 0 and at most 1e6 m, planes without a direction, meshes that cannot be loaded, and more than

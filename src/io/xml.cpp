@@ -9,7 +9,7 @@
 namespace outrider {
 namespace {
 
-constexpr int deepest = 100;
+constexpr int deepest_element = 100;
 
 /// Returns the first element that is nested deeper than allowed, or none.
 XmlElement too_deep(XmlElement root) {
@@ -17,7 +17,7 @@ XmlElement too_deep(XmlElement root) {
   for (XmlElement at = root; at;) {
     if (const XmlElement child = at.first_child()) {
       at = child;
-      if (++depth > deepest) return at;
+      if (++depth > deepest_element) return at;
       continue;
     }
     while (at != root && !at.next_sibling()) {
@@ -29,7 +29,7 @@ XmlElement too_deep(XmlElement root) {
   return {};
 }
 
-std::string line_of(const std::vector<std::size_t>& line_ends, const std::string& name,
+std::string line_at(const std::vector<std::size_t>& line_ends, const std::string& name,
                     std::ptrdiff_t offset) {
   const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0));
   return fmt::format("{}:{}", name, std::ranges::lower_bound(line_ends, at) - line_ends.begin() + 1);
@@ -49,11 +49,12 @@ Outcome<XmlDocument> XmlDocument::parse(std::string_view text, const std::string
   if (!parsed) {
     return bad_input(fmt::format("it is not well-formed XML ({}); correct or export it again",
                                  lower(parsed.description())),
-                     line_of(document.line_ends_, name, parsed.offset));
+                     line_at(document.line_ends_, name, parsed.offset));
   }
   if (const XmlElement deep = too_deep(top))
-    return bad_input(fmt::format("its elements nest more than {} deep; correct or export it again", deepest),
-                     document.where(deep));
+    return bad_input(
+        fmt::format("its elements nest more than {} deep; correct or export it again", deepest_element),
+        document.where(deep));
   if (!top) return bad_input("it has no elements", name);
   if (!root.empty() && top.name() != root) {
     return bad_input(fmt::format("its root element is <{}>, not <{}>", excerpt(top.name()), root), name);
@@ -62,7 +63,7 @@ Outcome<XmlDocument> XmlDocument::parse(std::string_view text, const std::string
 }
 
 std::string XmlDocument::where(XmlElement element) const {
-  return line_of(line_ends_, name_, element.offset_debug());
+  return line_at(line_ends_, name_, element.offset_debug());
 }
 
 std::string_view xml_text(XmlElement element) { return trimmed(element.child_value()); }

@@ -85,7 +85,7 @@ Status load_ground(const DriveScenario& scenario, const std::optional<Pose2>& go
     auto loaded = load_sdf(scenario.world, scenario.sdf);
     if (!loaded) return pass_on(loaded);
     world = std::move(loaded->world);
-    setup.warnings = std::move(loaded->warnings);
+    setup.warnings.insert(setup.warnings.end(), loaded->warnings.begin(), loaded->warnings.end());
   } else {
     world.name = "open ground";
   }
@@ -132,6 +132,26 @@ Status check_arguments(const DriveScenario& scenario) {
   return check(scenario.task.follow);
 }
 
+/// Takes the size of the robot and the mount of its camera from its own file, if it has one.
+Status take_robot(DriveScenario& scenario, std::vector<std::string>& warnings) {
+  constexpr const char* key = "camera.link";
+  auto sensor =
+      take_robot_file(scenario.robot_file, key, scenario.sdf, scenario.radius_m, scenario.height_m, warnings);
+  if (!sensor) return pass_on(sensor);
+  if (!*sensor) return {};
+  const Pose3& pose = **sensor;
+  if (std::abs(pose.position.y) > 1e-3 || norm(pose.rotation.axes[0] - Vec3{1, 0, 0}) > 1e-3) {
+    return bad_input(
+        fmt::format("the x axis of '{}' does not point ahead on the middle line of the robot; name "
+                    "another link, or give camera.ahead and camera.height",
+                    scenario.robot_file.link),
+        key);
+  }
+  scenario.task.eye.ahead_m = pose.position.x;
+  scenario.task.eye.height_m = pose.position.z;
+  return check_ranges(describe(scenario.task.eye), "camera");
+}
+
 /// Builds the task from the options, and from the texts and files that they name.
 Outcome<DriveTask> robot_from(const DriveScenario& scenario) {
   DriveTask task = scenario.task;
@@ -167,6 +187,8 @@ Outcome<DriveTask> robot_from(const DriveScenario& scenario) {
 std::vector<OptionGroup> describe(DriveScenario& scenario) {
   DriveTask& task = scenario.task;
   std::vector<Option> link = describe(scenario.sim.link);
+  std::vector<Option> camera = describe(task.eye);
+  camera.push_back(describe_link(scenario.robot_file));
   link.push_back({"patience", "s", 0.05, 1e9, "without a command after which the wheels stop",
                   &scenario.sim.patience_s});
   return {
@@ -199,6 +221,7 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
          &scenario.wheel_reach_m},
         {"radius", "m", 0.0, 100.0, "of the disk that the robot stays within", &scenario.radius_m},
         {"height", "m", 0.0, 100.0, "of the robot; obstacles above it are driven under", &scenario.height_m},
+        describe_file(scenario.robot_file, "robot_file"),
         file_option("calibration", "file that 'outrider calibrate' wrote; empty: none",
                     &scenario.calibration),
         {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed}}},
@@ -206,7 +229,7 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
       {"pid", "gains of the follower", describe(task.pid)},
       {"reckoning", "how the belief is carried on between two looks", describe(task.reckoning)},
       {"localise", "how tags tell where the robot is", describe(task.localise)},
-      {"camera", "the camera, which looks ahead", describe(task.eye)},
+      {"camera", "the camera, which looks ahead", camera},
       {"rules", "when the robot looks, waits and gives up", describe(task.rules)},
       {"route", "how a planner's path becomes waypoints", describe(scenario.route)},
       {"faults", "what the wheels of the simulated robot do wrong, and what befalls it",
@@ -215,11 +238,15 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
   };
 }
 
-Outcome<DriveSetup> load_drive(const DriveScenario& scenario) {
+Outcome<DriveSetup> load_drive(const DriveScenario& given) {
+  DriveScenario scenario = given;
+  std::vector<std::string> warnings;
   if (auto ok = check_arguments(scenario); !ok) return pass_on(ok);
+  if (auto ok = take_robot(scenario, warnings); !ok) return pass_on(ok);
   auto task = robot_from(scenario);
   if (!task) return pass_on(task);
-  DriveSetup setup{std::move(*task), scenario.sim, scenario.sight == "rendered", std::nullopt, 0.0, {}};
+  DriveSetup setup{std::move(*task), scenario.sim, scenario.sight == "rendered",
+                   std::nullopt,     0.0,          std::move(warnings)};
   if (!scenario.map_tags.empty()) {
     auto tags = tags_from(scenario, scenario.tags, "tags");
     if (!tags) return pass_on(tags);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "outrider/core/units.hpp"
+#include "outrider/io/scan_mount.hpp"
 #include "outrider/io/text.hpp"
 #include "outrider/io/values.hpp"
 #include "outrider/sim/post_place.hpp"
@@ -25,6 +26,25 @@ Status check_laser(const RangeFinderModel& laser) {
   return bad_input(fmt::format("'{:g}' is not valid; expected less than laser.most, which is {:g} m",
                                laser.least_m, laser.most_m),
                    "laser.least");
+}
+
+std::vector<Option> with(std::vector<Option> options, Option one) {
+  options.push_back(std::move(one));
+  return options;
+}
+
+/// Takes the size of the robot and the mount of its laser from its own file, if it has one.
+Status take_robot(const ExploreScenario& scenario, ExploreSetup& setup) {
+  constexpr const char* key = "laser.link";
+  auto sensor = take_robot_file(scenario.robot_file, key, scenario.world.sdf, setup.task.robot.radius_m,
+                                setup.task.robot.height_m, setup.warnings);
+  if (!sensor) return pass_on(sensor);
+  if (!*sensor) return {};
+  auto level = scan_mount(**sensor);
+  if (!level) return bad_input(level.error().sentence, key);
+  setup.task.slam.robot_T_laser = level->robot_T_laser;
+  setup.sim.laser.height_m = (*sensor)->position.z;
+  return check_ranges(describe(setup.sim.laser), "laser");
 }
 
 std::vector<Option> describe_faults(ExploreScenario& scenario) {
@@ -66,8 +86,9 @@ std::vector<OptionGroup> describe(ExploreScenario& scenario) {
         {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed},
         {"perfect_pose", "", 0, 0, "wheels that count right and are believed: no SLAM",
          &scenario.perfect_pose}}},
-      {"robot", "the robot, a disk on two wheels", describe(task.robot)},
-      {"laser", "its range finder", describe(scenario.sim.laser)},
+      {"robot", "the robot, a disk on two wheels",
+       with(describe(task.robot), describe_file(scenario.robot_file, "file"))},
+      {"laser", "its range finder", with(describe(scenario.sim.laser), describe_link(scenario.robot_file))},
       {"wheels", "its wheels and how they count wrong", describe(scenario.sim.wheels)},
       {"faults", "what goes wrong without the robot being told", describe_faults(scenario)},
       {"link", "how scans travel to the robot's computer", describe(scenario.sim.link)},
@@ -88,6 +109,7 @@ Outcome<ExploreSetup> load_explore(const ExploreScenario& scenario) {
   if (auto ok = check_start(loaded->world.bounds, start->position); !ok) return pass_on(ok);
   ExploreSetup setup{std::move(loaded->world), scenario.task, scenario.sim, std::move(loaded->warnings)};
   setup.task.start = {start->position, wrap_angle(start->heading_rad)};
+  if (auto ok = take_robot(scenario, setup); !ok) return pass_on(ok);
   setup.sim.laser.robot_T_laser = setup.task.slam.robot_T_laser;
   if (auto ok = set_post_place(scenario, setup.world, setup.sim.faults.walk_ins); !ok) return pass_on(ok);
   return setup;

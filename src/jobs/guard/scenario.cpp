@@ -173,6 +173,8 @@ std::vector<Option> describe(PddlOptions& options) {
 
 std::vector<OptionGroup> describe(GuardScenario& scenario) {
   GuardProblem& problem = scenario.problem;
+  std::vector<Option> robot = describe(problem.robot);
+  robot.push_back(describe_file(scenario.robot_file, "file"));
   return {
       {"",
        "the mission",
@@ -211,7 +213,7 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
          "a target that was missed is not tried again if a hit takes longer on average; 0: never",
          &problem.give_up_s},
         {"regions", "", 0, 0, "log and draw from where each target can be hit", &scenario.regions}}},
-      {"robot", "the robot", describe(problem.robot)},
+      {"robot", "the robot", robot},
       {"gun", "the water gun", describe(problem.gun)},
       {"air", "the air that the ball flies through", describe(problem.air)},
       {"errors", "the largest errors of the execution", describe(problem.errors)},
@@ -242,6 +244,11 @@ Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
   scenario.other_starts = std::move(*others);
   auto loaded = load_sdf(scenario.world, scenario.sdf);
   if (!loaded) return pass_on(loaded);
+  RobotModel& robot = scenario.problem.robot;
+  if (auto ok = take_robot_file(scenario.robot_file, "", scenario.sdf, robot.radius_m, robot.height_m,
+                                loaded->warnings);
+      !ok)
+    return pass_on(ok);
   auto bounds = scenario.bounds.empty() ? loaded->world.bounds : parse_box(scenario.bounds, "bounds");
   if (!bounds) return pass_on(bounds);
   auto world = with_terrain(std::move(loaded->world), *bounds, scenario);

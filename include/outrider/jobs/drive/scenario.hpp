@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
-#include "outrider/io/sdf.hpp"
+#include "outrider/io/robot_file.hpp"
 #include "outrider/jobs/drive/route.hpp"
 #include "outrider/jobs/drive/task.hpp"
 #include "outrider/sim/drive_sim_params.hpp"
@@ -47,6 +47,7 @@ struct DriveScenario {
   double wheel_reach_m = 0.1225;           ///< see chassis.hpp
   double radius_m = 0.15;                  ///< of the robot's disk
   double height_m = 0.25;                  ///< of the robot
+  RobotFileOptions robot_file;             ///< its link is that of the camera
   std::string calibration;                 ///< path of a calibration file; empty: none
   std::int64_t seed = 1;                   ///< of the simulation
   DriveRouteOptions route;                 ///< of planned paths

@@ -15,6 +15,7 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/io/explore_world.hpp"
+#include "outrider/io/robot_file.hpp"
 #include "outrider/jobs/explore/task.hpp"
 #include "outrider/sim/explorer_sim_params.hpp"
 
@@ -24,6 +25,7 @@ namespace outrider {
 struct ExploreScenario {
   ExploreWorldFiles world;      ///< files of the world
   std::string start = "0,0,0";  ///< x, y in m, heading in degrees
+  RobotFileOptions robot_file;  ///< its link is that of the laser
   std::int64_t seed = 1;        ///< of the simulation
   bool perfect_pose = false;    ///< odometry without errors, and no SLAM
   ExplorerSimParams sim;        ///< errors of the simulated robot

@@ -6,7 +6,7 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/core/outcome.hpp"
-#include "outrider/io/sdf.hpp"
+#include "outrider/io/robot_file.hpp"
 #include "outrider/jobs/guard/arrivals.hpp"
 #include "outrider/jobs/guard/problem.hpp"
 #include "outrider/jobs/guard/scout.hpp"
@@ -45,6 +45,7 @@ struct GuardScenario {
   std::string bounds;               ///< low x, low y, high x, high y; empty: bounding box of the walls
   std::int64_t seed = 1;            ///< seed of all random numbers
   std::string sim = "kinematic";    ///< simulator: "kinematic" or "physics"
+  RobotFileOptions robot_file;      ///< no link
   GuardProblem problem;             ///< robot, gun and errors; world and targets are set by load_problem()
   std::vector<Pose2>
       other_starts;  ///< those of `robot_starts` when loaded; empty: chosen by starts_of_team()
