@@ -4,6 +4,8 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/io/scenario.hpp"
+#include "support/cart.hpp"
+#include "support/data.hpp"
 
 namespace outrider {
 namespace {
@@ -27,6 +29,20 @@ TEST(DriveScenario, WaypointsAndTags) {
   EXPECT_EQ(setup->task.tags.tags[0].world_T_tag.position.z, setup->task.eye.height_m);
   EXPECT_EQ(setup->task.tags.tags[1].world_T_tag.position.z, 0.5);
   EXPECT_TRUE(setup->task.world.bounds.contains({-1, -1}));
+}
+
+TEST(DriveScenario, TheRobotAndTheMountOfItsCameraMayComeFromItsFile) {
+  const test::Folder folder;
+  const std::string keys =
+      "waypoints: 1,0,0\nrobot_file: " + folder.write("cart.urdf", test::cart_urdf) + "\ncamera:\n  link: ";
+  const auto setup = loaded(keys + "camera_link\n");
+  ASSERT_TRUE(setup) << to_string(setup.error());
+  EXPECT_NEAR(setup->task.radius_m, 0.3, 1e-9);
+  EXPECT_NEAR(setup->task.eye.ahead_m, 0.2, 1e-9);
+  EXPECT_NEAR(setup->task.eye.height_m, 0.25, 1e-9);
+  const std::string refused = to_string(loaded(keys + "laser\n").error());
+  EXPECT_EQ(refused.substr(0, 62), "camera.link: the x axis of 'laser' does not point ahead on the")
+      << refused;
 }
 
 TEST(DriveScenario, AGoalAndAPlannerBecomeWaypoints) {

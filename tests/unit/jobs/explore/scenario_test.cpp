@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "outrider/core/units.hpp"
+#include "support/cart.hpp"
 #include "support/data.hpp"
 
 namespace outrider {
@@ -27,6 +28,30 @@ TEST(ExploreScenario, KeysAndTextsBecomeASetup) {
   EXPECT_EQ(setup->sim.laser.robot_T_laser.position.x, 0.1) << "as the robot knows it";
   EXPECT_FALSE(setup->task.rules.return_home);
   EXPECT_EQ(setup->task.robot.radius_m, 0.105) << "a TurtleBot3 burger";
+}
+
+TEST(ExploreScenario, TheRobotAndTheMountOfItsLaserMayComeFromItsFile) {
+  const test::Folder folder;
+  folder.write("s.csv", "0,0,4,0\n4,0,4,3\n");
+  folder.write("cart.urdf", test::cart_urdf);
+  const auto load = [&](const std::string& keys) {
+    ExploreJob job;
+    const std::string path = folder.write("e.yaml", "job: explore\nworld: s.csv\nstart: \"1,2,90\"\n" + keys);
+    EXPECT_TRUE(read_scenario(job, path));
+    return load_explore(job.scenario);
+  };
+  const auto setup = load("robot:\n  file: cart.urdf\nlaser:\n  link: laser\n");
+  ASSERT_TRUE(setup) << to_string(setup.error());
+  EXPECT_NEAR(setup->task.robot.radius_m, 0.3, 1e-9);
+  EXPECT_NEAR(setup->sim.laser.height_m, 0.5, 1e-9);
+  EXPECT_NEAR(setup->sim.laser.robot_T_laser.position.x, 0.1, 1e-9);
+  EXPECT_NEAR(setup->task.slam.robot_T_laser.heading_rad, radians(90.0), 1e-9);
+  const auto refused = [&](const std::string& keys) { return to_string(load(keys).error()); };
+  EXPECT_EQ(refused("laser:\n  link: laser\n"),
+            "laser.link: links are those of the robot's own file; name it, or leave the link out");
+  EXPECT_EQ(refused("robot:\n  file: cart.urdf\nlaser:\n  link: lase\n"),
+            "laser.link: there is no link or frame 'lase'; did you mean 'laser'?");
+  EXPECT_EQ(refused("robot:\n  file: cart.urdf\nlaser:\n  link: tilted\n").substr(0, 11), "laser.link:");
 }
 
 TEST(ExploreScenario, WhatIsNoGoodIsRefused) {

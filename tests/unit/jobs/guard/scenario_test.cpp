@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/cart.hpp"
 #include "support/data.hpp"
 
 namespace outrider {
@@ -34,6 +35,22 @@ TEST(GuardScenario, LeavesRoomAroundAStartAndTargetsOutsideOfWhatStands) {
   const Box2 on_top = bounds_of("type=1 x=0 y=0 z=1\n", "0,0.4,0");  // the disk does not fit into the box
   EXPECT_EQ(on_top.low, (Vec2{-2, -1.6}));
   EXPECT_EQ(on_top.high, (Vec2{2, 2.4}));
+}
+
+TEST(GuardScenario, TheSizeOfTheRobotMayComeFromItsFile) {
+  const test::Folder folder;
+  GuardScenario scenario;
+  scenario.world = folder.write("w.sdf", one_box);
+  scenario.targets = folder.write("t.txt", "type=1 x=3 y=0\n");
+  scenario.start = "-2,0,0";
+  scenario.robot_file.file = folder.write("cart.urdf", test::cart_urdf);
+  const auto loaded = load_problem(scenario);
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  EXPECT_TRUE(loaded->empty());
+  EXPECT_NEAR(scenario.problem.robot.radius_m, 0.3, 1e-9);
+  EXPECT_NEAR(scenario.problem.robot.height_m, 0.4, 1e-9);
+  scenario.robot_file.file = "none.urdf";
+  EXPECT_EQ(load_problem(scenario).error().where, "none.urdf");
 }
 
 TEST(GuardScenario, LeavesWhatIsFarAwayOutside) {
