@@ -8,7 +8,7 @@ namespace outrider::server {
 namespace {
 
 constexpr std::size_t most_entries = 100'000;  // of a folder
-constexpr std::size_t most_asked = 500;   // files of a question
+constexpr std::size_t most_asked = 500;        // files of a question
 
 }  // namespace
 

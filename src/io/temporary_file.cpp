@@ -72,7 +72,7 @@ int write_all(int descriptor, std::string_view content) {
 }
 
 /// Gives the file the mode of the one that it will replace.
-void keep_mode(int descriptor, const Place& place) {
+void keep_mode(int descriptor, const FilePlace& place) {
   struct stat status{};
   const bool there =
       ::fstatat(place.folder.descriptor(), place.name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
@@ -81,7 +81,7 @@ void keep_mode(int descriptor, const Place& place) {
 
 }  // namespace
 
-Outcome<Place> place_of(const std::string& path) {
+Outcome<FilePlace> place_of(const std::string& path) {
   if (path.empty()) return bad_input("the file name is empty");
   std::error_code error;
   fs::path real = path;
@@ -93,10 +93,10 @@ Outcome<Place> place_of(const std::string& path) {
   if (there && there->is_folder) return bad_input("it is a folder; name a file to write", path);
   if (there && !there->is_file && !fs::is_symlink(real, error))
     return bad_input("it is not a regular file; name another", path);
-  return Place{std::move(*folder), real.filename().string(), path};
+  return FilePlace{std::move(*folder), real.filename().string(), path};
 }
 
-Outcome<TemporaryFile> TemporaryFile::write(Place place, std::string_view content) {
+Outcome<TemporaryFile> TemporaryFile::write(FilePlace place, std::string_view content) {
   OpenFolder folder = place.folder;
   TemporaryFile file(std::move(place), std::move(folder));
   const std::string& path = file.place_.path;
@@ -110,7 +110,7 @@ Outcome<TemporaryFile> TemporaryFile::write(Place place, std::string_view conten
   return file;
 }
 
-Outcome<TemporaryFile> TemporaryFile::adopt(Place place, const std::string& written) {
+Outcome<TemporaryFile> TemporaryFile::adopt(FilePlace place, const std::string& written) {
   auto from = place_of(written);
   if (!from) return pass_on(from);
   TemporaryFile file(std::move(place), std::move(from->folder));
@@ -124,7 +124,7 @@ Outcome<TemporaryFile> TemporaryFile::adopt(Place place, const std::string& writ
 }
 
 Outcome<std::optional<TemporaryFile>> TemporaryFile::keep_old(const TemporaryFile& file) {
-  const Place& place = file.place_;
+  const FilePlace& place = file.place_;
   const int folder = place.folder.descriptor();
   TemporaryFile old(place, place.folder);
   old.descriptor_ = ::openat(folder, place.name.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);

@@ -14,7 +14,7 @@
 namespace outrider {
 
 /// A file to be written.
-struct Place {
+struct FilePlace {
   OpenFolder folder;
   std::string name;  ///< in the folder
   std::string path;  ///< as given by the caller, for faults
@@ -23,17 +23,17 @@ struct Place {
 /// Returns the place of a file. Resolves a link of its name, so that the file is replaced and not the link;
 /// but not in a process that is confined. Faults: bad_input if its folder does not exist, or if the path is
 /// no name of a regular file.
-Outcome<Place> place_of(const std::string& path);
+Outcome<FilePlace> place_of(const std::string& path);
 
 /// Holds a lock on the file during its lifetime. A temporary file without a lock was left by a killed writer.
 /// The destructor removes the file unless it was renamed.
 class TemporaryFile {
  public:
   /// Writes the content beside the place, with the mode of an existing file there, and waits for the disk.
-  static Outcome<TemporaryFile> write(Place place, std::string_view content);
+  static Outcome<TemporaryFile> write(FilePlace place, std::string_view content);
 
   /// Takes a complete file as the temporary one, and waits for the disk.
-  static Outcome<TemporaryFile> adopt(Place place, const std::string& written);
+  static Outcome<TemporaryFile> adopt(FilePlace place, const std::string& written);
 
   /// Makes a second name for the file that has the final name of `file` now; its rename() brings it back,
   /// unless the file system allows no second name. Returns nothing if there is no such file. Fault:
@@ -54,9 +54,9 @@ class TemporaryFile {
   Status finish(int error);
 
  private:
-  TemporaryFile(Place place, OpenFolder from) : place_(std::move(place)), from_(std::move(from)) {}
+  TemporaryFile(FilePlace place, OpenFolder from) : place_(std::move(place)), from_(std::move(from)) {}
 
-  Place place_;
+  FilePlace place_;
   OpenFolder from_;   // the folder of the temporary file
   std::string name_;  // there; empty: there is no file to remove
   int descriptor_ = -1;

@@ -27,9 +27,9 @@ int rename_all_unharmed(const std::vector<TemporaryFile>& files, const OldFiles&
 }
 
 /// Returns the folder of each place once, in the order of their inodes.
-std::vector<OpenFolder> folders_of(const std::vector<Place>& places) {
+std::vector<OpenFolder> folders_of(const std::vector<FilePlace>& places) {
   std::map<std::pair<std::uint64_t, std::uint64_t>, OpenFolder> sorted;
-  for (const Place& place : places) {
+  for (const FilePlace& place : places) {
     const FileStatus status = place.folder.status();
     sorted.emplace(std::pair(status.device, status.inode), place.folder);
   }
@@ -39,7 +39,7 @@ std::vector<OpenFolder> folders_of(const std::vector<Place>& places) {
 }
 
 /// Writes the files to their places; those of `complete` come first.
-Status write_to(const std::vector<Place>& places, const std::vector<NamedContent>& files,
+Status write_to(const std::vector<FilePlace>& places, const std::vector<NamedContent>& files,
                 const std::vector<FileToRename>& complete) {
   const std::vector<OpenFolder> folders = folders_of(places);
   for (const OpenFolder& folder : folders) remove_abandoned_files(folder);
@@ -81,7 +81,7 @@ Status write_files(const std::vector<NamedContent>& files, const std::vector<Fil
   std::vector<std::string> paths;
   for (const FileToRename& file : complete) paths.push_back(file.path);
   for (const NamedContent& file : files) paths.push_back(file.path);
-  std::vector<Place> places;
+  std::vector<FilePlace> places;
   for (const std::string& path : paths) {
     auto place = place_of(path);
     if (!place) return pass_on(place);
@@ -91,7 +91,7 @@ Status write_files(const std::vector<NamedContent>& files, const std::vector<Fil
 }
 
 Status OpenFolder::write(const std::vector<NamedContent>& files) const {
-  std::vector<Place> places;
+  std::vector<FilePlace> places;
   for (const NamedContent& file : files) places.push_back({*this, file.path, file.path});
   return write_to(places, files, {});
 }
