@@ -168,17 +168,19 @@ class Strangers(Serve):
         before = self.precious()
         with Server(self.folder, "--jobs", "1") as server:
             first = self.started(server, {"scenario": "long.yaml"})
-            away, links = [server.json("POST", "/api/v1/runs", {"scenario": "court.yaml"}, status=202)["id"] for _ in range(2)]
+            away, links, log = [server.json("POST", "/api/v1/runs", {"scenario": "court.yaml"}, status=202)["id"]
+                                for _ in range(3)]
             runs = self.folder / ".outrider/runs"
             (runs / away).rename(runs / "away")
             (runs / away).symlink_to(self.outside)
             for name in before:
-                (runs / links / name).unlink(missing_ok=True)
-                (runs / links / name).symlink_to(self.outside / name)
+                link = runs / (log if name == "running.mcap" else links) / name
+                link.unlink(missing_ok=True)
+                link.symlink_to(self.outside / name)
             self.still_running(server, first)
             server.json("DELETE", f"/api/v1/runs/{first}")
-            for run in (away, links):
-                self.assertIn(server.wait(run)["state"], ("done", "not_done"))
+            for run, states in ((away, ("done", "not_done")), (links, ("done", "not_done")), (log, ("failed",))):
+                self.assertIn(server.wait(run)["state"], states)
                 body = server.request("GET", f"/api/v1/runs/{run}/result")[2]
                 self.assertNotIn(SECRET, body)
             self.assertEqual(json.loads((runs / "away/run.json").read_text())["job"], "guard", "it wrote to its own folder")
