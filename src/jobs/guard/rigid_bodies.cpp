@@ -166,8 +166,8 @@ dd::SkeletonPtr rigid_robot(const RobotModel& robot, const Pose2& start, double 
   return skeleton;
 }
 
-dd::SkeletonPtr rigid_ball(Vec3 centre, double radius_m, Vec3 velocity_mps) {
-  auto skeleton = dd::Skeleton::create("ball");
+dd::SkeletonPtr rigid_ball(std::size_t number, Vec3 centre, double radius_m, Vec3 velocity_mps) {
+  auto skeleton = dd::Skeleton::create(fmt::format("ball_{}", number));
   auto [joint, ball] = skeleton->createJointAndBodyNodePair<dd::FreeJoint>();
   const double mass_kg = water_kgpm3 * 4.0 / 3.0 * pi * radius_m * radius_m * radius_m;
   const double inertia_kgm2 = 0.4 * mass_kg * radius_m * radius_m;

@@ -27,7 +27,7 @@ Outcome<dart::dynamics::SkeletonPtr> rigid_yard(const std::vector<Solid>& solids
 /// Returns the bodies "chassis", "left" and "right", and the joints "left_wheel" and "right_wheel", at rest.
 dart::dynamics::SkeletonPtr rigid_robot(const RobotModel& robot, const Pose2& start, double floor_z_m);
 
-/// Returns one free sphere of water.
-dart::dynamics::SkeletonPtr rigid_ball(Vec3 centre, double radius_m, Vec3 velocity_mps);
+/// Returns one free sphere of water, named by its number: the engine prints a message if two have one name.
+dart::dynamics::SkeletonPtr rigid_ball(std::size_t number, Vec3 centre, double radius_m, Vec3 velocity_mps);
 
 }  // namespace outrider

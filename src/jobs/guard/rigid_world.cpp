@@ -106,7 +106,7 @@ class DartWorld final : public RigidWorld {
     const auto free = std::ranges::find_if(balls_, [](const Ball& ball) { return ball.skeleton == nullptr; });
     if (free == balls_.end()) return std::nullopt;
     const auto number = static_cast<std::size_t>(free - balls_.begin());
-    *free = {rigid_ball(flight.muzzle, problem_.gun.ball_radius_m, flight.velocity_mps), target};
+    *free = {rigid_ball(number, flight.muzzle, problem_.gun.ball_radius_m, flight.velocity_mps), target};
     filter_->set(free->shape(), ball_mask(number));
     world_->addSkeleton(free->skeleton);
     show_to_balls(target);

@@ -1,5 +1,4 @@
-// RigidWorld: a yard in Gazebo's physics engine (ignition-physics 5 with DART), with a wheeled robot and
-// balls.
+// RigidWorld: a yard in the physics engine DART, with a wheeled robot and balls.
 //
 // Bodies: each solid of the world is a fixed body (half-spaces are planes, meshes are two-sided surfaces),
 // followed by the box of each target. A target collides only with balls that are thrown at it; if targets
