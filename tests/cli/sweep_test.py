@@ -260,7 +260,7 @@ class Sweep(ToolTest):
             self.assertIn(old, text)
             path.write_text(text.replace(old, new))
             self.refused("sweep", "once", says=["once/chunks/000000.csv", says, "restore manifest.json"])
-        for value in ("-1", "1e19", "1.5", "10000000000000000000", "7.0", "null", "[" * 100000 + "]" * 100000):
+        for value in ("-1", "1e19", "1.5", "10000000000000000000", "7.0", "null", "[7]"):
             path.write_text(text.replace('"seed": 7', f'"seed": {value}'))
             self.refused("sweep", "once", says=["once/manifest.json", "seed '", "whole number", "restore the file"])
         path.write_text(text)
