@@ -68,7 +68,7 @@ Outcome<std::string> ByteSource::read(std::uint64_t offset, std::uint64_t count)
 }
 
 bool ByteSource::may_unpack(std::uint64_t bytes) const {
-  constexpr std::uint64_t any = std::uint64_t{512} << 20U, most_times = 1000;
+  constexpr std::uint64_t any = std::uint64_t{1} << 30U, most_times = 1000;
   unpacked_ += std::min(bytes, std::numeric_limits<std::uint64_t>::max() - unpacked_);
   return unpacked_ <= any || (unpacked_ - any) / most_times <= size_;
 }

@@ -99,7 +99,7 @@ def mcap(*parts):
         record(2, u64(0) + u64(0) + u32(0)) + MAGIC
 
 
-def mcap_log(encoding=b"cdr", text=b"", data=(b"\x00\x01\x00\x00" + b"\x00" * 16,), kind=b"geometry_msgs/msg/PoseStamped",
+def mcap_log(encoding=b"cdr", text=b"", data=(b"\x00\x01\x00\x00" + bytes(8) + b"\x01" + bytes(7) + bytes(48) + b"\x00" * 6 + b"\xf0\x3f",), kind=b"geometry_msgs/msg/PoseStamped",
              schema_encoding=b"ros2msg"):
     """A log without checksums, so that any of its bytes may change."""
     parts = schema(1, kind, schema_encoding, text) + channel(1, 1, b"/pose", encoding)

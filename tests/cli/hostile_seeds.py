@@ -7,7 +7,7 @@ import gzip
 import struct
 
 import hostile_bombs as bombs
-from tool import COARSE, FLOOR, MAP, SOURCE, TARGETS, YARD, world
+from tool import COARSE, FENCE, FLOOR, MAP, SOURCE, TARGETS, YARD, world
 
 CORPUS = SOURCE / "tests/fuzz/corpus"
 FILE = object()
@@ -16,7 +16,7 @@ Seed = collections.namedtuple("Seed", "name file content words binary")
 POINTS = ["--from", "0,-2", "--to", "2,-2"]
 CELLS = ["--from", "0.5,3.5", "--to", "5.5,3.5"]
 GUARD = ["guard", "--world", "yard.sdf", "--start", "0,-2,90", *COARSE]
-MESHED = world(FLOOR, """<model name="rock"><static>true</static><pose>1 1 0 0 0 0</pose><link name="link"><collision name="body">
+MESHED = world(FLOOR, *FENCE, """<model name="rock"><static>true</static><pose>1 1 0 0 0 0</pose><link name="link"><collision name="body">
 <geometry><mesh><uri>{}</uri></mesh></geometry></collision></link></model>
 """)
 HILLY = world("""<model name="hill"><static>true</static><link name="link"><collision name="body"><geometry><heightmap>
@@ -38,6 +38,16 @@ PLAN = 'job: plan\nmap: small.map\nfrom: "0.5,0.5"\nto: "5.5,0.5"\nplanner: thet
 STL = b"solid".ljust(80) + struct.pack("<I", 4) + b"".join(
     struct.pack("<12fH", 0, 0, 1, *a, *b, *c, 0) for a, b, c in [((0, 0, 0), (1, 0, 0), (0, 1, 0)), ((0, 0, 0), (1, 0, 0), (0, 0, 1)),
                                                                  ((0, 0, 0), (0, 1, 0), (0, 0, 1)), ((1, 0, 0), (0, 1, 0), (0, 0, 1))])
+STL_TEXT = "solid a\n" + "".join(f"facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 {z}\nvertex 0 1 {z}\nendloop\nendfacet\n"
+                                for z in (0, 1)) + "endsolid a\n"
+DAE = """<?xml version="1.0"?>
+<COLLADA><asset><unit meter="1"/></asset><library_geometries><geometry id="g"><mesh><source id="p">
+<float_array id="a" count="12">0 0 0 1 0 0 1 1 0 0 1 1</float_array><technique_common><accessor stride="3"/></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles count="2"><input semantic="VERTEX" source="#v" offset="0"/>
+<p>0 1 2 0 2 3</p></triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene id="s"><node id="n">
+<translate>0.1 0 0</translate><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
+<scene><instance_visual_scene url="#s"/></scene></COLLADA>
+"""
 IMAGE = bombs.png(8, 8, bombs.zlib.compress(b"".join(b"\0" + bytes([255] * 6 + [90, 0]) for _ in range(8))))
 PGM = b"P5\n8 8\n255\n" + bytes([254] * 56 + [0] * 8)
 ASC = "ncols 9\nnrows 9\nxllcorner -4\nyllcorner -4\ncellsize 1\n" + "0 0.1 0.2 0.3 0.3 0.2 0.1 0 0\n" * 9
@@ -58,9 +68,9 @@ def texts():
     """(name, file, content, command)."""
     laser = gzip.decompress((SOURCE / "scenarios/slam/office.log.gz").read_bytes()).splitlines(keepends=True)
     yield "sdf", "world.sdf", YARD, ["plan", FILE, *POINTS]
-    yield "sdf frames", "world.sdf", corpus("sdf/frames.sdf"), ["plan", FILE, *POINTS]
-    for kind in ("mesh.stl", "mesh.obj", "mesh.dae"):
-        yield f"mesh {kind[-3:]}", kind, corpus(f"mesh/{kind}"), ["plan", f"with_{kind}.sdf", *POINTS]
+    for kind, content in (("mesh.stl", STL_TEXT), ("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1/1 2/2 4/4\nf -4 -2 -1\n"),
+                          ("mesh.dae", DAE)):
+        yield f"mesh {kind[-3:]}", kind, content, ["plan", f"with_{kind}.sdf", *POINTS]
     yield "targets", "list.txt", TARGETS, [*GUARD, "--targets", FILE]
     yield "arrivals", "list.txt", "t=1 at=1_0 by=gate\nt=5 at=fox by=gate # late\n", [
         *GUARD, "--targets", "targets.txt", "--arrivals-entrances", "gate=0,-2.5", "--arrivals-list", FILE]
@@ -70,7 +80,7 @@ def texts():
     yield "scenario guard", "guard.yaml", scenario("supplies: {stations: 'well=-2,-2,water dock=0,-2.3,charge'}"), ["run", FILE]
     yield "scenario moved", "guard.yaml", scenario("moved: crate=1.5,-2,90", "removed: north"), ["run", FILE]
     yield "scenario plan", "plan2.yaml", PLAN, ["run", FILE]
-    yield "map yaml", "m.yaml", BESIDE["map.yaml"], ["plan", FILE, "--from", "1,2", "--to", "1,3.5"]
+    yield "map yaml", "m.yaml", BESIDE["map.yaml"], ["plan", FILE, "--from", "1,2", "--to", "2,2"]
     yield "pgm text", "m.pgm", "P2\n6 6\n255\n" + "254 254 254 254 254 0\n" * 6, ["plan", FILE, "--from", "0.1,0.1", "--to", "0.2,0.1", "--radius", "0"]
     yield "movingai map", "m.map", MAP, ["plan", FILE, *CELLS]
     yield "movingai scen", "m.scen", "version 1\n0 small.map 6 4 0 0 5 0 7\n0 small.map 6 4 1 1 5 3 6\n", ["fleet", "small.map", "--agents", FILE]
@@ -84,10 +94,10 @@ def texts():
     yield "carmen", "scan.log", b"".join(laser[:60]), ["slam", FILE]
     for name in ("small.g2o", "space.g2o", "toro.graph"):
         yield name, name, corpus(f"pose_graph/{name}"), ["slam", FILE]
-    yield "pyfg", "graph.pyfg", ("VERTEX_SE2 0.0 A0 0 0 0\nVERTEX_SE2 1.0 A1 1 0 0\nVERTEX_XY L1 2 1\n"
-                                 "EDGE_SE2 0.0 A0 A1 1 0 0 0.1 0 0 0.1 0 0.1\nEDGE_RANGE 1.0 A1 L1 1.4 0.1\n"), ["slam", FILE]
+    yield "pyfg", "graph.pyfg", ("VERTEX_SE2 0.0 A0 0 0 0\nVERTEX_SE2 1.0 A1 1 0 0\nVERTEX_SE2 2.0 A2 2 0 0\n"
+                                 "EDGE_SE2 0.0 A0 A1 1 0 0 0.1 0 0 0.1 0 0.1\nEDGE_SE2 1.0 A1 A2 1 0 0 0.1 0 0 0.1 0 0.1\n"), ["slam", FILE]
     yield "freiburg", "log.dat", corpus("landmark_logs/freiburg.log"), ["slam", FILE]
-    yield "chain", "chain.dat", "ODOMETRY 0 0 0 0 0 0 0 0\n" * 3, ["slam", FILE]
+    yield "chain", "chain.dat", "".join(f"ODOMETRY {i} {i + 1} 1 0 0.1 0.1 0 0 0.1 0 0.1\n" for i in range(5)), ["slam", FILE]
     for name, content in MRCLAM.items():
         yield f"mrclam {name}", name, content, ["slam", "Robot1_Odometry.dat"]
     for ending in ("json", "xml", "yaml", "txt"):
@@ -127,7 +137,9 @@ def binaries():
     yield "mcap poses", "plain.mcap", bombs.mcap_log(), ["convert", FILE, "out.tum"]
     yield "run.mcap", "kept/run.mcap", None, ["replay", FILE, "--svg", "out.svg"]
     for name in ("none", "bz2", "lz4", "unindexed"):
-        yield f"bag {name}", f"{name}.bag", corpus(f"bag/{name}.bag"), ["convert", FILE, "out.mcap"]
+        yield f"bag {name}", f"{name}.bag", corpus(f"bag/{name}.bag"), ["convert", FILE, "out.jsonl"]
+    yield "bag plain", "plain.bag", bombs.bag_with(b"int8 a\nstring b\np/E[] e\n====\nMSG: p/E\nfloat64[2] x\n",
+                                                   b"\x01" + bombs.counted(b"ab") + bombs.u32(1) + bytes(16)), ["convert", FILE, "out.mcap"]
     for name in ("humble", "jazzy"):
         yield f"db3 {name}", f"{name}.db3", corpus(f"db3/{name}.db3"), ["convert", FILE, "out.mcap"]
 
@@ -142,7 +154,7 @@ def beside(folder, run_tool):
     for words in (["plan", "small.map", *CELLS, "--out", "kept"], ["sweep", "plan.yaml", "--runs", "4", "--out", "swept"],
                   *([*words[:-1], file] for name, file, _, words in binaries() if name.startswith("index "))):
         done = run_tool(words)
-        assert done.returncode == 0, (words, done)
+        assert done.status == 0, (words, done.output)
 
 
 def seeds(folder):
