@@ -36,9 +36,9 @@ struct Drive {
 };
 
 /// The robot follows the path until it rests at its end, with its accelerations in steps of 10 ms.
-Drive follow_to_the_end(const Grid<std::uint8_t>& map, PathProgress path, Pose2 pose) {
+Drive follow_to_the_end(const Grid<std::uint8_t>& map, PathProgress path, Pose2 pose,
+                        const SteerOptions& options = {}) {
   const RobotModel robot = small_robot();
-  const SteerOptions options;
   Drive drive;
   Twist2 twist;
   double driven = 0.0;
@@ -111,6 +111,16 @@ TEST(PathProgress, NeverGoesBackAndEndsAtItsEnd) {
   EXPECT_LE(path.along_m, 0.9);
   for (int i = 0; i < 9; ++i) advance_along(path, {-1.0, 1.0});
   EXPECT_LE(remaining_m(path), 2.6);
+}
+
+TEST(Steer, DrivesWithTheLeastLookaheadToo) {
+  SteerOptions options;
+  for (const Option& option : describe(options)) {
+    if (option.name == "lookahead") ASSERT_TRUE(assign(option, std::to_string(option.low)));
+  }
+  const auto map = map_of([](Vec2) { return false; });
+  const Drive drive = follow_to_the_end(map, {{{0.0, 0.0}, {0.5, 0.0}}, 0.0}, {}, options);
+  EXPECT_LT(distance(drive.end.position, Vec2{0.5, 0.0}), 0.02);
 }
 
 }  // namespace

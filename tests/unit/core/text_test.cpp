@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "outrider/core/rng.hpp"
-#include "support/random_cases.hpp"
 
 namespace outrider {
 namespace {
@@ -90,7 +89,7 @@ TEST(Text, NumbersOfSentencesAreShort) {
 /// The text stands for the number to nine digits, or to a thousandth, and has at most sixteen characters.
 TEST(Text, NumbersOfSentencesAreRight) {
   Rng rng(3);
-  for (int i = 0; i < testing::cases(2000); ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const double value = rng.uniform(-1.0, 1.0) * std::pow(10.0, rng.uniform(-10.0, 9.0));
     const std::string text = short_number(value);
     const double allowed = std::max(5.001e-13, std::min(5.001e-4, 5.001e-9 * std::abs(value)));

@@ -46,7 +46,9 @@ struct Yard {
 
   void add_odometry(std::uint32_t to, const Wrong& wrong, double noise, Rng& rng) {
     const Pose2 moved = relative_pose(truth[to - 1], truth[to]);
-    GraphEdge edge{EdgeKind::pose, to - 1, to};
+    GraphEdge edge;
+    edge.from = to - 1;
+    edge.to = to;
     edge.measured.position =
         (1.0 + wrong.ways) * moved.position + noise * way_sd_m * Vec2{rng.normal(), rng.normal()};
     edge.measured.heading_rad =
@@ -58,7 +60,10 @@ struct Yard {
   }
   void add_sighting(std::uint32_t from, std::uint32_t to, const Wrong& wrong, double noise, Rng& rng) {
     const Vec2 seen = truth[from].to_local(truth[to].position);
-    GraphEdge edge{EdgeKind::point, from, to};
+    GraphEdge edge;
+    edge.kind = EdgeKind::point;
+    edge.from = from;
+    edge.to = to;
     edge.measured.position =
         (1.0 + wrong.range_m / norm(seen)) * seen + noise * sight_sd_m * Vec2{rng.normal(), rng.normal()};
     edge.information.topLeftCorner<2, 2>() = Eigen::Matrix2d::Identity() * std::pow(sight_sd_m, -2);

@@ -51,7 +51,7 @@ TEST_F(SavedMap, TheAreaLiesInsideTheFreeSpaceOfTheLargerRoom) {
   const auto task = load_task(scenario);
   ASSERT_TRUE(task) << to_string(task.error());
   EXPECT_EQ(task->problem.holes.size(), 1U);
-  EXPECT_TRUE(task->frame.moved());
+  EXPECT_TRUE(task->problem.frame.moved());
   EXPECT_NE(task->note.find("9 m2 of its free space are left out, in 1 part"), std::string::npos)
       << task->note;
   EXPECT_LT(task->problem.boundary.size(), 10U);
@@ -62,7 +62,7 @@ TEST_F(SavedMap, TheAreaLiesInsideTheFreeSpaceOfTheLargerRoom) {
     const Vec2 middle = world_centre(map, cell), along = direction(map.yaw_rad);
     for (const double x : {-0.02499, 0.0, 0.02499}) {
       for (const double y : {-0.02499, 0.0, 0.02499}) {
-        const Vec2 p = task->frame.to_local(middle + x * along + y * perpendicular(along));
+        const Vec2 p = task->problem.frame.to_local(middle + x * along + y * perpendicular(along));
         if (!contains(area, p)) continue;
         ++inside;
         ASSERT_EQ(map.occupancy.cells[i], free_cell) << cell.x << ", " << cell.y;
