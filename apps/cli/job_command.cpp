@@ -20,6 +20,7 @@
 #include "outrider/job/run_job.hpp"
 #include "progress.hpp"
 #include "run_output.hpp"
+#include "stop_on_signal.hpp"
 #include "terminal.hpp"
 
 namespace outrider::cli {
@@ -75,21 +76,26 @@ void add_unwritten(Run& run, const JobRequest& request) {
                                 request.output.folder);
 }
 
+/// Ends the tool without results, for this reason.
+void leave(const Job& job, const JobRequest& request, const char* reason) {
+  Run run;
+  run.report.job = job.name;
+  run.report.status = "cancelled";
+  run.report.reason = reason;
+  if (!request.output.folder.empty())
+    run.report.warnings.push_back("nothing was written to " + request.output.folder);
+  print_run(job, run, {}, request.output.json);
+  std::fflush(stdout);
+  std::_Exit(job_not_done);
+}
+
 /// Ends the tool at once when it is stopped while a task loads its files: nothing has begun then that is
 /// worth keeping, and not all libraries that read files can be interrupted.
 class LeavingWhileLoading final : public LogSink {
  public:
   LeavingWhileLoading(const Job& job, const JobRequest& request, const std::stop_token& stop)
-      : leave_(std::in_place, stop, [&job, &request] {
-          Run run;
-          run.report.job = job.name;
-          run.report.status = "cancelled";
-          run.report.reason = "it was cancelled while it loaded its files";
-          add_unwritten(run, request);
-          print_run(job, run, {}, request.output.json);
-          std::fflush(stdout);
-          std::_Exit(job_not_done);
-        }) {}
+      : leave_(std::in_place, stop,
+               [&job, &request] { leave(job, request, "it was cancelled while it loaded its files"); }) {}
   /// The task is loaded.
   void stay() { leave_.reset(); }
 
@@ -109,6 +115,10 @@ Outcome<Run> run_watched(const Job& job, JobTask& task, const JobRequest& reques
   RunWatch watch;
   watch.stop = stop;
   LeavingWhileLoading leaving(job, request, stop);
+  const HardStop hard(stop, [&] {
+    file.abandon();
+    leave(job, request, "it was cancelled in the middle of a computation that cannot be interrupted");
+  });
   if (!request.output.folder.empty()) watch.sinks = {&leaving, &file};
   if (live.is_watched()) watch.sinks.push_back(&live);
   if (request.live) watch.sinks.push_back(&map.emplace());

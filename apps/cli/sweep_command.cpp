@@ -4,6 +4,8 @@
 #include <sys/resource.h>
 #include <tbb/global_control.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -24,6 +26,7 @@
 #include "outrider/sweep/summary.hpp"
 #include "progress.hpp"
 #include "slurm_script.hpp"
+#include "stop_on_signal.hpp"
 #include "terminal.hpp"
 
 namespace outrider::cli {
@@ -272,17 +275,21 @@ Outcome<Answer> conclude(const Plan& plan) {
   return answer;
 }
 
+Answer chunks_so_far(const Plan& plan, const std::vector<std::uint64_t>& missing, const std::string& reason) {
+  return {.reason = reason,
+          .text = fmt::format("{} of {} chunks are there{}{}\n", plan.sweep.chunks() - missing.size(),
+                              plan.sweep.chunks(), reason.empty() ? "" : "; ", reason),
+          .missing = missing};
+}
+
 Outcome<Answer> compute(const Plan& plan, const SweepFlags& flags, const SweepWatch& watch) {
   const auto others = compute_chunks(plan.sweep, plan.work, watch);
   if (!others) return tl::unexpected<Fault>(others.error());
   const auto missing = missing_chunks(plan.sweep, flags.folder);
   if (missing.empty() && flags.chunks.empty()) return conclude(plan);
-  Answer answer{.missing = missing};
-  if (!others->empty()) {
-    answer.reason = fmt::format("other processes are computing chunks {}", list_of(*others));
-  }
-  answer.text = fmt::format("{} of {} chunks are there{}{}\n", plan.sweep.chunks() - missing.size(),
-                            plan.sweep.chunks(), answer.reason.empty() ? "" : "; ", answer.reason);
+  Answer answer = chunks_so_far(
+      plan, missing,
+      others->empty() ? "" : fmt::format("other processes are computing chunks {}", list_of(*others)));
   if (missing.empty())
     answer.text += fmt::format("outrider sweep {} --merge makes the table\n", flags.folder);
   return answer;
@@ -334,8 +341,17 @@ int execute(SweepFlags& flags, const Command& words, const std::vector<Job>& job
   }
   const auto plan = make_plan(flags, words, jobs);
   if (!plan) return print_fault(plan.error(), json);
+  std::optional<HardStop> hard(std::in_place, stop, [&] {
+    print(*plan,
+          chunks_so_far(*plan, missing_chunks(plan->sweep, flags.folder),
+                        "it was cancelled in the middle of a computation that cannot be interrupted"),
+          flags, {});
+    std::fflush(stdout);
+    std::_Exit(job_done);
+  });
   std::optional<SweepLine> line(std::in_place);
   const auto answer = act(*plan, flags, {stop, [&](const SweepProgress& now) { line->show(now); }});
+  hard.reset();
   const SweepProgress last = line->last();
   line.reset();
   if (!answer) return print_fault(answer.error(), json);

@@ -40,6 +40,15 @@ void remove_empty(const fs::path& folder) {
 
 RunLog::~RunLog() {
   sink_.reset();
+  remove();
+}
+
+void RunLog::abandon() {
+  const std::lock_guard lock(beginning_);
+  remove();
+}
+
+void RunLog::remove() const {
   if (!path_.empty()) ::unlink(path_.c_str());
   if (!made_.empty()) remove_empty(made_);
 }
@@ -59,6 +68,7 @@ Status RunLog::lock_file() {
 }
 
 Status RunLog::begin_file() {
+  const std::lock_guard lock(beginning_);
   made_ = topmost_missing(folder_);
   if (auto ok = make_folder(folder_); !ok) return ok;
   if (auto ok = lock_file(); !ok) return ok;

@@ -22,8 +22,9 @@ void for_each_step(const PursuitProblem& problem, Cell cell, Visit visit) {
   }
 }
 
-/// Returns the least cost from every cell to any cell of the target in any second (backward Dijkstra).
-std::vector<std::uint64_t> costs_to_go(const PursuitProblem& problem) {
+/// Returns the least cost from every cell to any cell of the target in any second (backward Dijkstra). A stop
+/// leaves cells out.
+std::vector<std::uint64_t> costs_to_go(const PursuitProblem& problem, const std::stop_token& stop) {
   const CostGrid& costs = *problem.costs;
   std::vector<std::uint64_t> to_go(costs.cells.size(), never);
   using QueueEntry = std::pair<std::uint64_t, std::size_t>;
@@ -34,7 +35,7 @@ std::vector<std::uint64_t> costs_to_go(const PursuitProblem& problem) {
     to_go[i] = 0;
     open.emplace(0, i);
   }
-  while (!open.empty()) {
+  while (!open.empty() && !stop.stop_requested()) {
     const auto [cost, i] = open.top();
     open.pop();
     if (cost != to_go[i]) continue;
@@ -97,7 +98,7 @@ Outcome<PursuitPlan> multi_goal_a_star(const PursuitProblem& problem, const Mult
                                        const Budget& budget, Workspace&) {
   if (auto ok = check(problem); !ok) return pass_on(ok);
   const CostGrid& costs = *problem.costs;
-  const auto to_go = costs_to_go(problem);
+  const auto to_go = costs_to_go(problem, budget.stop);
   const auto start = static_cast<std::uint32_t>(costs.frame.index(problem.start));
   Closed closed(costs.cells.size(), problem.target.size());
   std::vector<State> states{{0, start, problem.start_s, 0}};
@@ -106,6 +107,7 @@ Outcome<PursuitPlan> multi_goal_a_star(const PursuitProblem& problem, const Mult
   std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<>> open;
   if (to_go[start] != never) open.emplace(to_go[start], -problem.start_s, 0);
   BudgetMeter meter(budget);
+  if (budget.stop.stop_requested()) return meter.refusal();
   while (!open.empty()) {
     const std::uint32_t at = std::get<2>(open.top());
     open.pop();

@@ -20,8 +20,8 @@ std::vector<std::vector<std::uint32_t>> related_goals(const Instance& instance, 
   for (std::uint32_t goal = 0; goal < instance.goals && !stop.stop_requested(); ++goal) {
     std::ranges::fill(shared, 0U);
     for (const std::uint32_t node : instance.nodes_of[goal]) {
-      const std::uint32_t stop = instance.nodes[node].stop;
-      for (std::uint32_t n = instance.first[stop]; n < instance.first[stop + 1]; ++n) {
+      const std::uint32_t at = instance.nodes[node].stop;
+      for (std::uint32_t n = instance.first[at]; n < instance.first[at + 1]; ++n) {
         ++shared[instance.nodes[n].goal];
       }
     }
@@ -133,8 +133,10 @@ Improvement improve(const Instance& instance, Route route, std::int64_t seed, st
   double least = present;
   Rng rng = Rng(static_cast<std::uint64_t>(seed)).child("tour");
   const auto related = related_goals(instance, stop);
-  const auto total = static_cast<double>(iterations);
-  for (; result.iterations < static_cast<std::uint64_t>(iterations) && meter.spend(); ++result.iterations) {
+  const std::uint64_t rounds =
+      std::min(static_cast<std::uint64_t>(iterations), most_rounds_per_goal * instance.nodes_of.size());
+  const auto total = static_cast<double>(rounds);
+  for (; result.iterations < rounds && meter.spend(); ++result.iterations) {
     const double temperature =
         least * hot * std::pow(cold / hot, static_cast<double>(result.iterations) / total);
     Route candidate = route;

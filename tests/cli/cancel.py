@@ -37,6 +37,7 @@ class Stopped:
     latency_s: float  # from the signal to the exit; 0 of a run that was done before
     worked_s: float  # of that, by the processors: what other programs take is not in it
     complaint: str  # what was wrong with it; "" if nothing
+    deaf: bool  # it did not hear the signal and was ended without results
 
 
 def more_runs():
@@ -156,8 +157,9 @@ def stop_at(words, moment_s, number=signal.SIGINT):
             worked_s = max(0.0, used.ru_utime + used.ru_stime - before_s) if latency_s > 0.0 else 0.0
             output.seek(0)
             errors.seek(0)
-            complaint = complaint_of(status, output.read(), errors.read(), folder)
-    return Stopped(words, moment_s, status, latency_s, worked_s, complaint)
+            answer = output.read()
+            complaint = complaint_of(status, answer, errors.read(), folder)
+    return Stopped(words, moment_s, status, latency_s, worked_s, complaint, "cannot be interrupted" in answer)
 
 
 def usual_s(words, most_s=60.0):

@@ -2,7 +2,8 @@
 
 The runs are every published scenario, and each planner of each catalogue on something large. The moments are drawn with
 a seed, from the start to somewhat after the usual end. `work s` is the most that all threads together worked after a
-signal, to 10 ms: it decides, since other programs that keep the machine busy are not in it.
+signal, to 10 ms: it decides, since other programs that keep the machine busy are not in it. `deaf` counts the runs that
+did not hear the signal, and were ended without results.
 """
 import argparse
 import random
@@ -23,7 +24,7 @@ def main():
     draws = random.Random(given.seed)
     wrong = []
     home = tempfile.TemporaryDirectory(prefix="outrider-cancel-maps-")
-    print(f"{'run':44} {'usual s':>8} {'stopped':>8} {'median s':>9} {'worst s':>8} {'at s':>7} {'work s':>7}")
+    print(f"{'run':44} {'usual s':>8} {'stopped':>8} {'median s':>9} {'worst s':>8} {'at s':>7} {'work s':>7} {'deaf':>5}")
     runs = [(str(path.relative_to(SOURCE)), ["run", str(path)]) for path, _ in scenario_jobs()] + more_runs()
     runs += planning_runs(home.name, random.Random(given.seed))
     for name, words in runs:
@@ -41,7 +42,7 @@ def main():
         if most_work > given.within:
             wrong.append(f"{name}: it worked {most_work:.3f} s after a signal")
         print(f"{name:44} {usual:8.2f} {len(stopped):8} {median.latency_s:9.3f} {worst.latency_s:8.3f} "
-              f"{worst.moment_s:7.3f} {most_work:7.3f}", flush=True)
+              f"{worst.moment_s:7.3f} {most_work:7.3f} {sum(run.deaf for run in stopped):5}", flush=True)
     for line in wrong:
         print(line)
     sys.exit(1 if wrong else 0)

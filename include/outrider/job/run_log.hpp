@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,16 +31,23 @@ class RunLog final : public LogSink {
   /// Completes the file, with the text of run.json in it, and returns its path; empty if there was no
   /// message. Fault: cannot_write, for instance because the disk is full.
   Outcome<std::string> finish(const std::string& result);
+  /// Removes from another thread what the destructor would; the process must end then.
+  void abandon();
   /// Leaves the file to others, once it has been renamed.
-  void release() { path_.clear(); }
+  void release() {
+    path_.clear();
+    made_.clear();
+  }
 
  private:
   Status begin_file();
+  void remove() const;
   /// Makes and locks a file that no other run writes to.
   Status lock_file();
 
   std::string folder_;
   std::string scenario_;
+  std::mutex beginning_;  ///< for abandon(), which does not wait for anything longer
   std::string path_;
   FileLock lock_;
   std::filesystem::path made_;  ///< the topmost folder that it made

@@ -117,6 +117,14 @@ Status check_targets(const GuardProblem& problem) {
   return {};
 }
 
+/// Cells of a square about the target that holds every place from which a flight may reach it.
+double cells_in_reach(const GridFrame& frame, const ShotRules& rules, const Target& target) {
+  const double cells = static_cast<double>(frame.width) * static_cast<double>(frame.height);
+  const double range = rules.air.none() ? longest_range(rules, target) : too_far;
+  const double side = 2.0 * range / frame.resolution_m + 4.0;
+  return std::min(cells, side * side);
+}
+
 /// Bytes that planning holds at most but for the fields of its bound, which take what is left: the vectors of
 /// FiringMap and the sure hits, by cell; pitch, error_ratio and least flight of each target, by cell in its
 /// reach (in air, of the whole grid: the reach takes long to find).
@@ -125,11 +133,7 @@ double bytes_needed(const GridFrame& frame, const GuardProblem& problem, const G
   const double words = std::ceil(static_cast<double>(problem.targets.size()) / 64.0);
   double bytes = cells * (3.0 + 4.0 + 4.0 + 8.0 * words);
   const ShotRules rules = rules_of(problem, options);
-  for (const Target& target : problem.targets) {
-    const double range = rules.air.none() ? longest_range(rules, target) : too_far;
-    const double side = 2.0 * range / frame.resolution_m + 4.0;
-    bytes += 7.0 * std::min(cells, side * side);
-  }
+  for (const Target& target : problem.targets) bytes += 7.0 * cells_in_reach(frame, rules, target);
   return bytes;
 }
 
@@ -252,6 +256,23 @@ std::vector<FlightSpace> flight_spaces(const GuardProblem& problem) {
   return spaces;
 }
 
+/// Refuses to try everything where that would take days.
+Status check_flights(const FiringMap& firing_map, const Target& target, double aim_step_m) {
+  constexpr double most_flights = 1e13;
+  const double places = cells_in_reach(firing_map.frame, firing_map.rules, target);
+  const double points =
+      (1.0 + std::hypot(target.size.x, target.size.y) / aim_step_m) * (1.0 + target.size.z / aim_step_m);
+  const double pitches = static_cast<double>(pitch_lattice(firing_map.rules).size());
+  if (places * points * pitches <= most_flights) return {};
+  return bad_input(
+      fmt::format(
+          "no shot at the centre of target {} was found, and to try all takes up to {:.2g} flights: "
+          "from {:.3g} places at {:.3g} points with {:.0f} pitches, and at most {:.2g} are tried; take a "
+          "larger plan.aim_step, plan.resolution or plan.pitch_step",
+          target.name, places * points * pitches, places, points, pitches, most_flights),
+      "plan.aim_step");
+}
+
 /// Tries everything the resolution allows before no shot at a target counts as found.
 void try_all(FiringMap& firing_map, const Target& target, std::size_t t, const std::stop_token& stop) {
   const FlightSpace& space = firing_map.space(t);
@@ -327,8 +348,15 @@ Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOpti
     const Target& target = problem.targets[i];
     firing_map.regions[i] = firing_region(firing_map.rules, firing_map.space(i), target, firing_map.frame,
                                           firing_map.reachable, budget.stop);
-    if (firing_map.regions[i].hits == 0 && search == RegionSearch::exhaustive)
-      try_all(firing_map, target, i, budget.stop);
+  });
+  if (budget.stop.stop_requested()) return cancelled();
+  if (search == RegionSearch::centres_only) return firing_map;
+  for (std::size_t i = 0; i < problem.targets.size(); ++i) {
+    if (firing_map.regions[i].hits > 0) continue;
+    if (auto ok = check_flights(firing_map, problem.targets[i], options.aim_step_m); !ok) return pass_on(ok);
+  }
+  parallel_for(problem.targets.size(), [&](std::size_t i) {
+    if (firing_map.regions[i].hits == 0) try_all(firing_map, problem.targets[i], i, budget.stop);
   });
   if (budget.stop.stop_requested()) return cancelled();
   return firing_map;

@@ -143,8 +143,9 @@ Status solve_graph(const SlamJob& job, const GraphInput<Pose>& input, Run& run, 
   const PoseGraphOf<Pose> kept = without_edges(input.graph, solution->refused);
   const auto marginals = marginal_covariances(kept, solution->poses);
   if (watch.stopped()) return cancelled();
-  run.report.metrics = metrics_of(input, kept, *solution);
+  Metrics metrics = metrics_of(input, kept, *solution);
   if (watch.stopped()) return cancelled();
+  run.report.metrics = std::move(metrics);
   PlanGraph plan = {plan_of(kept),
                     plan_of(solution->poses),
                     plan_of(odometry_of(input.graph, solution->poses)),

@@ -6,6 +6,7 @@
 #include <optional>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 #include "outrider/path/fleet/planners.hpp"
 #include "space_time.hpp"
@@ -71,10 +72,10 @@ std::optional<Collision> first_collision(const std::vector<const Track*>& tracks
   return std::nullopt;
 }
 
-/// Returns the first collision of each pair that collides, the earliest first.
-std::vector<Collision> collisions_of(const std::vector<const Track*>& tracks) {
+/// Returns the first collision of each pair that collides, the earliest first. A stop leaves pairs out.
+std::vector<Collision> collisions_of(const std::vector<const Track*>& tracks, const std::stop_token& stop) {
   std::vector<Collision> all;
-  for (std::size_t a = 0; a < tracks.size(); ++a) {
+  for (std::size_t a = 0; a < tracks.size() && !stop.stop_requested(); ++a) {
     for (std::size_t b = a + 1; b < tracks.size(); ++b) {
       if (const auto one = first_collision(tracks, a, b)) all.push_back(*one);
     }
@@ -109,8 +110,8 @@ struct Split {
 
 class Tree {
  public:
-  Tree(const Query& query, const CbsOptions& options, BudgetMeter& meter)
-      : query_(query), options_(options), meter_(meter) {}
+  Tree(const Query& query, const CbsOptions& options, BudgetMeter& meter, std::stop_token stop)
+      : query_(query), options_(options), meter_(meter), stop_(std::move(stop)) {}
 
   Outcome<FleetPlan> search() {
     if (auto ok = add_root(); !ok) return pass_on(ok);
@@ -118,7 +119,8 @@ class Tree {
       const std::size_t node = std::get<2>(open_.top());
       open_.pop();
       const auto tracks = tracks_of(node);
-      const auto collisions = collisions_of(tracks);
+      const auto collisions = collisions_of(tracks, stop_);
+      if (stop_.stop_requested()) return meter_.refusal();
       if (collisions.empty()) return plan(tracks);
       auto split = best_split(node, tracks, collisions);
       if (!split) return pass_on(split);
@@ -189,7 +191,7 @@ class Tree {
     for (std::size_t k = 0; k < 2; ++k) {
       if (split.more[k] != 0) continue;
       nodes_.push_back({node, split.constraints[k], std::move(split.tracks[k]), nodes_[node].cost, true});
-      const std::size_t fewer = collisions_of(tracks_of(nodes_.size() - 1)).size();
+      const std::size_t fewer = collisions_of(tracks_of(nodes_.size() - 1), stop_).size();
       if (fewer < pairs) {
         open_.emplace(nodes_[node].cost, fewer, nodes_.size() - 1);
         return true;
@@ -211,7 +213,7 @@ class Tree {
     const std::uint64_t cost = nodes_[parent].cost + split.more[k];
     nodes_.push_back({parent, split.constraints[k], std::move(split.tracks[k]), cost});
     const std::size_t node = nodes_.size() - 1;
-    open_.emplace(cost, collisions_of(tracks_of(node)).size(), node);
+    open_.emplace(cost, collisions_of(tracks_of(node), stop_).size(), node);
     return {};
   }
 
@@ -244,6 +246,7 @@ class Tree {
   const Query& query_;
   const CbsOptions& options_;
   BudgetMeter& meter_;
+  std::stop_token stop_;
   SearchMemory<int> memory_;
   std::vector<Track> alone_;
   std::vector<Node> nodes_;
@@ -260,10 +263,10 @@ std::vector<Option> describe(CbsOptions& options) {
 Outcome<FleetPlan> cbs(const FleetProblem& problem, const CbsOptions& options, const Budget& budget) {
   CbsOptions copy = options;
   if (auto ok = check_ranges(describe(copy)); !ok) return pass_on(ok);
-  auto query = fleet::query_of(problem);
+  auto query = fleet::query_of(problem, budget);
   if (!query) return pass_on(query);
   BudgetMeter meter(budget);
-  return fleet::Tree(*query, options, meter).search();
+  return fleet::Tree(*query, options, meter, budget.stop).search();
 }
 
 }  // namespace outrider

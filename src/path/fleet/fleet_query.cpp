@@ -30,11 +30,12 @@ Status check_sizes(const FleetProblem& problem) {
   return {};
 }
 
-std::vector<std::uint32_t> steps_to(const Query& query, State goal) {
+/// Returns the least steps from each cell. A stop leaves cells out.
+std::vector<std::uint32_t> steps_to(const Query& query, State goal, const std::stop_token& stop) {
   std::vector<std::uint32_t> steps(query.ground.marks.size(), unreachable);
   std::vector<State> reached{goal};
   steps[goal] = 0;
-  for (std::size_t i = 0; i < reached.size(); ++i) {
+  for (std::size_t i = 0; i < reached.size() && !stop.stop_requested(); ++i) {
     query.for_each_step(reached[i], [&](State next) {
       if (steps[next] != unreachable) return;
       steps[next] = steps[reached[i]] + 1;
@@ -58,7 +59,7 @@ Status check_distinct(const std::vector<State>& states, const GridMap& ground, s
 
 }  // namespace
 
-Outcome<Query> query_of(const FleetProblem& problem) {
+Outcome<Query> query_of(const FleetProblem& problem, const Budget& budget) {
   if (auto ok = check_sizes(problem); !ok) return pass_on(ok);
   Query query{*problem.grid, {}, {}, {}};
   for (std::size_t i = 0; i < problem.starts.size(); ++i) {
@@ -73,7 +74,8 @@ Outcome<Query> query_of(const FleetProblem& problem) {
   if (auto ok = check_distinct(query.starts, query.ground, "start"); !ok) return pass_on(ok);
   if (auto ok = check_distinct(query.goals, query.ground, "goal"); !ok) return pass_on(ok);
   for (std::size_t i = 0; i < query.robots(); ++i) {
-    query.steps.push_back(steps_to(query, query.goals[i]));
+    query.steps.push_back(steps_to(query, query.goals[i], budget.stop));
+    if (budget.stop.stop_requested()) return BudgetMeter(budget).refusal();
     if (query.steps[i][query.starts[i]] != unreachable) continue;
     return fault(FaultCode::no_path, fmt::format("nothing joins the start and the goal of robot {}", i + 1));
   }

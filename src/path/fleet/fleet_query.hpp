@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "outrider/core/budget.hpp"
 #include "outrider/path/fleet/fleet.hpp"
 #include "outrider/search/labels.hpp"
 
@@ -29,8 +30,9 @@ struct Query {
   }
 };
 
-/// Checks the problem and finds the distances. Faults: those of planners.hpp. O(robots * cells).
-Outcome<Query> query_of(const FleetProblem& problem);
+/// Checks the problem and finds the distances. Faults: those of planners.hpp; cancelled.
+/// O(robots * cells).
+Outcome<Query> query_of(const FleetProblem& problem, const Budget& budget);
 
 /// The states of one robot, step by step; the last one is its goal.
 using Track = std::vector<State>;

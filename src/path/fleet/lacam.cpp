@@ -131,7 +131,7 @@ std::vector<Option> describe(LacamOptions& options) {
 Outcome<FleetPlan> lacam(const FleetProblem& problem, const LacamOptions& options, const Budget& budget) {
   LacamOptions copy = options;
   if (auto ok = check_ranges(describe(copy)); !ok) return pass_on(ok);
-  auto query = fleet::query_of(problem);
+  auto query = fleet::query_of(problem, budget);
   if (!query) return pass_on(query);
   BudgetMeter meter(budget);
   return fleet::Search(*query, options, meter).search();

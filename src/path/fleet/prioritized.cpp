@@ -88,7 +88,7 @@ Outcome<FleetPlan> prioritized(const FleetProblem& problem, const PrioritizedOpt
                                const Budget& budget) {
   PrioritizedOptions copy = options;
   if (auto ok = check_ranges(describe(copy)); !ok) return pass_on(ok);
-  auto query = fleet::query_of(problem);
+  auto query = fleet::query_of(problem, budget);
   if (!query) return pass_on(query);
   std::vector<std::size_t> order(query->robots());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -129,7 +129,7 @@ bool leads_better(const AnyAngleIndex& index, const GridMap& ground, const std::
   const StoredArray<Cell>& places = index.turns->graph.at;
   const auto probe = [&](std::size_t i) { return places[i % probes * places.size() / probes]; };
   polyanya_search::Memory memory;
-  memory.renew(std::shared_ptr<const GridMap>(std::shared_ptr<void>(), &ground));
+  if (!memory.renew(std::shared_ptr<const GridMap>(std::shared_ptr<void>(), &ground), stop)) return false;
   AnyAngleIndex::Scratch scratch;
   Budget budget;
   budget.stop = stop;
@@ -152,7 +152,8 @@ std::unique_ptr<const AnyAngleIndex> AnyAngleIndex::of(const GridMap& ground, st
   const std::size_t bytes_of_cells =
       ground.frame.size() * sizeof(decltype(NavigationMesh::polygon_of)::value_type);
   if (bytes_of_cells > most_bytes / 2) return nullptr;  // the mesh holds a polygon for each
-  NavigationMesh mesh = navigation_mesh(ground);
+  NavigationMesh mesh = navigation_mesh(ground, stop);
+  if (stop.stop_requested()) return nullptr;
   const auto graph = turn_graph(ground, mesh, most_bytes / bytes_an_edge, stop);
   if (!graph) return nullptr;
   AnyAngleIndex index;

@@ -30,7 +30,7 @@ struct Edge {
 
 }  // namespace
 
-void ForcedTurns::find(const NavigationMesh& mesh) {
+void ForcedTurns::find(const NavigationMesh& mesh, const std::stop_token& stop) {
   std::vector<std::uint32_t> by_order(mesh.polygons(), none), behind(mesh.polygons(), 0);
   for (std::uint32_t p = 0; p < mesh.polygons(); ++p) {
     if (!mesh.is_gone(p)) by_order[mesh.order[p]] = p;
@@ -45,7 +45,7 @@ void ForcedTurns::find(const NavigationMesh& mesh) {
   }
 
   after_.assign(mesh.turns.size(), {});
-  for (std::uint32_t turn = 0; turn < mesh.turns.size(); ++turn) {
+  for (std::uint32_t turn = 0; turn < mesh.turns.size() && !stop.stop_requested(); ++turn) {
     const auto& [at, around, polygons] = mesh.turns[turn];
     if (polygons == 0) continue;
     const auto begin = mesh.around.begin() + around;

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "mesh_sight.hpp"
@@ -31,7 +32,7 @@ struct ForcedTurn {
 class ForcedTurns {
  public:
   /// Finds those after all turns. The blocks of all sides must be known.
-  void find(const NavigationMesh& mesh);
+  void find(const NavigationMesh& mesh, const std::stop_token& stop = {});
   void forget() { after_.clear(); }
   [[nodiscard]] bool known() const { return !after_.empty(); }
 

@@ -65,12 +65,15 @@ std::size_t NavigationMesh::memory() const {
          bytes(order) + bytes(top) + bytes(core);
 }
 
-NavigationMesh navigation_mesh(const GridMap& ground) {
-  const Triangulation cut = cut_into_triangles(ground);
+NavigationMesh navigation_mesh(const GridMap& ground, const std::stop_token& stop) {
+  const Triangulation cut = cut_into_triangles(ground, stop);
+  const ConvexPolygons polygons = join_triangles(cut, stop);
   NavigationMesh mesh;
+  if (stop.stop_requested()) return mesh;
   mesh.polygon_of.assign(ground.frame.size(), none);
-  add_polygons(mesh, ground, cut.corners, join_triangles(cut));
-  find_blocks(mesh);
+  add_polygons(mesh, ground, cut.corners, polygons, {}, stop);
+  if (!stop.stop_requested()) find_blocks(mesh, stop);
+  if (stop.stop_requested()) return {};
   return mesh;
 }
 

@@ -63,11 +63,12 @@ class CellsOf {
 /// Sets the turns of the sides from `begin` on, and adds their polygons to those around them.
 void add_turns(NavigationMesh& mesh, const GridMap& ground, const std::vector<Cell>& corners,
                const ConvexPolygons& polygons, std::uint32_t begin, std::uint32_t polygons_before,
-               const std::vector<std::uint32_t>& known) {
+               const std::vector<std::uint32_t>& known, const std::stop_token& stop) {
   std::vector<std::uint32_t> turn_of(corners.size(), no_turn), blocked_at(corners.size(), 0);
   std::vector<std::uint32_t> more(corners.size(), 0);
   for (const ConvexPolygons::Side& side : polygons.sides) ++more[side.corner];
   for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (stop.stop_requested()) return;
     const std::uint32_t blocked = only_blocked(ground, corners[i]);
     if (blocked == none) continue;
     turn_of[i] = known.empty() ? no_turn : known[i];
@@ -95,7 +96,8 @@ void add_turns(NavigationMesh& mesh, const GridMap& ground, const std::vector<Ce
 }  // namespace
 
 void add_polygons(NavigationMesh& mesh, const GridMap& ground, const std::vector<Cell>& corners,
-                  const ConvexPolygons& polygons, const std::vector<std::uint32_t>& known) {
+                  const ConvexPolygons& polygons, const std::vector<std::uint32_t>& known,
+                  const std::stop_token& stop) {
   const auto begin = static_cast<std::uint32_t>(mesh.sides.size());
   const auto before = static_cast<std::uint32_t>(mesh.polygons());
   mesh.sides.reserve(begin + polygons.sides.size());
@@ -105,9 +107,9 @@ void add_polygons(NavigationMesh& mesh, const GridMap& ground, const std::vector
                           open ? begin + side.behind : none, none, no_turn, 0});
   }
   for (std::size_t p = 1; p < polygons.first.size(); ++p) mesh.first.push_back(begin + polygons.first[p]);
-  add_turns(mesh, ground, corners, polygons, begin, before, known);
+  add_turns(mesh, ground, corners, polygons, begin, before, known, stop);
   CellsOf cells(mesh, ground.frame);
-  for (std::uint32_t p = before; p < mesh.polygons(); ++p) cells.give(p);
+  for (std::uint32_t p = before; p < mesh.polygons() && !stop.stop_requested(); ++p) cells.give(p);
 }
 
 }  // namespace outrider

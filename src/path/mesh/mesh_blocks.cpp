@@ -14,9 +14,9 @@ class BlockSearch {
   explicit BlockSearch(NavigationMesh& mesh)
       : mesh_(mesh), order_(mesh.polygons(), none), low_(order_.size()), next_(mesh.first) {}
 
-  void search(std::uint32_t root) {
+  void search(std::uint32_t root, const std::stop_token& stop) {
     enter(root, none);
-    while (!way_.empty()) {
+    while (!way_.empty() && !stop.stop_requested()) {
       const Step here = way_.back();
       std::uint32_t& next = next_[here.polygon];
       if (next < mesh_.first[here.polygon + 1]) {
@@ -77,15 +77,15 @@ class BlockSearch {
 
 }  // namespace
 
-void find_blocks(NavigationMesh& mesh) {
+void find_blocks(NavigationMesh& mesh, const std::stop_token& stop) {
   const auto count = static_cast<std::uint32_t>(mesh.polygons());
   mesh.up.resize(count, none);
   mesh.order.assign(count, 0);
   mesh.top.clear();
   mesh.core.clear();
   BlockSearch search(mesh);
-  for (std::uint32_t p = 0; p < count; ++p) {
-    if (!mesh.is_gone(p) && !search.reached(p)) search.search(p);
+  for (std::uint32_t p = 0; p < count && !stop.stop_requested(); ++p) {
+    if (!mesh.is_gone(p) && !search.reached(p)) search.search(p, stop);
   }
   for (std::uint32_t place = 0; place < search.reached().size(); ++place) {
     const std::uint32_t p = search.reached()[place];

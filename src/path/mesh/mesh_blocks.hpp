@@ -1,12 +1,14 @@
 // Blocks and their trees: the fields of a mesh that follow from its sides.
 #pragma once
 
+#include <stop_token>
+
 #include "outrider/path/mesh/mesh.hpp"
 
 namespace outrider {
 
-/// Finds all blocks. O(sides).
-void find_blocks(NavigationMesh& mesh);
+/// Finds all blocks; a stop leaves some out. O(sides).
+void find_blocks(NavigationMesh& mesh, const std::stop_token& stop = {});
 
 /// Adds a new block to the core.
 std::uint32_t add_to_core(NavigationMesh& mesh);

@@ -9,7 +9,7 @@ constexpr std::uint32_t none = ConvexPolygons::no_side;
 
 /// Sides of triangles, three by three, linked into cycles that become the merged polygons.
 struct Sides {
-  explicit Sides(const Triangulation& cut)
+  Sides(const Triangulation& cut, const std::stop_token& stop)
       : corners(cut.corners),
         corner(3 * cut.triangles.size()),
         next(corner),
@@ -21,7 +21,7 @@ struct Sides {
       next[h] = h % 3 == 2 ? h - 2 : h + 1;
       before[h] = h % 3 == 0 ? h + 2 : h - 1;
     }
-    for (std::uint32_t h = 0; h < corner.size(); ++h) {
+    for (std::uint32_t h = 0; h < corner.size() && !stop.stop_requested(); ++h) {
       const std::uint32_t a = corner[h], b = corner[next[h]], low = std::min(a, b);
       std::uint32_t other = first[low];
       while (other != none && !(corner[other] == b && corner[next[other]] == a)) other = later[other];
@@ -89,9 +89,10 @@ struct Sides {
 
 /// Flips sides until the triangulation is Delaunay. The number of flips is bounded in case rounding causes a
 /// cycle; any triangulation is valid.
-void flip_to_delaunay(Sides& sides) {
+void flip_to_delaunay(Sides& sides, const std::stop_token& stop) {
   std::vector<std::uint32_t> doubtful = sides.inner();
   for (std::size_t left = 64 * doubtful.size(); left > 0 && !doubtful.empty(); --left) {
+    if (stop.stop_requested()) return;
     const std::uint32_t h = doubtful.back(), g = sides.twin[h];
     doubtful.pop_back();
     if (!sides.flip(h)) continue;
@@ -101,24 +102,27 @@ void flip_to_delaunay(Sides& sides) {
   }
 }
 
-void join_longest_first(Sides& sides) {
+void join_longest_first(Sides& sides, const std::stop_token& stop) {
   std::vector<std::pair<std::int64_t, std::uint32_t>> order;
   for (const std::uint32_t h : sides.inner()) order.emplace_back(-sides.squared_length(h), h);
   std::sort(order.begin(), order.end());
-  for (const auto& [length, h] : order) sides.join_over(h);
+  for (const auto& [length, h] : order) {
+    if (stop.stop_requested()) return;
+    sides.join_over(h);
+  }
 }
 
 }  // namespace
 
-ConvexPolygons join_triangles(const Triangulation& cut) {
-  Sides sides(cut);
+ConvexPolygons join_triangles(const Triangulation& cut, const std::stop_token& stop) {
+  Sides sides(cut, stop);
   const auto count = static_cast<std::uint32_t>(sides.corner.size());
-  flip_to_delaunay(sides);
-  join_longest_first(sides);
+  flip_to_delaunay(sides, stop);
+  join_longest_first(sides, stop);
 
   ConvexPolygons polygons;
   std::vector<std::uint32_t> place(count, none);
-  for (std::uint32_t h = 0; h < count; ++h) {
+  for (std::uint32_t h = 0; h < count && !stop.stop_requested(); ++h) {
     if (sides.corner[h] == none || place[h] != none) continue;
     const auto id = static_cast<std::uint32_t>(polygons.first.size());
     polygons.first.push_back(static_cast<std::uint32_t>(polygons.sides.size()));

@@ -25,6 +25,7 @@ struct ConvexPolygons {
   std::vector<std::uint32_t> first;  ///< side of each polygon; one more at the end
 };
 
-ConvexPolygons join_triangles(const Triangulation& cut);
+/// A stop leaves polygons out.
+ConvexPolygons join_triangles(const Triangulation& cut, const std::stop_token& stop = {});
 
 }  // namespace outrider

@@ -48,10 +48,10 @@ std::uint64_t eight_marks(const GridMap& ground, std::size_t from) {
 }
 static_assert(GridMap::blocked_bit == 1, "the lowest bit of a mark");
 
-std::vector<Slab> slabs_of(const GridMap& ground) {
+std::vector<Slab> slabs_of(const GridMap& ground, const std::stop_token& stop) {
   std::vector<Slab> slabs;
   std::vector<std::size_t> below, here;  // slabs that reach the last row and this one
-  for (int y = 0; y < ground.frame.height; ++y) {
+  for (int y = 0; y < ground.frame.height && !stop.stop_requested(); ++y) {
     here.clear();
     std::size_t next = 0;
     int x0 = -1;
@@ -83,8 +83,8 @@ std::vector<Slab> slabs_of(const GridMap& ground) {
 
 class Cutter {
  public:
-  explicit Cutter(const GridMap& ground) : slabs_(slabs_of(ground)) {
-    for (int y = 0; y <= ground.frame.height; ++y) {
+  Cutter(const GridMap& ground, const std::stop_token& stop) : stop_(stop), slabs_(slabs_of(ground, stop)) {
+    for (int y = 0; y <= ground.frame.height && !stop.stop_requested(); ++y) {
       row_.push_back(static_cast<std::uint32_t>(cut_.corners.size()));
       const std::uint32_t row = ground.index({0, y});
       const auto corners = [&](int x) {  // where the marks differ both along the row and across it
@@ -100,6 +100,7 @@ class Cutter {
 
   Triangulation run() {
     for (const Slab& slab : slabs_) {
+      if (stop_.stop_requested()) break;
       cut_strip(slab);
       if (at(low(slab).first).x == slab.x0) cut_mountain(slab, true);
       if (at(low(slab).last).x == slab.x1) cut_mountain(slab, false);
@@ -162,6 +163,7 @@ class Cutter {
     }
   }
 
+  const std::stop_token& stop_;
   std::vector<Slab> slabs_;
   Triangulation cut_;
   std::vector<std::uint32_t> row_;  // by y: the first corner of the line
@@ -170,6 +172,8 @@ class Cutter {
 
 }  // namespace
 
-Triangulation cut_into_triangles(const GridMap& ground) { return Cutter(ground).run(); }
+Triangulation cut_into_triangles(const GridMap& ground, const std::stop_token& stop) {
+  return Cutter(ground, stop).run();
+}
 
 }  // namespace outrider

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <stop_token>
 #include <vector>
 
 #include "outrider/path/grid/grid_map.hpp"
@@ -20,6 +21,7 @@ struct Triangulation {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise
 };
 
-Triangulation cut_into_triangles(const GridMap& ground);
+/// A stop leaves triangles out.
+Triangulation cut_into_triangles(const GridMap& ground, const std::stop_token& stop = {});
 
 }  // namespace outrider

@@ -15,9 +15,9 @@ Outcome<Plan> polyanya(const Problem& problem, const PolyanyaOptions& /*options*
                      "planner");
   }
   auto& memory = workspace.get<polyanya_search::Memory>();
-  memory.renew(problem.grid);
-  polyanya_search::Search search(memory, *query, workspace.trace);
   BudgetMeter meter(budget);
+  if (!memory.renew(problem.grid, budget.stop)) return meter.refusal();
+  polyanya_search::Search search(memory, *query, workspace.trace);
   auto way = search.run(meter);
   if (!way) return pass_on(way);
 

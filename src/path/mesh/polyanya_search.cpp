@@ -24,19 +24,24 @@ std::size_t most_leg_bytes(const GridMap& ground) {
 
 }  // namespace
 
-void Memory::renew(const std::shared_ptr<const GridMap>& now) {
+bool Memory::renew(const std::shared_ptr<const GridMap>& now, const std::stop_token& stop) {
   const auto make = [&] {
-    mesh = navigation_mesh(*now);
+    mesh = navigation_mesh(*now, stop);
     most_sides_ = mesh.sides.size() + mesh.sides.size() / 2 + 64;
     forget();
-    forced.find(mesh);
+    if (!stop.stop_requested()) forced.find(mesh, stop);
   };
   follow(ground, now, make, [&](const std::vector<Cell>& changed) {
     if (changed.empty()) return;
     change_mesh(mesh, *now, changed, most_sides_) ? forget_what_follows() : make();
   });
+  if (stop.stop_requested()) {
+    ground = nullptr;
+    return false;
+  }
   find_what_is_worth();
   begin_query();
+  return true;
 }
 
 bool Memory::found_blocks() {

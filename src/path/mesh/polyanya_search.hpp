@@ -42,8 +42,8 @@ struct Memory {
   std::uint32_t query = 0;
   Frontier frontier;
 
-  /// Makes the mesh follow the ground of a new query.
-  void renew(const std::shared_ptr<const GridMap>& now);
+  /// Makes the mesh follow the ground of a new query; returns false, and keeps nothing, at a stop.
+  bool renew(const std::shared_ptr<const GridMap>& now, const std::stop_token& stop);
   /// Must be called at each expansion. Recomputes the blocks of a changed mesh once the expansions have taken
   /// as long as that; returns true if it did.
   bool found_blocks();

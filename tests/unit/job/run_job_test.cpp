@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "outrider/job/run_log.hpp"
 #include "outrider/log/append.hpp"
 #include "support/data.hpp"
 
@@ -139,6 +142,23 @@ TEST(RunJob, StoppedBeforeOrInTheMiddleItIsCancelled) {
   EXPECT_EQ(before->report.status, "cancelled");
   EXPECT_EQ(before->report.job, "count");
   EXPECT_TRUE(before->report.metrics.empty());
+}
+
+/// What a run has begun to write is gone at once, while it still appends.
+TEST(RunLog, AbandonedItLeavesNothing) {
+  const test::Folder folder;
+  const std::filesystem::path out = folder.path / "a" / "out";
+  Count task;
+  RunLog file(out.string(), "job: count\n");
+  file.abandon();
+  RunWatch watch{.sinks = {&file}};
+  watch.progress = [&](const RunStep& step) {
+    if (step.part < 0.5 || step.part > 0.9) return;  // at the second of three numbers
+    EXPECT_TRUE(std::filesystem::exists(out / "running.mcap"));
+    file.abandon();
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "a"));
+  };
+  ASSERT_TRUE(run_task(counting.front(), task, watch));
 }
 
 }  // namespace

@@ -58,7 +58,8 @@ enum class RegionSearch : std::uint8_t {
 
 /// Builds the firing map. Faults: an empty grid, or one too fine for the memory limit; a start that is
 /// blocked or outside; a target whose centre is inside a solid; numbers that are not finite or out of range;
-/// those of find_corners(). O(cells * targets). Regions are computed in parallel; the result does not depend
+/// a target without a shot at its centre for which exhaust() would try more than 1e13 flights; those of
+/// find_corners(). O(cells * targets). Regions are computed in parallel; the result does not depend
 /// on the number of threads.
 Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOptions& options,
                                     const Budget& budget = {},

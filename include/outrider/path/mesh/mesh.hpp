@@ -17,6 +17,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <stop_token>
 #include <vector>
 
 #include "outrider/path/grid/grid_map.hpp"
@@ -78,7 +79,7 @@ struct NavigationMesh {
   [[nodiscard]] std::size_t memory() const;
 };
 
-/// Builds the mesh of a ground in the model `corners`.
-NavigationMesh navigation_mesh(const GridMap& ground);
+/// Builds the mesh of a ground in the model `corners`; after a stop it is empty.
+NavigationMesh navigation_mesh(const GridMap& ground, const std::stop_token& stop = {});
 
 }  // namespace outrider

@@ -198,6 +198,17 @@ TEST(Survey, RefusesGridsThatAreEmptyOrTooFine) {
   }
 }
 
+/// The centre of a mast of 100 m is out of reach.
+TEST(Survey, RefusesToTryAllWhereThatTakesDays) {
+  GuardProblem problem = plain();
+  problem.targets[0] = {"mast", {0, 1, 0}, {0.5, 0.5, 100.0}, 0.0};
+  const GuardOptions fine = {.resolution_m = 0.01, .pitch_step_rad = radians(0.5), .aim_step_m = 0.005};
+  expect_refused(problem, fine, FaultCode::bad_input, "plan.aim_step", "e+13 flights");
+  expect_refused(problem, fine, FaultCode::bad_input, "plan.aim_step", "1.6e+05 places");
+  EXPECT_TRUE(build_firing_map(problem, fine, {}, RegionSearch::centres_only));
+  EXPECT_TRUE(build_firing_map(problem, {.resolution_m = 0.2}));
+}
+
 TEST(Survey, RefusesNumbersThatAreNoneOrOutOfRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double inf = std::numeric_limits<double>::infinity();

@@ -50,6 +50,14 @@ TEST(Mesh, OpenGroundIsOnePolygon) {
   EXPECT_GE(mesh.memory(), std::size_t{4} * 300 * 200);
 }
 
+TEST(Mesh, AStopLeavesNone) {
+  const auto ground = GridMap::of(drawn({"...", ".#.", "..."}), GridModel::corners);
+  std::stop_source source;
+  ASSERT_GT(navigation_mesh(*ground, source.get_token()).polygons(), 0U);
+  source.request_stop();
+  EXPECT_EQ(navigation_mesh(*ground, source.get_token()).polygons(), 0U);
+}
+
 TEST(Mesh, NoFreeCellNoPolygon) {
   const auto ground = GridMap::of(drawn({"##", "##"}), GridModel::corners);
   EXPECT_EQ(navigation_mesh(*ground).polygons(), 0U);
