@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "outrider/core/text.hpp"
 #include "outrider/io/files.hpp"
 #include "page.hpp"
 #include "terminal.hpp"
@@ -27,8 +28,10 @@ nlohmann::ordered_json fault_json(const Fault& fault) {
 }
 
 int print_fault(const Fault& fault, bool json) {
-  complain(to_string(fault));
-  if (json) print(fault_json(fault));
+  constexpr std::size_t most_where = 255;  // bytes of a path; what is longer is none
+  const Fault shown{fault.code, fault.sentence, excerpt(fault.where, most_where)};
+  complain(to_string(shown));
+  if (json) print(fault_json(shown));
   return exit_status(fault);
 }
 

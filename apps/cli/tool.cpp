@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -64,10 +65,22 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
   return status ? *status : print_fault(status.error(), wants_json(argc, argv));
 }
 
-/// Does not allocate any.
-int report_no_memory(bool json) {
+bool json_wanted = false;
+std::atomic<char*> reserve = nullptr;  ///< of memory, for what cleans up when it has ended
+
+/// Gives the reserve back when memory ends, so the allocation is tried again; the next one may fail.
+void give_reserve_back() {
+  if (char* const given = reserve.exchange(nullptr)) {
+    delete[] given;
+  } else {
+    std::set_new_handler(nullptr);
+  }
+}
+
+/// Reports that memory has ended, without allocating any.
+int report_no_memory() {
   std::fputs("outrider: there is not enough memory; ask for less, such as a coarser resolution\n", stderr);
-  if (json) {
+  if (json_wanted) {
     std::fputs(
         "{\"status\":\"refused\",\"code\":\"bad_input\",\"reason\":\"there is not enough memory; ask for "
         "less, such as a coarser resolution\",\"where\":\"\"}\n",
@@ -76,16 +89,28 @@ int report_no_memory(bool json) {
   return refused;
 }
 
+/// Ends a process whose destructors find no memory either.
+void terminate() {
+  if (reserve != nullptr) std::abort();
+  const int status = report_no_memory();
+  std::fflush(stdout);
+  std::_Exit(status);
+}
+
 /// Runs the tool and reports uncaught exceptions as faults.
 int guarded_run(const std::vector<Job>& jobs, int argc, char** argv) {
-  const bool json = wants_json(argc, argv);
+  const bool json = json_wanted = wants_json(argc, argv);
   try {
+    constexpr std::size_t reserve_bytes = std::size_t{1} << 20U;
+    reserve = new char[reserve_bytes];
+    std::set_new_handler(give_reserve_back);
+    std::set_terminate(terminate);
     if (const char* root = std::getenv("OUTRIDER_CONFINE"); root != nullptr) {
       if (auto ok = confine_reading(root); !ok) return print_fault(ok.error(), json);
     }
     return run(jobs, argc, argv);
   } catch (const std::bad_alloc&) {
-    return report_no_memory(json);
+    return report_no_memory();
   } catch (const std::exception& broken) {
     if (std::ferror(stdout) != 0) return job_done;  // run_tool() reports the failed output
     return print_fault({FaultCode::bad_input, fmt::format("this is a bug: {}", broken.what()), {}}, json);

@@ -128,8 +128,10 @@ tl::unexpected<Fault> no_such_row(std::string_view kind, std::string_view unknow
                                   const std::vector<std::string>& known, std::string where) {
   const std::string shown = excerpt(unknown);
   const std::string nearest = nearest_name(shown, known);
-  const std::string remedy = nearest.empty() ? fmt::format("take one of {}", fmt::join(known, ", "))
-                                             : fmt::format("did you mean '{}'?", nearest);
+  constexpr std::size_t most_names = 250;  // bytes
+  const std::string names = excerpt(fmt::format("{}", fmt::join(known, ", ")), most_names);
+  const std::string remedy =
+      nearest.empty() ? fmt::format("take one of {}", names) : fmt::format("did you mean '{}'?", nearest);
   return bad_input(fmt::format("there is no {} '{}'; {}", kind, shown, remedy), std::move(where));
 }
 

@@ -26,8 +26,9 @@ Status check_folder(const std::string& folder) {
   if (folder.empty()) return no_folder(folder, "its name is empty");
   std::error_code error;
   fs::path nearest = fs::absolute(folder, error);  // the nearest parent that exists
-  while (!error && !fs::exists(fs::symlink_status(nearest)) && nearest.has_relative_path()) {
-    nearest = nearest.parent_path();
+  for (std::error_code why; !error && nearest.has_relative_path(); nearest = nearest.parent_path()) {
+    if (fs::exists(fs::symlink_status(nearest, why))) break;
+    if (why == std::errc::filename_too_long) return no_folder(folder, why.message());
   }
   if (error) return no_folder(folder, error.message());
   if (!fs::is_directory(nearest, error)) return no_folder(folder, nearest.string() + " is no folder");
@@ -41,7 +42,7 @@ Status make_folder(const std::string& folder) {
   if (auto ok = check_folder(folder); !ok) return ok;
   std::error_code error;
   fs::create_directories(folder, error);
-  if (!fs::is_directory(folder)) return no_folder(folder, error.message());
+  if (std::error_code ignored; !fs::is_directory(folder, ignored)) return no_folder(folder, error.message());
   return {};
 }
 

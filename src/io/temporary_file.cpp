@@ -130,11 +130,9 @@ Outcome<std::optional<TemporaryFile>> TemporaryFile::keep_old(const TemporaryFil
   old.descriptor_ = ::openat(folder, place.name.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
   if (old.descriptor_ >= 0) lock(old.descriptor_);  // so that no other writer takes it for abandoned
   for (int i = 0; i < attempts; ++i) {
-    const std::string name = temporary_name(i);
-    if (::linkat(folder, place.name.c_str(), folder, name.c_str(), 0) == 0) {
-      old.name_ = name;
-      break;
-    }
+    old.name_ = temporary_name(i);
+    if (::linkat(folder, place.name.c_str(), folder, old.name_.c_str(), 0) == 0) break;
+    old.name_.clear();
     if (errno == ENOENT) return std::optional<TemporaryFile>();
     if (errno == ENOSPC || errno == EDQUOT || errno == EIO) return cannot_write(errno, place.path);
     if (errno != EEXIST) break;

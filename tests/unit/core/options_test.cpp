@@ -173,7 +173,11 @@ TEST(FindRow, RefusesAnUnknownNameWithTheNearestOrAll) {
   const Outcome<Row> strange = find_row(rows, "planner", std::string(1000, 'x'), "planner");
   ASSERT_FALSE(strange);
   EXPECT_EQ(strange.error().sentence,
-            "there is no planner '" + std::string(64, 'x') + "'; take one of dijkstra, a_star");
+            "there is no planner '" + std::string(80, 'x') + "...'; take one of dijkstra, a_star");
+  const Outcome<Row> many =
+      find_row(std::vector<Row>(1000, {"dijkstra", 1}), "planner", "strange", "planner");
+  ASSERT_FALSE(many);
+  EXPECT_LT(many.error().sentence.size(), 400U);
 }
 
 }  // namespace
