@@ -95,6 +95,16 @@ class Drive(ToolTest):
             self.assertIn("lost", answer["reason"])
             self.assertIsNone(answer["waypoints"][-1]["dx"])
 
+    def test_the_reason_names_the_causes_that_the_images_support(self):
+        size, moved = "their places, tag_size and the camera right?", "was the robot moved, or a tag?"
+        for words, says, not_says in ((["--faults-tag-scale", "1.3"], size, moved),
+                                      (["--map-tags", "1=2,1.6,180 2=1.5,2.5,-90 3=0,2,0"], size, moved),
+                                      (["--faults-kidnapped-at", "4", "--rules-relocalise", "1000"], moved, size)):
+            answer = self.run_json("drive", "--scenario", WAYPOINTS / "closed_loop.yaml", *words, status=1)
+            self.assertIn("lost: ", answer["reason"])
+            self.assertIn(says, answer["reason"])
+            self.assertNotIn(not_says, answer["reason"])
+
     def test_a_kidnapped_robot_that_sees_tags_finds_itself(self):
         answer = self.run_json("drive", "--scenario", WAYPOINTS / "closed_loop.yaml", "--sight", "modelled",
                                "--faults-kidnapped-at", "6")
