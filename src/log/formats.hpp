@@ -13,7 +13,7 @@ namespace outrider {
 using LogOpened = Outcome<std::unique_ptr<LogReader>>;
 
 /// Bytes of the texts of all channels of a log together, each with its schema.
-inline constexpr std::size_t most_channel_bytes = std::size_t{64} << 20U;
+inline constexpr std::size_t most_channel_bytes = std::size_t{32} << 20U;
 std::size_t text_bytes(const Channel& channel);
 
 /// Returns true if a file that starts with these bytes (8 are enough) is MCAP.

@@ -141,7 +141,7 @@ def bag_with(definition, data=b"", kind=b"p/T"):
 
 def chain(count):
     """A definition in which each type has the next one as its field."""
-    return b"T0 t\n" + b"".join(b"====\nMSG: p/T%d\nT%d t\n" % (i, i + 1) for i in range(count)) + b"====\nMSG: p/T%d\n" % count
+    return b"0 a\n" + b"".join(b"MSG:p/%x\n%x a\n" % (i, i + 1) for i in range(count)) + b"MSG:p/%x\n" % count
 
 
 # ---- SQLite ----
