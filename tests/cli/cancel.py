@@ -75,23 +75,39 @@ def open_map(folder, side, draws):
     return path
 
 
+def long_chase(folder, side, draws):
+    """Writes a pursuit on dear and cheap ground: the target walks to and fro along the far side."""
+    path = pathlib.Path(folder) / "chase.txt"
+    ways = [f"{side - 2},{2 + second % (side - 4)}" for second in range(4 * side)]
+    rows = [",".join(str(draws.randint(1, 40)) for _ in range(side)) for _ in range(side)]
+    path.write_text("\n".join(["N", f"{side},{side}", "C", "50", "R", "2,2", "T", *ways, "M", *rows]) + "\n")
+    return path
+
+
+def many_robots(side, count, draws):
+    """Starts and goals of robots on an open map of that side, as flags."""
+    places = [f"{place % side}.5,{place // side}.5" for place in draws.sample(range(side * side), 2 * count)]
+    return ["--starts", " ".join(places[:count]), "--goals", " ".join(places[count:])]
+
+
 def planning_runs(folder, draws):
     """Each planner of each catalogue on something large, so that most of a run is planning: (name, words)."""
     catalogue = json.loads(subprocess.run([TOOL, "list", "--json"], capture_output=True, text=True, check=True).stdout)
-    cells, field = open_map(folder, 1500, draws), square(folder, 200)
+    cells, field, chase = open_map(folder, 1500, draws), square(folder, 400), long_chase(folder, 600, draws)
+    hall, robots = pathlib.Path(folder) / "hall.map", many_robots(300, 120, draws)
+    hall.write_text("type octile\nheight 300\nwidth 300\nmap\n" + ("." * 300 + "\n") * 300)
     for row in catalogue["path_planners"]:
         polygons = row["models"] in ([], ["corners"])
-        where = [str(field), "--from", "1,1", "--to", "199,199"] if polygons else \
+        where = [str(field), "--from", "1,1", "--to", "399,399"] if polygons else \
                 [str(cells), "--from", "0.5,0.5", "--to", "1499.5,1499.5"]
         radius = "0.01" if polygons else "0"
         yield f"plan by {row['name']}", ["plan", *where, "--planner", row["name"], "--radius", radius]
     for row in catalogue["cover_methods"]:
         yield f"cover by {row['name']}", ["cover", str(square(folder, 100)), "--method", row["name"], "--width", "0.2"]
     for row in catalogue["pursuit_planners"]:
-        yield f"pursue by {row['name']}", ["run", str(SOURCE / "scenarios/pursuit/park.yaml"), "--planner", row["name"]]
+        yield f"pursue by {row['name']}", ["pursue", str(chase), "--planner", row["name"]]
     for row in catalogue["fleet_planners"]:
-        warehouse = str(SOURCE / "scenarios/fleet/warehouse.yaml")
-        yield f"fleet by {row['name']}", ["run", warehouse, "--planner", row["name"]]
+        yield f"fleet by {row['name']}", ["fleet", str(hall), *robots, "--planner", row["name"]]
     yard = str(SOURCE / "scenarios/yard/yard.yaml")
     for row in catalogue["guard_planners"]:
         yield f"guard by {row['name']}", ["run", yard, "--plan-planner", row["name"], "--plan-resolution", "0.05"]
