@@ -65,8 +65,11 @@ class Raster {
 
   double covered_m2(std::span<const Surface> surfaces) {
     std::ranges::fill(covered_, false);
-    for (const Surface& surface : surfaces) mark(surface.outline());
-    return static_cast<double>(std::ranges::count(covered_, true)) * step_.x * step_.y;
+    count_ = 0;
+    for (const Surface& surface : surfaces) {
+      if (count_ < covered_.size()) mark(surface.outline());
+    }
+    return static_cast<double>(count_) * step_.x * step_.y;
   }
 
  private:
@@ -83,7 +86,10 @@ class Raster {
     for (int y = y0; y < y1; ++y) {
       for (int x = x0; x < x1; ++x) {
         const Vec2 place = over_.low + Vec2{(x + 0.5) * step_.x, (y + 0.5) * step_.y};
-        if (inside(place, outline)) covered_[static_cast<std::size_t>(y * side + x)] = true;
+        bool& covered = covered_[static_cast<std::size_t>(y * side + x)];
+        if (covered || !inside(place, outline)) continue;
+        covered = true;
+        ++count_;
       }
     }
   }
@@ -98,6 +104,7 @@ class Raster {
   Box2 over_;
   Vec2 step_;
   std::array<bool, static_cast<std::size_t>(side* side)> covered_{};
+  std::size_t count_ = 0;  // of the covered places
 };
 
 }  // namespace

@@ -86,7 +86,6 @@ MeshShape cone(double radius_m, double length_m) {
 }
 
 Pieces round_pieces(std::string_view kind, double radius_m, double length_m) {
-  if (kind == "cone") return {{cone(radius_m, length_m)}};
   Pieces pieces = {{CylinderShape{radius_m, 0.5 * length_m}}};
   if (kind == "cylinder") return pieces;
   pieces.push_back({SphereShape{radius_m}, {{0, 0, 0.5 * length_m}, {}}, "_top"});
@@ -309,8 +308,9 @@ Outcome<Pieces> sdf_pieces(SdfFiles& files, const SdfFile& file, XmlElement shap
     return bad_input("its size is not above 0 and at most 1e6 m; correct it");
   if (kind == "box") return Pieces{{BoxShape{0.5 * size}}};
   if (kind == "sphere") return Pieces{{SphereShape{radius_m}}};
-  if (kind == "ellipsoid") return Pieces{{ellipsoid(size)}};
-  if (kind != "polyline") return round_pieces(kind, radius_m, length_m);
+  if (one_of(kind, {"cylinder", "capsule"})) return round_pieces(kind, radius_m, length_m);
+  if (kind == "ellipsoid") surface = ellipsoid(size);
+  if (kind == "cone") surface = cone(radius_m, length_m);
   if (surface->triangles.empty()) {
     files.warnings.add(file.document.where(shape), "a polyline that encloses nothing was left out");
     return Pieces{};

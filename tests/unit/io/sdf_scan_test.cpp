@@ -112,6 +112,14 @@ TEST(SdfScan, WhatIsBeyondItsBoundsIsRefused) {
               "w.sdf:4: the names of its parts, with those of the models around them, have more than "));
 }
 
+TEST(SdfScan, TrianglesOfRoundShapesAreCounted) {
+  std::string eggs;
+  for (int i = 0; i < 1000; ++i) eggs += "<collision name='c'><geometry><ellipsoid/></geometry></collision>";
+  EXPECT_EQ(
+      sdf_fault(world_of(ground + "<model name='m'><link name='l'>" + eggs + "</link></model>")),
+      "w.sdf: collision 'm/c_906': the world's meshes have more than 2000000 triangles; use simpler ones");
+}
+
 TEST(SdfScan, IncludesThatMultiplyAreRefused) {
   const test::Folder folder;
   for (int i = 0; i < 7; ++i) {
