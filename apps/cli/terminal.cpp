@@ -19,4 +19,10 @@ void warn(const std::vector<std::string>& sentences) {
   for (const std::string& sentence : sentences) warn(sentence);
 }
 
+void complain_without_memory(const char* sentence, const char* text) {
+  for (const char* part : {"outrider: ", sentence, "\n"}) std::fputs(part, stderr);
+  std::fputs(text, stdout);
+  std::fflush(stdout);
+}
+
 }  // namespace outrider::cli

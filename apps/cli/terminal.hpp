@@ -29,4 +29,8 @@ void complain(std::string_view sentence);
 void warn(std::string_view sentence);
 void warn(const std::vector<std::string>& sentences);
 
+/// Prints the sentence as complain() does, and the text on standard output, both as they are and without
+/// allocating memory.
+void complain_without_memory(const char* sentence, const char* text);
+
 }  // namespace outrider::cli

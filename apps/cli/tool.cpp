@@ -17,6 +17,7 @@
 #include "output.hpp"
 #include "outrider/io/confinement.hpp"
 #include "stop_on_signal.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -66,6 +67,7 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
 }
 
 bool json_wanted = false;
+std::terminate_handler usual_end = std::abort;
 std::atomic<char*> reserve = nullptr;  ///< of memory, for what cleans up when it has ended
 
 /// Gives the reserve back when memory ends, so the allocation is tried again; the next one may fail.
@@ -79,22 +81,18 @@ void give_reserve_back() {
 
 /// Reports that memory has ended, without allocating any.
 int report_no_memory() {
-  std::fputs("outrider: there is not enough memory; ask for less, such as a coarser resolution\n", stderr);
-  if (json_wanted) {
-    std::fputs(
-        "{\"status\":\"refused\",\"code\":\"bad_input\",\"reason\":\"there is not enough memory; ask for "
-        "less, such as a coarser resolution\",\"where\":\"\"}\n",
-        stdout);
-  }
+  const char* const json =
+      "{\"status\":\"refused\",\"code\":\"bad_input\",\"reason\":\"there is not enough memory; ask for less, "
+      "such as a coarser resolution\",\"where\":\"\"}\n";
+  complain_without_memory("there is not enough memory; ask for less, such as a coarser resolution",
+                          json_wanted ? json : "");
   return refused;
 }
 
 /// Ends a process whose destructors find no memory either.
 void terminate() {
-  if (reserve != nullptr) std::abort();
-  const int status = report_no_memory();
-  std::fflush(stdout);
-  std::_Exit(status);
+  if (reserve != nullptr) usual_end();
+  std::_Exit(report_no_memory());
 }
 
 /// Runs the tool and reports uncaught exceptions as faults.
@@ -104,7 +102,7 @@ int guarded_run(const std::vector<Job>& jobs, int argc, char** argv) {
     constexpr std::size_t reserve_bytes = std::size_t{1} << 20U;
     reserve = new char[reserve_bytes];
     std::set_new_handler(give_reserve_back);
-    std::set_terminate(terminate);
+    usual_end = std::set_terminate(terminate);
     if (const char* root = std::getenv("OUTRIDER_CONFINE"); root != nullptr) {
       if (auto ok = confine_reading(root); !ok) return print_fault(ok.error(), json);
     }
