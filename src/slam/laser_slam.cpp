@@ -117,6 +117,7 @@ Outcome<LaserSlam> LaserSlam::begin(const LaserSlamOptions& options, const Pose2
   LaserSlamOptions held = options;
   if (auto ok = check_ranges(describe(held)); !ok) return pass_on(ok);
   if (auto ok = check_ranges(describe(held.map)); !ok) return pass_on(ok);
+  if (auto ok = outrider::check(options.map); !ok) return pass_on(ok);
   return LaserSlam(std::make_unique<State>(options, start));
 }
 

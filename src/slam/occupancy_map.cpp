@@ -1,5 +1,7 @@
 #include "outrider/slam/occupancy_map.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -65,11 +67,25 @@ int block_below(int cell) { return (cell >= 0 ? cell : cell - block_cells + 1) /
 
 std::vector<Option> describe(OccupancyMapOptions& o) {
   return {{"resolution", "m", 1e-3, 100, "side of a cell", &o.resolution_m},
-          {"hit_odds", "", 0, most_odds, "log odds that the end of a beam adds", &o.hit_odds},
-          {"miss_odds", "", 0, most_odds, "log odds that a passing beam takes", &o.miss_odds},
+          {"hit_odds", "", 1e-3, most_odds, "log odds that the end of a beam adds", &o.hit_odds},
+          {"miss_odds", "", 1e-3, most_odds, "log odds that a passing beam takes", &o.miss_odds},
           {"most_odds", "", 0.01, most_odds, "bound of the log odds to both sides", &o.most_odds},
           {"free_below", "", -most_odds, 0, "log odds below which a cell is free", &o.free_below},
           {"occupied_above", "", 0, most_odds, "log odds above which a cell is occupied", &o.occupied_above}};
+}
+
+Status check(const OccupancyMapOptions& options) {
+  const auto refused = [&](double value, const char* leaves, const char* expected, const char* key) {
+    return bad_input(fmt::format("'{:g}' leaves no cell {}; expected {} occupancy.most_odds, which is {:g}",
+                                 value, leaves, expected, options.most_odds),
+                     key);
+  };
+  const std::int16_t most = quantised(options.most_odds);
+  if (quantised(options.occupied_above) >= most)
+    return refused(options.occupied_above, "occupied", "less than", "occupancy.occupied_above");
+  if (quantised(options.free_below) <= -most)
+    return refused(options.free_below, "free", "more than the negative of", "occupancy.free_below");
+  return {};
 }
 
 OccupancyMap::OccupancyMap(const OccupancyMapOptions& options) : options_(options) {

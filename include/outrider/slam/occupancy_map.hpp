@@ -36,6 +36,9 @@ struct OccupancyMapOptions {
 
 std::vector<Option> describe(OccupancyMapOptions& options);
 
+/// Refuses odds with which no cell would ever be free, or none occupied. Fault: bad_input.
+Status check(const OccupancyMapOptions& options);
+
 /// The changes of a map.
 struct MapUpdate {
   bool redrawn = false;            ///< anything may have changed, also the frame: read the whole map again

@@ -14,8 +14,9 @@ namespace outrider {
 namespace {
 
 constexpr std::size_t most_scans = 12;
-constexpr double near_m = 0.025;  ///< neighbours of a point
-constexpr double thin_m = 0.01;   ///< one point in a square of this side is kept
+constexpr std::size_t most_ends = 720;  ///< of a scan; more say no more about what is smoothed over near_m
+constexpr double near_m = 0.025;        ///< neighbours of a point
+constexpr double thin_m = 0.01;         ///< one point in a square of this side is kept
 constexpr int least_neighbours = 4;
 constexpr double step_m = 0.03;   ///< of the path
 constexpr double aside_m = 0.12;  ///< by which a path is moved at most
@@ -166,6 +167,10 @@ void approach_straight(const std::vector<Vec2>& samples, std::vector<double>& of
 
 void CloseRange::add(const Pose2& odometry, std::vector<Vec2> ends) {
   std::erase_if(ends, [](Vec2 p) { return norm(p) > reach_m + 0.5; });
+  if (const std::size_t every = (ends.size() + most_ends - 1) / most_ends; every > 1) {
+    std::size_t number = 0;
+    std::erase_if(ends, [&](Vec2) { return number++ % every != 0; });
+  }
   scans_.push_back({odometry, std::move(ends)});
   if (scans_.size() > most_scans) scans_.pop_front();
 }

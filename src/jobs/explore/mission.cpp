@@ -61,6 +61,17 @@ void learn(ExploreMission& mission, MapUpdate update) {
   mission.looked = true;
 }
 
+/// Notes when the known ground grew by more than noise makes of it.
+void note_new_ground(ExploreMission& mission) {
+  constexpr double noise_m2 = 0.05;
+  const TraversabilityGrid& ground = mission.frontiers.ground();
+  const double known_m2 =
+      static_cast<double>(ground.known_cells()) * ground.frame().resolution_m * ground.frame().resolution_m;
+  if (mission.learned_s >= *mission.started_s && known_m2 <= mission.known_m2 + noise_m2) return;
+  mission.known_m2 = std::max(mission.known_m2, known_m2);
+  mission.learned_s = mission.time_s;
+}
+
 /// Tells the frontiers. A map of which much has changed is thought over with the next scan.
 void update_frontiers(ExploreMission& mission) {
   const bool first = mission.decisions == 0;
@@ -69,6 +80,7 @@ void update_frontiers(ExploreMission& mission) {
   const bool much = keeps ? mission.frontiers.update(explored_map(mission), mission.changed)
                           : mission.frontiers.update(mission.slam.map().occupancy(), mission.changed);
   mark_ground(mission);
+  note_new_ground(mission);
   if (!much || first) return;
   prepare(mission.frontiers, mission.task.explore);
   mission.looked = false;

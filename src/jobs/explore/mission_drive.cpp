@@ -35,7 +35,7 @@ bool blocked(const ExploreMission& mission, const Nearby& nearby) {
 /// Returns true if it is time for a new decision.
 bool time_to_decide(const ExploreMission& mission, const Nearby& nearby) {
   if (!mission.looked) return false;
-  if (!mission.path) return true;
+  if (!mission.path || sees_nothing_new(mission)) return true;
   if (mission.time_s - mission.decided_s >= mission.task.rules.think_again_s) return true;
   if (mission.stage == ExploreStage::seek &&
       !mission.frontiers.frontiers().contains(mission.decision.choice.frontier))

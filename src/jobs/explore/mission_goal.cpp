@@ -138,6 +138,15 @@ void go_without_planner(ExploreMission& mission, const Fault& fault) {
 
 }  // namespace
 
+bool sees_nothing_new(const ExploreMission& mission) {
+  constexpr double patience_s = 300.0, ways = 4.0;
+  if (mission.stage != ExploreStage::seek) return false;
+  const TraversabilityGrid& ground = mission.frontiers.ground();
+  const int cells = ground.highest().x - ground.lowest().x + ground.highest().y - ground.lowest().y + 2;
+  const double across_s = cells * ground.frame().resolution_m / mission.task.robot.speed_mps;
+  return mission.time_s - mission.learned_s > patience_s + ways * across_s;
+}
+
 void decide_anew(ExploreMission& mission) {
   const bool arrived =
       mission.path && mission.stage == ExploreStage::seek && remaining_m(*mission.path) < arrived_m;
@@ -148,6 +157,13 @@ void decide_anew(ExploreMission& mission) {
     return turn_home(
         mission, "budget",
         fmt::format("its budget is spent after {:.0f} s and {:.1f} m", mission.time_s, mission.driven_m));
+  }
+  if (sees_nothing_new(mission)) {
+    return turn_home(
+        mission, "stuck",
+        fmt::format("nothing new was seen since {:.0f} s, though the map is open; are its cells and "
+                    "odds right for this robot?",
+                    mission.learned_s));
   }
   const bool explored = mission.stop_reason == "complete" || mission.stop_reason == "left_over";
   const bool for_good = mission.stage == ExploreStage::go_home && !explored && !mission.planless_s;

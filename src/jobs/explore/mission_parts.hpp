@@ -19,6 +19,8 @@ void moved_on(ExploreMission& mission);
 /// Follows the points from now on.
 void follow(ExploreMission& mission, std::vector<Vec2> points);
 
+/// Returns true if nothing new was seen for longer than it takes to drive to and fro on the map.
+bool sees_nothing_new(const ExploreMission& mission);
 /// Decides where to go, and finds the way there, or ends the mission.
 void decide_anew(ExploreMission& mission);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "outrider/core/units.hpp"
 #include "outrider/io/scan_mount.hpp"
 #include "outrider/io/text.hpp"
@@ -45,6 +47,20 @@ Status take_robot(const ExploreScenario& scenario, ExploreSetup& setup) {
   setup.task.slam.robot_T_laser = level->robot_T_laser;
   setup.sim.laser.height_m = (*sensor)->position.z;
   return check_ranges(describe(setup.sim.laser), "laser");
+}
+
+/// Refuses cells of which a single scan covers more than can be drawn as often as scans come.
+Status check_cells(double cell_m, double range_m) {
+  constexpr double most_cells = 4e6;
+  const double cells = std::pow(2.0 * range_m / cell_m, 2);
+  if (cells <= most_cells) return {};
+  return bad_input(
+      fmt::format(
+          "'{:g}' is not valid: a scan that reaches {:g} m would cover {:.0f} million cells, and at most "
+          "{:.0f} million are drawn; expected at least {:.4f} m",
+          cell_m, range_m, 1e-6 * cells, 1e-6 * most_cells,
+          std::ceil(2e4 * range_m / std::sqrt(most_cells)) * 1e-4),
+      "occupancy.resolution");
 }
 
 std::vector<Option> describe_faults(ExploreScenario& scenario) {
@@ -104,6 +120,8 @@ Outcome<ExploreSetup> load_explore(const ExploreScenario& scenario) {
   auto start = parse_pose(scenario.start, "start");
   if (!start) return pass_on(start);
   if (auto ok = check_laser(scenario.sim.laser); !ok) return pass_on(ok);
+  if (auto ok = check_cells(scenario.task.slam.map.resolution_m, scenario.sim.laser.most_m); !ok)
+    return pass_on(ok);
   auto loaded = load_explore_world(scenario.world);
   if (!loaded) return pass_on(loaded);
   if (auto ok = check_start(loaded->world.bounds, start->position); !ok) return pass_on(ok);

@@ -78,7 +78,10 @@ TraversabilityGrid::Change TraversabilityGrid::update(const Grid<std::uint8_t>& 
   if (!fits) {
     const GridFrame frame = around(occupancy.frame);
     const auto shift = shift_between(known_.frame, frame);
-    if (!shift) known_ = {};
+    if (!shift) {
+      known_ = {};
+      known_cells_ = 0;
+    }
     change.reframed = true;
     change.new_lattice = !shift;
     change.shift = shift.value_or(Cell{});
@@ -143,6 +146,8 @@ void TraversabilityGrid::reframe(const GridFrame& frame, Cell shift) {
 void TraversabilityGrid::set(std::uint32_t cell, std::uint8_t value) {
   const std::uint8_t before = known_.cells[cell];
   known_.cells[cell] = value;
+  if (before == unknown_cell) ++known_cells_;
+  if (value == unknown_cell) --known_cells_;
   stale_.push_back(cell);
   const Cell at = known_.frame.cell(cell);
   if (value != unknown_cell) {

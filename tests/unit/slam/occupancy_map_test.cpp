@@ -145,5 +145,18 @@ TEST(OccupancyMap, LeavesOutWhatItCannotUse) {
   EXPECT_TRUE(map.insert({}, scan).redrawn);
 }
 
+TEST(OccupancyMap, RefusesOddsThatLeaveNoCellFreeOrOccupied) {
+  EXPECT_TRUE(check(OccupancyMapOptions{}));
+  OccupancyMapOptions options;
+  options.occupied_above = options.most_odds;
+  ASSERT_FALSE(check(options));
+  EXPECT_EQ(check(options).error().where, "occupancy.occupied_above");
+  options.occupied_above = options.most_odds - 0.01;
+  EXPECT_TRUE(check(options));
+  options.free_below = -options.most_odds;
+  ASSERT_FALSE(check(options));
+  EXPECT_EQ(check(options).error().where, "occupancy.free_below");
+}
+
 }  // namespace
 }  // namespace outrider

@@ -23,9 +23,8 @@
 //   left_over something is left over that the robot cannot see; the reason says how much, and why
 //   budget    the limit of time or distance is reached
 //   leak      the map exceeds its largest extent: the world is open
-//   stuck     the robot got stuck too often, there is no path home, it got no nearer to home for 120 s, or
-//   its
-//             planner ran out of its budget
+//   stuck     the robot got stuck too often, there is no path home, it got no nearer to home for 120 s, it
+//             saw nothing new for 300 s and four drives across its map, or its planner ran out of its budget
 //   lost      the robot no longer knows its pose, its map cannot be believed (map_doubt.hpp), or what it sees
 //             at home is not what it saw there first: it may have been carried away
 //   blind     no usable scan came
@@ -122,6 +121,8 @@ struct ExploreMission {
   Decision decision;  ///< newest decision
   std::size_t goal_changes = 0;
   double decided_s = 0.0;
+  double known_m2 = 0.0;             ///< largest area of known ground so far
+  double learned_s = 0.0;            ///< time at which that was last noticed to grow
   PlannerOutage outage;              ///< a fault to try out: a planner without a budget; none by default
   std::optional<double> planless_s;  ///< time since which its planner has had no budget
   std::optional<PathProgress> path;

@@ -70,6 +70,8 @@ class TraversabilityGrid {
   [[nodiscard]] double clearance_m(Cell cell) const;
   /// Returns true if the cell is in the belt where driving costs more.
   [[nodiscard]] bool near_wall(std::uint32_t cell) const { return near_[cell] != 0; }
+  /// Returns the number of cells that are known.
+  [[nodiscard]] std::size_t known_cells() const { return known_cells_; }
   /// Return the corners of the box of all cells that were ever known. At first highest() is below lowest().
   [[nodiscard]] Cell lowest() const { return lowest_; }
   [[nodiscard]] Cell highest() const { return highest_; }
@@ -112,6 +114,7 @@ class TraversabilityGrid {
   double radius_m_;
   KnownGroundOptions options_;
   Grid<std::uint8_t> known_;
+  std::size_t known_cells_ = 0;
   std::vector<std::uint16_t> touching_;  // occupied cells within radius + margin
   std::vector<std::uint16_t> near_;      // occupied cells within the belt as well
   std::vector<std::uint8_t> marks_;      // sums of touched_mark and open_mark

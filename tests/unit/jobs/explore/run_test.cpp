@@ -123,6 +123,20 @@ TEST(ExploreRun, TellsTheTimesOfThinking) {
   EXPECT_GE(metric(run->report, "max_step_s"), metric(run->report, "max_decision_s"));
 }
 
+TEST(ExploreRun, EndsOnCellsThatAreTooLargeAndWithOddsThatAreTooSmall) {
+  for (const auto& [resolution_m, hit_odds] : {std::pair{1.0, 1.5}, {1.5, 1.5}, {3.0, 1.5}, {0.05, 0.0036}}) {
+    ExploreTask task = task_at({{0.5, 0.5}, 1.0});
+    task.slam.map.resolution_m = resolution_m;
+    task.slam.map.hit_odds = hit_odds;
+    Log log;
+    const auto run = run_explore(room_with_screen(), task, {}, 3, log);
+    ASSERT_TRUE(run) << run.error().sentence;
+    EXPECT_EQ(run->report.status, "not_done") << resolution_m << " " << hit_odds;
+    EXPECT_LT(metric(run->report, "time_s"), 1000.0)
+        << "of a mission of at most " << task.rules.most_time_s << " s";
+  }
+}
+
 TEST(ExploreRun, RefusesAStartInsideAWall) {
   Log log;
   const auto run = run_explore(room_with_screen(), task_at({{1.55, 0.5}, 0.0}), {}, 1, log);

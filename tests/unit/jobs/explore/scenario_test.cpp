@@ -65,6 +65,10 @@ TEST(ExploreScenario, WhatIsNoGoodIsRefused) {
   EXPECT_EQ(fault([](auto& s) { s.start = "1,2"; }).substr(0, 6), "start:");
   EXPECT_EQ(fault([](auto& s) { s.sim.laser.least_m = 4.0; }),
             "laser.least: '4' is not valid; expected less than laser.most, which is 3.5 m");
+  EXPECT_EQ(
+      fault([](auto& s) { s.task.slam.map.resolution_m = 0.001; }),
+      "occupancy.resolution: '0.001' is not valid: a scan that reaches 3.5 m would cover 49 million cells, "
+      "and at most 4 million are drawn; expected at least 0.0035 m");
   const test::Folder folder;
   const std::string walls = folder.write("s.csv", "0,0,4,0\n4,0,4,3\n");
   EXPECT_EQ(fault([&](auto& s) {
