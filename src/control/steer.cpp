@@ -10,6 +10,7 @@ namespace outrider {
 namespace {
 
 constexpr double there_m = 0.01;
+constexpr double least_aim_m = 2.0 * there_m;  // a point that is no farther off than there_m is not driven to
 
 /// Returns the point of the path at that arc length.
 Vec2 point_at(const std::vector<Vec2>& points, double along_m) {
@@ -26,11 +27,14 @@ Vec2 aim(const PathProgress& path, Vec2 position, const Nearby& nearby, const Ro
          const SteerOptions& options) {
   constexpr int tries = 8;
   const double wanted = std::min(robot.radius_m + options.gap_m, nearby.clearance(position) - 1e-3);
+  const auto ahead = [&](int i) {
+    return point_at(path.points, path.along_m + std::max(options.lookahead_m * i / tries, least_aim_m));
+  };
   for (int i = tries; i > 1; --i) {
-    const Vec2 point = point_at(path.points, path.along_m + options.lookahead_m * i / tries);
+    const Vec2 point = ahead(i);
     if (nearby.clearance(Segment{position, point}) >= wanted) return point;
   }
-  return point_at(path.points, path.along_m + options.lookahead_m / tries);
+  return ahead(1);
 }
 
 /// Returns the twist towards a point, ignoring obstacles.

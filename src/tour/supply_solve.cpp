@@ -42,7 +42,8 @@ std::vector<Option> describe(SupplyOptions& options) {
       {"exact_goals", "", 0, 12, "most goals for which the best tour is found and proven",
        &options.exact_goals},
       {"expansions", "", 0, 1e9, "most labels that the exact search expands", &options.expansions},
-      {"iterations", "", 0, 1e9, "rounds of ruin and recreate", &options.iterations},
+      {"iterations", "", 0, 1e9, "rounds of ruin and recreate, at most 10000 for each goal",
+       &options.iterations},
       {"seed", "", 0, 9e15, "seed of the search", &options.seed},
   };
 }

@@ -22,7 +22,7 @@ constexpr double least_apart_m = 1e-9;
 constexpr double rounding = 1e-9;  // of the clearance that another search keeps
 constexpr int most_halvings = 40;
 constexpr double tight = 0.999;  // share of the cost that a lower bound reaches
-constexpr std::int64_t most_bound_cells = 2048;
+constexpr std::int64_t most_bound_cells = 1024;
 
 Status check_options(const MedialAxisOptions& options) {
   const bool good_weight = options.weight_m >= 0.0 && options.weight_m <= most_weight_m;

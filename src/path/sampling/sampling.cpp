@@ -17,7 +17,7 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-constexpr std::int64_t most_iterations = 1'000'000;
+constexpr std::int64_t most_iterations = 20'000;
 
 /// PRM* without timing: OMPL grows and searches by the clock in two threads; this class first grows, then
 /// searches.

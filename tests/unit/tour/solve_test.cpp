@@ -60,6 +60,12 @@ TEST(Cost, FollowsTheModelByHand) {
   EXPECT_EQ(cost(problem, {{7, {0}}}), std::numeric_limits<double>::infinity());
 }
 
+TEST(Solve, MoreRoundsThanATourNeedsAreNotTried) {
+  const TourProblem problem = one_goal();
+  const Tour tour = solved(problem, heuristic(1'000'000'000));
+  EXPECT_EQ(tour.iterations, 10'000U * problem.goals);
+}
+
 TEST(Cost, TheGunKeepsItsPlaceOnTheBodyWhileItTurns) {
   TourProblem problem = one_goal();
   problem.goals = 2;
