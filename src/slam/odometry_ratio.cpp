@@ -10,8 +10,8 @@ namespace outrider {
 namespace {
 
 constexpr double part_m = 1.0, part_rad = 1.0;
-constexpr double most_off = 0.03;  // of a ratio from one
-constexpr double sds = 3.0;
+constexpr double most_off = 0.025;  // of the size of the map
+constexpr double sds = 2.0;
 
 /// Returns the middle value; there is at least one.
 double median(std::vector<double> values) {
@@ -29,8 +29,6 @@ MotionRatio ratio_of(const std::vector<double>& parts) {
   for (const double part : parts) off.push_back(std::abs(part - value));
   return {value, sd_of_median * median(std::move(off)) / std::sqrt(static_cast<double>(parts.size()))};
 }
-
-bool differs(double a, double b, double sd) { return std::abs(a - b) > most_off + sds * sd; }
 
 }  // namespace
 
@@ -61,22 +59,16 @@ OdometryRatio compare_with_odometry(std::span<const CountedStep> steps) {
 
 std::string why_not_believed(const OdometryRatio& ratio) {
   const auto& [ways, turns] = ratio;
-  const bool ways_differ = differs(ways.value, 1.0, ways.sd),
-             turns_differ = differs(turns.value, 1.0, turns.sd);
-  if (!ways_differ && !turns_differ) return {};
-  if (turns_differ && !differs(ways.value, turns.value, std::hypot(ways.sd, turns.sd))) return {};
-  const auto percent = [](double value) { return 100.0 * (value - 1.0); };
-  if (!turns_differ) {
-    return fmt::format(
-        "the path is {:+.1f} % longer than the wheels counted, and not its turns, so ranges may be too {} "
-        "and the map of "
-        "a wrong size",
-        percent(ways.value), ways.value > 1.0 ? "long" : "short");
-  }
+  const double size = ways.value / turns.value;
+  if (!(std::abs(size - 1.0) > most_off + sds * std::hypot(ways.sd, turns.sd))) return {};
+  const auto text = [](double value) {
+    return fmt::format("{:.1f} % {}", 100.0 * std::abs(value - 1.0), value > 1.0 ? "more" : "less");
+  };
   return fmt::format(
-      "the path differs from what the wheels counted by {:+.1f} % and its turns by {:+.1f} %, so wheels or "
-      "ranges are wrong, and the map may be of a wrong size",
-      percent(ways.value), percent(turns.value));
+      "the map moves {} than the wheels counted and turns {}, so ranges may be {:.0f} % too {} and the map "
+      "of "
+      "that wrong size, or the wheels are farther apart or nearer than told",
+      text(ways.value), text(turns.value), 100.0 * std::abs(size - 1.0), size > 1.0 ? "long" : "short");
 }
 
 }  // namespace outrider

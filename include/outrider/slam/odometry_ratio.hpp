@@ -33,8 +33,10 @@ struct OdometryRatio {
 
 OdometryRatio compare_with_odometry(std::span<const CountedStep> steps);
 
-/// Returns why the size of the map is in doubt, as a clause; empty if it is not: if ways or turns differ by
-/// more than 3 % and three standard deviations, unless both do by the same part, to so much.
+/// Returns why the size of the map is in doubt, as a clause; empty if it is not: if the ratio of ways to that
+/// of turns is off by more than 2.5 % and two standard deviations. Of six recordings of real robots none is
+/// off by more than 1.4 %, and with ranges that are 5 or 10 % too long or too short all are, by 4.6 % and
+/// more.
 std::string why_not_believed(const OdometryRatio& ratio);
 
 }  // namespace outrider

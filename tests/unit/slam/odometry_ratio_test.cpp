@@ -51,9 +51,10 @@ TEST(OdometryRatio, RangesOfAWrongScaleAreDoubtedAndWheelsOfAWrongSizeAreNot) {
     const Rng one = rng.child(std::to_string(i));
     EXPECT_EQ(doubt(one, {}), "") << i;
     EXPECT_EQ(doubt(one, {1.0, 1.2, 1.2}), "") << "wheels";
-    EXPECT_NE(doubt(one, {1.08, 1.0, 1.0}), "") << "ranges";
-    EXPECT_NE(doubt(one, {0.92, 1.0, 1.0}), "") << "ranges";
+    EXPECT_NE(doubt(one, {1.12, 1.0, 1.0}), "") << "ranges";
+    EXPECT_NE(doubt(one, {0.88, 1.0, 1.0}), "") << "ranges";
     EXPECT_NE(doubt(one, {1.1, 1.1, 1.1}), "") << "both, and the way is as long as the wheels say";
+    EXPECT_NE(doubt(one, {0.88, 0.95, 0.95}), "") << "both, and ways are off by little";
   }
 }
 
