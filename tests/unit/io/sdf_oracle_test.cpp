@@ -45,6 +45,7 @@ Pose3 pose(const Pose& p) {
 struct Peer {
   std::vector<Placed> placed;
   std::string error;
+  bool is_whole = true;  ///< false if a mesh was not found, which sdformat does not look for
 
   void walk(const sdf::Model& model, const std::string& name, const std::string& in, const Pose3& outer) {
     const Pose3 world_T_model = outer * resolved(model.SemanticPose(), in);
@@ -138,6 +139,7 @@ Peer read_by_us(const std::string& text, const std::string& path) {
     }
     ours.placed.emplace_back(name, (*poses)[i]);
   }
+  ours.is_whole = files.warnings.first_missing().empty();
   return ours;
 }
 
@@ -281,8 +283,11 @@ TEST(SdfOracle, WorldsOfOursAndOthersAreReadAsBySdformat) {
     if (!text || text->find("<world") == std::string::npos) continue;
     const Peer theirs = read_by_sdformat(*text, path.string());
     const Peer ours = read_by_us(*text, path.string());
-    const bool has_state = text->find("<state") != std::string::npos;
-    if (theirs.error.empty() && !has_state) expect_same(theirs, ours, path.string());
+    // sdformat 12 reads no saved states, cones and polylines, and merges no models into a world.
+    const bool beyond =
+        std::ranges::any_of(std::initializer_list<const char*>{"<state", "<cone", "<polyline", "merge="},
+                            [&](const char* word) { return text->find(word) != std::string::npos; });
+    if (theirs.error.empty() && ours.is_whole && !beyond) expect_same(theirs, ours, path.string());
     ++(!ours.error.empty() ? refused : theirs.error.empty() ? same : ours_alone);
   }
   std::cout << same << " worlds read by both, " << ours_alone << " by Outrider alone, " << refused

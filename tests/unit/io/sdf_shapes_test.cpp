@@ -16,7 +16,6 @@ TEST(SdfShapes, ConesAreCovered) {
       ground + model("tip", "0 0 1 0 0 0", "<cone><radius>0.5</radius><length>2</length></cone>"), "1.11"));
   EXPECT_TRUE(warnings.empty());
   const auto& mesh = std::get<MeshShape>(solid(world, "tip").shape);
-  const Vec3 tip{0, 0, 1};
   for (const auto& triangle : mesh.triangles) {
     for (const Vec3 p : triangle) {  // no corner stands more than 1 % outside, none inside
       EXPECT_LE(norm(xy(p)), 1.01 * 0.25 * (1.0 - p.z) + 1e-12);
