@@ -87,8 +87,8 @@ class Explore(ToolTest):
 
     def test_bad_input(self):
         self.refused("explore", "room.sdf", "--start", "0,0,0", says=["start"])
-        self.refused("explore", "room.sdf", "--start", "2,0,0", says=["start", "2,0 is outside the map"])
-        self.refused("explore", "room.sdf", "--start", "900,0,0", says=["start", "900,0 is outside the map"])
+        self.refused("explore", "room.sdf", "--start", "2,0,0", says=["start", "(2, 0) is outside the map"])
+        self.refused("explore", "room.sdf", "--start", "900,0,0", says=["start", "(900, 0) is outside the map"])
         self.refused("explore", "room.sdf", "--start", "x", says=["start", "x"])
         self.refused("explore", "none.sdf", says=["none.sdf"])
         self.refused("explore", says=["world"])
