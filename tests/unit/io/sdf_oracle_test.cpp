@@ -106,6 +106,7 @@ Peer read_by_sdformat(const std::string& text, const std::string& path) {
     peer.error = error.what();
   }
   if (root.WorldCount() == 0) peer.error += "no world";
+  if (root.Model() != nullptr) peer.walk(*root.Model(), root.Model()->Name() + '/', "", {});
   for (std::uint64_t i = 0; peer.error.empty() && i < root.WorldByIndex(0)->ModelCount(); ++i) {
     const sdf::Model& model = *root.WorldByIndex(0)->ModelByIndex(i);
     peer.walk(model, model.Name() + '/', "world", {});
@@ -260,6 +261,39 @@ TEST(SdfOracle, FramesThatHangInTheAirAreRefusedByBoth) {
     EXPECT_NE(read_by_sdformat(world_of(content, "1.9"), "w.sdf").error, "") << content;
     const std::string refused = read_by_us(world_of(content, "1.9"), "w.sdf").error;
     EXPECT_TRUE(refused.starts_with("w.sdf:3: the pose of '")) << content << ": " << refused;
+  }
+}
+
+TEST(SdfOracle, RandomRobotsOfUrdfStandWhereSdformatPutsThem) {
+  Rng rng(5);
+  const auto origin = [&] {
+    const auto v = [&] { return rng.uniform(-1.5, 1.5); };
+    return fmt::format("<origin xyz='{} {} {}' rpy='{} {} {}'/>", v(), v(), v(), v(), v(), v());
+  };
+  for (int i = 0; i < testing::cases(10); ++i) {
+    std::string text = "<robot name='r'>";
+    for (int k = 0; k < 8; ++k) {
+      text += fmt::format(
+          "<link name='l{}'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' "
+          "iyz='0'/>"
+          "</inertial><collision name='c'>{}<geometry><sphere radius='0.5'/></geometry></collision></link>",
+          k, origin());
+      if (k == 0) continue;
+      text += fmt::format(
+          "<joint name='j{0}' type='continuous'><parent link='l{1}'/><child link='l{0}'/>{2}<axis xyz='0 0 "
+          "1'/></joint>",
+          k, static_cast<int>(rng.uniform(0.0, k)), origin());
+    }
+    Peer theirs = read_by_sdformat(text + "</robot>", "r.urdf");
+    Peer ours = read_by_us(text + "</robot>", "r.urdf");
+    const auto link_of = [](const Placed& one) { return one.first.substr(0, one.first.find('/', 2)); };
+    for (Peer* peer : {&theirs, &ours}) {
+      for (Placed& one : peer->placed) one.first = link_of(one);
+      std::ranges::sort(peer->placed, {}, &Placed::first);
+    }
+    ASSERT_EQ(theirs.placed.size(), 8U) << theirs.error;
+    theirs.error.clear();
+    expect_same(theirs, ours, fmt::format("case {}", i));
   }
 }
 
