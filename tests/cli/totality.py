@@ -14,7 +14,7 @@ import shutil
 import signal
 import subprocess
 
-from tool import FENCE, FLOOR, SOURCE, TOOL, wall, world
+from tool import FENCE, FLOOR, TOOL, wall, world
 
 MOST_S, MOST_MIB, MOST_CHARACTERS = 10.0, 1024.0, 400
 WALL_S = 600.0  # a run that neither works nor ends
@@ -280,7 +280,7 @@ def limits(most_s):
 
 def judged(status, processor_s, memory_mib, output, errors, left, most_s):
     """What a run did wrong; "" if nothing. `left` are the files that it wrote."""
-    if processor_s >= most_s:
+    if processor_s >= most_s or status == -signal.SIGXCPU:
         return f"over {most_s:g} s of processor"
     if status < 0:
         return f"signal {signal.Signals(-status).name}"
@@ -289,8 +289,8 @@ def judged(status, processor_s, memory_mib, output, errors, left, most_s):
     lines = [line for line in errors.splitlines() if not line.startswith("outrider: warning: ")]
     if status not in (0, 1, 2, 3) or "this is a bug" in errors:
         return f"exit status {status}: {errors.strip()[:200]}"
-    if longest := max((len(line) for line in errors.splitlines()), default=0) > MOST_CHARACTERS:
-        return f"a sentence of {max(map(len, errors.splitlines()))} characters"
+    if (longest := max((len(line) for line in errors.splitlines()), default=0)) > MOST_CHARACTERS:
+        return f"a sentence of {longest} characters"
     if status < 2:
         return "" if not lines or status == 1 else f"exit status 0, but {len(lines)} lines on standard error"
     if len(lines) != 1 or not lines[0].startswith("outrider: "):

@@ -4,12 +4,11 @@ Every run has to end with exit status 0 to 3 in less than 10 s of processor time
 with one sentence of at most 400 characters and without leaving a file. Prints what did not, with the command that repeats it.
 """
 import argparse
-import os
 import pathlib
 import shutil
 import sys
 
-from totality import MOST_S, Case, cases, command_of, run, shortest, write_worlds
+from totality import MOST_S, cases, command_of, run, shortest, write_worlds
 
 
 def main():

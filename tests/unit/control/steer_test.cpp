@@ -116,7 +116,9 @@ TEST(PathProgress, NeverGoesBackAndEndsAtItsEnd) {
 TEST(Steer, DrivesWithTheLeastLookaheadToo) {
   SteerOptions options;
   for (const Option& option : describe(options)) {
-    if (option.name == "lookahead") ASSERT_TRUE(assign(option, std::to_string(option.low)));
+    if (option.name == "lookahead") {
+      ASSERT_TRUE(assign(option, std::to_string(option.low)));
+    }
   }
   const auto map = map_of([](Vec2) { return false; });
   const Drive drive = follow_to_the_end(map, {{{0.0, 0.0}, {0.5, 0.0}}, 0.0}, {}, options);
