@@ -104,6 +104,11 @@ Outcome<GreyImage> from_png(std::string_view bytes, const std::string& name) {
   if (std::size_t{png.header.width} * png.header.height > most_pixels_per_byte * bytes.size()) {
     return bad_input("it is cut short: its header names more pixels than its bytes can hold", name);
   }
+  constexpr std::size_t usual_pixels_per_byte = 250;
+  if (auto size = check_expansion(std::size_t{png.header.width} * png.header.height, bytes.size(),
+                                  usual_pixels_per_byte, name);
+      !size)
+    return pass_on(size);
   png.header.format = PNG_FORMAT_RGBA;
   png.header.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
   std::vector<std::uint8_t> rgba(PNG_IMAGE_SIZE(png.header));
@@ -125,6 +130,15 @@ Outcome<GreyImage> image_from_bytes(std::string_view bytes, const std::string& n
   if (bytes.starts_with("P2") || bytes.starts_with("P5")) return from_pgm(bytes, name);
   if (bytes.starts_with("\x89PNG")) return from_png(bytes, name);
   return bad_input("it is neither PGM (P2, P5) nor PNG; convert it to one of them", name);
+}
+
+Status check_expansion(std::size_t pixels, std::size_t bytes, std::size_t most_per_byte,
+                       const std::string& name) {
+  constexpr std::size_t any = std::size_t{16} << 20U;
+  if (pixels <= any || pixels / most_per_byte <= bytes) return {};
+  return bad_input(fmt::format("its {} bytes stand for {} pixels, more than {} each; save it as PGM", bytes,
+                               pixels, most_per_byte),
+                   name);
 }
 
 std::string to_pgm(const GreyImage& image) {

@@ -1,6 +1,7 @@
 // Grey images: reads PGM (P2, P5) and PNG, writes PGM.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -20,6 +21,11 @@ struct GreyImage {
 /// Reads an image; the format is detected by the first bytes. 16-bit values are scaled to 8 bits, and colours
 /// are averaged. `name` is for faults.
 Outcome<GreyImage> image_from_bytes(std::string_view bytes, const std::string& name);
+
+/// Refuses an image of more than 16 million pixels that has more than so many for each of its bytes: what is
+/// done with it takes time and memory by its pixels.
+Status check_expansion(std::size_t pixels, std::size_t bytes, std::size_t most_per_byte,
+                       const std::string& name);
 
 std::string to_pgm(const GreyImage& image);
 

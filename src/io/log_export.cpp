@@ -77,7 +77,7 @@ Outcome<LogExport> write_numpy(LogReader& log, const std::string& path, const Ex
   ZipFile zip;
   for (NumpyArray& array : *made) {
     if (auto ok = zip.add(array.name + ".npy", array.bytes); !ok) return pass_on(ok);
-    array.bytes = {};
+    std::string().swap(array.bytes);  // an assignment would keep the memory
   }
   if (auto ok = write_file(path, std::move(zip).finish()); !ok) return pass_on(ok);
   return done;

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int longest_side = 100'000;
 constexpr std::size_t most_pixels = 100'000'000;
+constexpr std::size_t most_pixels_per_byte = 32;  ///< detection takes 40 bytes a pixel
 
 struct EndDecoder {
   void operator()(void* decoder) const { tjDestroy(decoder); }
@@ -37,9 +38,11 @@ Outcome<CameraImage> from_jpeg(std::string_view bytes, const std::string& name) 
                                  width, height, longest_side, most_pixels),
                      name);
   }
+  if (auto size = check_expansion(pixels, bytes.size(), most_pixels_per_byte, name); !size)
+    return pass_on(size);
   CameraImage image{width, height, std::vector<std::uint8_t>(pixels)};
   if (tjDecompress2(decoder.get(), data, bytes.size(), image.values.data(), width, width, height, TJPF_GRAY,
-                    TJFLAG_ACCURATEDCT) != 0) {
+                    TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS) != 0) {
     return damaged();
   }
   return image;
@@ -54,6 +57,8 @@ Outcome<CameraImage> photo_from_bytes(std::string_view bytes, const std::string&
   }
   auto image = image_from_bytes(bytes, name);
   if (!image) return pass_on(image);
+  if (auto size = check_expansion(image->values.size(), bytes.size(), most_pixels_per_byte, name); !size)
+    return pass_on(size);
   return CameraImage{image->width, image->height, std::move(image->values)};
 }
 

@@ -132,7 +132,7 @@ void BagReader::hold(OpenChunk& chunk, std::string bytes) {
     }
     if (oldest == nullptr) return;
     bytes_held_ -= oldest->bytes.size();
-    oldest->bytes = {};
+    std::string().swap(oldest->bytes);  // an assignment would keep the memory
   }
 }
 

@@ -68,7 +68,7 @@ Outcome<std::string> ByteSource::read(std::uint64_t offset, std::uint64_t count)
 }
 
 bool ByteSource::may_unpack(std::uint64_t bytes) const {
-  constexpr std::uint64_t any = std::uint64_t{1} << 30U, most_times = 1000;
+  constexpr std::uint64_t any = std::uint64_t{1} << 30U, most_times = 500;
   unpacked_ += std::min(bytes, std::numeric_limits<std::uint64_t>::max() - unpacked_);
   return unpacked_ <= any || (unpacked_ - any) / most_times <= size_;
 }
@@ -102,7 +102,7 @@ tl::unexpected<Fault> damaged(const ByteSource& source, std::uint64_t offset, st
 }
 
 tl::unexpected<Fault> unpacks_too_much(const ByteSource& source, std::uint64_t offset) {
-  return damaged(source, offset, "its chunks unpack to more than 1000 times the size of the file",
+  return damaged(source, offset, "its chunks unpack to more than 500 times the size of the file",
                  "record it without compression");
 }
 

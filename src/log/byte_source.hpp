@@ -27,7 +27,7 @@ class ByteSource {
   [[nodiscard]] Outcome<std::string> read(std::uint64_t offset, std::uint64_t count) const;
 
   /// Counts bytes that a part of the source is unpacked to, again and again if it is. Returns false once they
-  /// are more than any log of its size needs: 1 GiB and 1000 times its size.
+  /// are more than any log of its size needs: 1 GiB and 500 times its size.
   [[nodiscard]] bool may_unpack(std::uint64_t bytes) const;
 
  protected:

@@ -63,6 +63,17 @@ TEST(ReadFile, LimitCountsDecompressedBytes) {
   EXPECT_TRUE(read_file(folder.write("none", ""), 0));
 }
 
+TEST(ReadFile, ASmallGzipFileOfVeryMuchIsRefused) {
+  const test::Folder folder;
+  const std::string path = (folder.path / "packed").string();
+  EXPECT_EQ(read_file(gzip(path, std::string(std::size_t{16} << 20U, 'x')))->size(), std::size_t{16} << 20U);
+  const auto bomb = read_file(gzip(path, std::string(std::size_t{20} << 20U, 'x')));
+  ASSERT_FALSE(bomb);
+  EXPECT_NE(bomb.error().sentence.find("more than 250 times its size; unpack it first"), std::string::npos);
+  EXPECT_EQ(read_file(folder.write("plain", std::string(std::size_t{20} << 20U, 'x')))->size(),
+            std::size_t{20} << 20U);
+}
+
 TEST(ReadFile, RefusesWhatIsNoReadableFile) {
   const test::Folder folder;
   const std::string missing = (folder.path / "missing").string();

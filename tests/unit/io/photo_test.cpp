@@ -113,6 +113,16 @@ TEST(Photo, RefusesWhatIsNoImage) {
   EXPECT_FALSE(load_photo("/no/such/photo.jpg"));
 }
 
+TEST(Photo, FewBytesOfManyPixelsAreRefused) {
+  const auto refused = photo_from_bytes(to_png({5000, 4000, std::vector<std::uint8_t>(20'000'000)}), "a.png");
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().sentence.find("stand for 20000000 pixels"), std::string::npos)
+      << refused.error().sentence;
+  EXPECT_NE(refused.error().sentence.find("save it as PGM"), std::string::npos);
+  EXPECT_TRUE(photo_from_bytes(to_png({4000, 4000, std::vector<std::uint8_t>(16'000'000)}), "a.png"));
+  EXPECT_TRUE(photo_from_bytes("P5\n5000 4000\n255\n" + std::string(20'000'000, 'x'), "a.pgm"));
+}
+
 TEST(Photo, DamagedJpegIsRefusedOrRead) {
   const auto path = tags_folder() / "33369213973_9d9bb4cc96_c.jpg";
   OUTRIDER_NEEDS_DATA(path);
