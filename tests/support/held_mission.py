@@ -25,11 +25,11 @@ MAGIC_BYTES, MESSAGE, CHUNK, MESSAGE_INDEX = 8, 5, 6, 7
 
 def records(data):
     """Splits MCAP records: their opcodes and bytes, and the bytes that are left."""
-    found = []
-    while len(data) >= 9 and len(data) >= (size := 9 + struct.unpack_from("<Q", data, 1)[0]):
-        found.append((data[0], data[:size]))
-        data = data[size:]
-    return found, data
+    found, at = [], 0
+    while len(data) >= at + 9 and len(data) >= (end := at + 9 + struct.unpack_from("<Q", data, at + 1)[0]):
+        found.append((data[at], data[at:end]))
+        at = end
+    return found, data[at:]
 
 
 def chunk_of(parts):
@@ -46,8 +46,10 @@ class Log:
     def __init__(self):
         self.left, self.waiting, self.begun = b"", [], False
 
-    def add(self, data):
+    def add(self, data, most):
         self.left += data
+        if self.begun and most == math.inf:
+            return
         if not self.begun and len(self.left) >= MAGIC_BYTES:
             self.waiting.append((0, self.left[:MAGIC_BYTES], False))
             self.left, self.begun = self.left[MAGIC_BYTES:], True
@@ -67,6 +69,9 @@ class Log:
 
     def taken(self, most):
         """Takes what may pass."""
+        if most == math.inf and not self.waiting:  # what comes now need not be looked at
+            out, self.left = self.left, b""
+            return out
         count = next((i for i, (time, _, _) in enumerate(self.waiting) if 1e-9 * time > most), len(self.waiting))
         passes, self.waiting = self.waiting[:count], self.waiting[count:]
         out, parts = b"", []
@@ -85,7 +90,7 @@ class Lines:
     def __init__(self):
         self.left, self.waiting = b"", []
 
-    def add(self, data):
+    def add(self, data, _):
         *lines, self.left = (self.left + data).split(b"\n")
         self.waiting += lines
 
@@ -142,7 +147,8 @@ def main():
                     asked = json.loads(line)
                     most = {name: asked.get(name, math.inf) for name in most}
             elif data := os.read(ready, 65536):
-                streams[sources[ready]][1].add(data)
+                name, stream = streams[sources[ready]]
+                stream.add(data, most[name])
             else:
                 ended.add(ready)
         for descriptor, (name, stream) in streams.items():

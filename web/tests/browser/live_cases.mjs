@@ -61,7 +61,7 @@ export const cases = ({ open, text, server, folder }) => ({
     const page = await open(`#live?scenario=${held}`);
     await page.waitForSelector(".start button:enabled");
     await page.click(".start button");
-    server.passOn(held, { time: 0, step: 3 });
+    server.passOn(held, { time: 0, step: 2 });
     await page.waitForSelector('.live-page[data-state="running"] .plan-view canvas');
     /** How much of the colour of a robot is where it starts, and of that of a target that waits where one stands. */
     const inked = (colour, at) => page.evaluate(([name, x, y]) => {
