@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -69,7 +70,7 @@ void Progress::watch() {
   bool shown = false;
   std::unique_lock lock(mutex_);
   while (!ended_.wait_until(lock, wake, [this] { return over_; })) {
-    const auto full = static_cast<std::size_t>(bar_width * (done_ + part_) / steps_);
+    const auto full = static_cast<std::size_t>(bar_width * (std::max(0, done_) + part_) / steps_);
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - begin).count();
     fmt::print(stderr, "\r\x1b[K[{:.<{}}] {}, {} s", std::string(full, '#'), bar_width, printable(step_),
                seconds);

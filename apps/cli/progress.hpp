@@ -12,7 +12,8 @@
 namespace outrider::cli {
 
 /// Shows "[###..] step, 3 s" after the first second, and clears the line at the end. Prints nothing if
-/// standard error is not a terminal. Name each step before it begins. Thread rule: call from one thread only.
+/// standard error is not a terminal. Name each step before it begins; before the first the step is "loading".
+/// Thread rule: call from one thread only.
 ///
 /// A watching program sets OUTRIDER_PROGRESS to the number of an open descriptor, and reads from it one line
 /// of JSON for each step and each hundredth of a step: {"step":2,"steps":4,"name":"planning the
@@ -43,7 +44,7 @@ class Progress {
   bool over_ = false;
   int done_ = -1;
   double part_ = 0.0;
-  std::string step_;
+  std::string step_ = "loading";
   Watcher program_;
   std::thread watcher_;
 };

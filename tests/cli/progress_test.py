@@ -51,6 +51,7 @@ class Progress(ToolTest):
         status, output, shown = run_on_terminal(YARD, line)
         self.assertIn(status, [0, 1])
         self.assertRegex(shown, line)
+        self.assertIn(b"] loading, 1 s", shown, "it is held before its first step")
         self.assertTrue(shown.endswith(b"\r\x1b[K"), shown[-80:])
         self.assertNotIn(b"\x1b", output)
 
