@@ -24,14 +24,14 @@ class HeldRun(subprocess.Popen):
         os.close(its)
 
     def wait_until_held(self):
-        """Waits until a line of progress has no room."""
+        """Waits until it has told something; what does not fit into the room holds it."""
         waiting = array.array("i", [0])
 
-        def full():
+        def more():
             fcntl.ioctl(self.told, termios.FIONREAD, waiting)
-            return waiting[0] > PIPE_BYTES - 128
+            return waiting[0] > self.filled
 
-        until("a full pipe", full)
+        until("what the run tells", more)
 
     def read(self, count):
         """The next bytes that it told, fewer only at its end."""
