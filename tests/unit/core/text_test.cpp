@@ -57,10 +57,11 @@ TEST(Text, NeighboursOfWhatTurnsTextStay) {
 TEST(Text, ExcerptsAreShortAndWholeCharacters) {
   EXPECT_EQ(excerpt(""), "");
   EXPECT_EQ(excerpt(std::string(80, 'a')), std::string(80, 'a'));
-  EXPECT_EQ(excerpt(std::string(81, 'a')), std::string(80, 'a') + "...");
+  const auto cut = [](char c) { return std::string(80, c).append("..."); };
+  EXPECT_EQ(excerpt(std::string(81, 'a')), cut('a'));
   EXPECT_EQ(excerpt("\u00fc\u00fc\u00fc", 5), "\u00fc\u00fc...");
   EXPECT_EQ(excerpt("a\u202Eb\x1B\xFF", 6), "a?b?...");
-  EXPECT_EQ(excerpt(std::string(1'000'000, '\xFF')), std::string(80, '?') + "...");
+  EXPECT_EQ(excerpt(std::string(1'000'000, '\xFF')), cut('?'));
   EXPECT_EQ(excerpt("abc", 0), "...");
 }
 
