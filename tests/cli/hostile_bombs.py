@@ -32,9 +32,9 @@ def gzipped(start, unit, count, end=b"\n\xff"):
     packed = io.BytesIO()
     with gzip.GzipFile(fileobj=packed, mode="wb", compresslevel=1, mtime=0) as out:
         out.write(start)
-        block = unit * max(1, MIB // len(unit))
-        for _ in range(max(1, count * len(unit) // len(block))):
-            out.write(block)
+        at_once = max(1, MIB // len(unit))
+        for left in range(count, 0, -at_once):
+            out.write(unit * min(left, at_once))
         out.write(end)
     return packed.getvalue()
 

@@ -51,7 +51,7 @@ DAE = """<?xml version="1.0"?>
 IMAGE = bombs.png(8, 8, bombs.zlib.compress(b"".join(b"\0" + bytes([255] * 6 + [90, 0]) for _ in range(8))))
 PGM = b"P5\n8 8\n255\n" + bytes([254] * 56 + [0] * 8)
 ASC = "ncols 9\nnrows 9\nxllcorner -4\nyllcorner -4\ncellsize 1\n" + "0 0.1 0.2 0.3 0.3 0.2 0.1 0 0\n" * 9
-BESIDE = {"yard.sdf": YARD, "targets.txt": TARGETS, "small.map": MAP, "camera.yaml": CAMERA, "grey.pgm": PGM, "plan.yaml": PLAN,
+BESIDE = {"yard.sdf": YARD, "targets.txt": TARGETS, "walkers.txt": "type=1 x=-1.5 y=1\nname=fox size=0.3,0.3,0.3 x=1.8 y=1.9\n", "small.map": MAP, "camera.yaml": CAMERA, "grey.pgm": b"P5\n64 64\n255\n" + bytes([128]) * 4096, "plan.yaml": PLAN,
           "image.png": IMAGE, "map.yaml": "image: image.png\nresolution: 0.5\norigin: [0, 0, 0]\noccupied_thresh: 0.65\nfree_thresh: 0.2\n",
           "room.txt": ROOM, **MRCLAM}
 
@@ -75,7 +75,7 @@ def texts():
     yield "arrivals", "list.txt", "t=1 at=1_0 by=gate\nt=5 at=fox by=gate # late\n", [
         *GUARD, "--targets", "targets.txt", "--arrivals-entrances", "gate=0,-2.5", "--arrivals-list", FILE]
     yield "history", "history.csv", "t,id,x,y\n0,fox,1,2\n1,fox,1.5,2\n2,fox,1.8,1.9\n", [
-        *GUARD, "--targets", "targets.txt", "--wander-speed", "0.5", "--wander-history", FILE]
+        *GUARD, "--targets", "walkers.txt", "--wander-speed", "0.5", "--wander-history", FILE]
     yield "pddl plan", "plan.txt", corpus("pddl_plan/plan.txt"), [*GUARD, "--targets", "targets.txt", "--validate", FILE]
     yield "scenario guard", "guard.yaml", scenario("supplies: {stations: 'well=-2,-2,water dock=0,-2.3,charge'}"), ["run", FILE]
     yield "scenario moved", "guard.yaml", scenario("moved: crate=1.5,-2,90", "removed: north"), ["run", FILE]
