@@ -128,7 +128,7 @@ tl::unexpected<Fault> no_such_row(std::string_view kind, std::string_view unknow
                                   const std::vector<std::string>& known, std::string where) {
   const std::string shown = excerpt(unknown);
   const std::string nearest = nearest_name(shown, known);
-  constexpr std::size_t most_names = 250;  // bytes
+  constexpr std::size_t most_names = 180;  // bytes
   const std::string names = excerpt(fmt::format("{}", fmt::join(known, ", ")), most_names);
   const std::string remedy =
       nearest.empty() ? fmt::format("take one of {}", names) : fmt::format("did you mean '{}'?", nearest);

@@ -93,7 +93,7 @@ Status change(JobTask& task, const Changes& changes) {
         if (known.back() == key) found = &option;
       }
     }
-    if (found == nullptr) return no_such_row("option", key, known, key);
+    if (found == nullptr) return no_such_row("option", key, known, excerpt(key));
     if (auto ok = assign(*found, value); !ok) {
       ok.error().where = key;
       return ok;
