@@ -190,11 +190,18 @@ TEST(DriveMission, ATagThatContradictsTheOthersMakesTheDriveDoubtful) {
   EXPECT_NE(mission.reason.find("tag 3"), std::string::npos) << mission.reason;
 }
 
+/// With a tag on another wall, so that tags of a wrong size cannot agree.
+DriveTask corner_task() {
+  DriveTask task = task_with({{{{1, 0}, 0}}});
+  task.tags.tags.push_back(upright_tag(3, {1.0, 1.2, 0.2}, -pi / 2.0));
+  return task;
+}
+
 /// Drives until the robot is lost by images that it cannot have from where it believes to be, after `before`
 /// images that agree. Returns the reason.
 std::string reason_when_lost(const std::vector<TagSighting>& impossible, int before) {
-  DriveTask task = task_with({{{{1, 0}, 0}}});
-  task.rules.most_refused = 12;
+  DriveTask task = corner_task();
+  task.rules.most_refused = 30;
   task.rules.relocalise = 100;
   DriveMission mission = begin(task);
   double time_s = 0.0;
@@ -208,14 +215,14 @@ std::string reason_when_lost(const std::vector<TagSighting>& impossible, int bef
     time_s = command->until_s;
   }
   EXPECT_EQ(mission.end, DriveEnd::lost);
-  EXPECT_EQ(mission.refused, 12);
+  EXPECT_EQ(mission.refused, 30);
   EXPECT_EQ(mission.used > 0, before > 0);
   EXPECT_EQ(last, WheelSpeeds4{});
   return mission.reason;
 }
 
 TEST(DriveMission, ALostRobotNamesTheCausesThatItsImagesSupport) {
-  const DriveTask task = task_with({});
+  const DriveTask task = corner_task();
   const auto elsewhere = seen_from_pose(task, {{-0.5, 0.4}, 0.2});
   const auto larger = seen_from_pose(task, {}, 1.5);
   const std::vector<TagSighting> one_larger(larger.begin(), larger.begin() + 1);
