@@ -92,6 +92,28 @@ Status check_rings(const std::vector<AreaRings>& polygons) {
       polygons.front().front().where);
 }
 
+/// Returns true if two rings have the same corners in the same or the opposite order, whichever is the first.
+bool same_ring(const AreaRing& a, const AreaRing& b) {
+  const std::size_t n = a.corners.size();
+  const auto first = std::ranges::find(b.corners, a.corners.front());
+  if (b.corners.size() != n || first == b.corners.end()) return false;
+  const auto agrees = [&](std::size_t step) {
+    auto at = static_cast<std::size_t>(first - b.corners.begin());
+    return std::ranges::all_of(a.corners,
+                               [&](Vec2 p) { return p == b.corners[std::exchange(at, (at + step) % n)]; });
+  };
+  return agrees(1) || agrees(n - 1);
+}
+
+/// Leaves out holes that are given again: laps around two of them would be the same.
+void leave_out_repeated_holes(AreaRings& rings) {
+  for (std::size_t i = rings.size(); i-- > 2;) {
+    const auto hole = rings.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::any_of(rings.begin() + 1, hole, [&](const AreaRing& other) { return same_ring(other, *hole); }))
+      rings.erase(hole);
+  }
+}
+
 /// Checks the local coordinates.
 Status check_span(const std::vector<AreaRings>& polygons) {
   return each_ring(polygons, [](const AreaRing& ring) -> Status {
@@ -159,6 +181,7 @@ Outcome<CoverArea> cover_area_from_text(std::string_view text, const std::string
     }
   }
   if (auto good = check_rings(file->polygons); !good) return pass_on(good);
+  std::ranges::for_each(file->polygons, leave_out_repeated_holes);
   CoverArea area;
   auto frame =
       frame_of(box, name, units == Units::told_by_size ? file->units : units, *file, json || xml, area.note);

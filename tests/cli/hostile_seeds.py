@@ -122,7 +122,7 @@ def binaries():
     yield "photo png", "p.png", IMAGE, ["detect", FILE]
     yield "photo jpeg", "p.jpg", (SOURCE / "docs/tags-rendered.jpg").read_bytes(), ["detect", FILE]
     yield "terrain png", "hill.png", bombs.png(9, 9, bombs.zlib.compress((b"\0" + bytes(range(9))) * 9)), [
-        *GUARD, "--targets", "targets.txt", "--terrain", FILE, "--terrain-width", "9", "--terrain-height", "0.2"]
+        *GUARD, "--targets", "targets.txt", "--terrain", FILE, "--terrain-size", "8,8,0.2"]
     yield "heightmap png", "high.png", bombs.png(9, 9, bombs.zlib.compress((b"\0" + bytes(range(9))) * 9)), ["plan", "with_high.png.sdf", *POINTS]
     yield "costs png", "mud.png", bombs.png(6, 4, bombs.zlib.compress((b"\0" + bytes(range(6))) * 4)), [
         "plan", "small.map", *CELLS, "--costs", FILE, "--planner", "terrain_a_star"]

@@ -63,6 +63,20 @@ TEST(CoverArea, BadInputIsRefusedWithItsPlace) {
   refused("a.txt", "(0,0) (1,0) oops\n---\n", "a.txt:1");
 }
 
+TEST(CoverArea, AHoleThatIsGivenAgainIsOne) {
+  const std::string room = "(0,0) (9,0) (9,9) (0,9)\n---\n(1,1) (2,1) (2,2) (1,2)\n";
+  const auto holes = [&](const std::string& more) {
+    const auto area = cover_area_from_text(room + more, "a.txt", Units::told_by_size);
+    EXPECT_TRUE(area) << to_string(area.error());
+    return area ? area->polygons.at(0).holes.size() : 0;
+  };
+  EXPECT_EQ(holes("(1,1) (2,1) (2,2) (1,2)\n"), 1U);
+  EXPECT_EQ(holes("(2,2) (1,2) (1,1) (2,1)\n(1,2) (2,2) (2,1) (1,1)\n"), 1U)
+      << "from another corner, the other way";
+  EXPECT_EQ(holes("(1,1) (2,1) (2,2)\n"), 2U);
+  EXPECT_EQ(holes("(3,1) (4,1) (4,2) (3,2)\n"), 2U);
+}
+
 TEST(CoverArea, UtmCoordinatesAreMoved) {
   const auto area = cover_area_from_text(
       R"({"type": "Polygon", "coordinates": [[[456789.5,5428123],[456989.5,5428123],[456989.5,5428223]]],
