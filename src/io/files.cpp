@@ -60,7 +60,7 @@ Outcome<std::string> read_file(const std::string& path, std::size_t limit_bytes)
     }
     if (content.size() > limit_bytes) return too_long(path, limit_bytes);
     if (got == 0) return content;
-    constexpr std::size_t any = std::size_t{16} << 20U, most_times = 250;
+    constexpr std::size_t any = std::size_t{16} << 20U, most_times = 100;
     if (content.size() > any && content.size() / most_times > static_cast<std::size_t>(gzoffset(file->get())))
       return bad_input(
           fmt::format("its gzip data holds more than {} times its size; unpack it first", most_times), path);
