@@ -66,9 +66,9 @@ int block_below(int cell) { return (cell >= 0 ? cell : cell - block_cells + 1) /
 }  // namespace
 
 std::vector<Option> describe(OccupancyMapOptions& o) {
-  return {{"resolution", "m", 1e-3, 100, "side of a cell", &o.resolution_m},
-          {"hit_odds", "", 1e-3, most_odds, "log odds that the end of a beam adds", &o.hit_odds},
-          {"miss_odds", "", 1e-3, most_odds, "log odds that a passing beam takes", &o.miss_odds},
+  return {{"resolution", "m", 0.01, 100, "side of a cell", &o.resolution_m},
+          {"hit_odds", "", 0.05, most_odds, "log odds that the end of a beam adds", &o.hit_odds},
+          {"miss_odds", "", 0.01, most_odds, "log odds that a passing beam takes", &o.miss_odds},
           {"most_odds", "", 0.01, most_odds, "bound of the log odds to both sides", &o.most_odds},
           {"free_below", "", -most_odds, 0, "log odds below which a cell is free", &o.free_below},
           {"occupied_above", "", 0, most_odds, "log odds above which a cell is occupied", &o.occupied_above}};

@@ -10,7 +10,7 @@ std::vector<Option> describe(TagEye& eye) {
       {"cy", "px", 0.0, 1e5, "where the axis meets the image, from its top", &eye.camera.cy},
       {"ahead", "m", -10.0, 10.0, "of the camera, ahead of the robot's middle", &eye.ahead_m},
       {"height", "m", 0.0, 10.0, "of the camera above the floor", &eye.height_m},
-      {"rate", "1/s", 0.1, 100.0, "images a second", &eye.rate_hz},
+      {"rate", "1/s", 0.1, 60.0, "images a second", &eye.rate_hz},
       {"exposure", "s", 0.0, 0.1, "for which the shutter is open", &eye.exposure_s},
       {"latency", "s", 0.0, 2.0, "until the tags of an image are known; they correct the belief of its time",
        &eye.latency_s},

@@ -139,7 +139,7 @@ void go_without_planner(ExploreMission& mission, const Fault& fault) {
 }  // namespace
 
 bool sees_nothing_new(const ExploreMission& mission) {
-  constexpr double patience_s = 300.0, ways = 4.0;
+  constexpr double patience_s = 200.0, ways = 2.0;
   if (mission.stage != ExploreStage::seek) return false;
   const TraversabilityGrid& ground = mission.frontiers.ground();
   const int cells = ground.highest().x - ground.lowest().x + ground.highest().y - ground.lowest().y + 2;

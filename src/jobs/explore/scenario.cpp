@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "outrider/core/units.hpp"
@@ -49,17 +50,17 @@ Status take_robot(const ExploreScenario& scenario, ExploreSetup& setup) {
   return check_ranges(describe(setup.sim.laser), "laser");
 }
 
-/// Refuses cells of which a single scan covers more than can be drawn as often as scans come.
-Status check_cells(double cell_m, double range_m) {
-  constexpr double most_cells = 4e6;
-  const double cells = std::pow(2.0 * range_m / cell_m, 2);
+/// Refuses cells of which a single scan in the world covers more than can be kept.
+Status check_cells(double cell_m, double range_m, Vec2 world_m) {
+  constexpr double most_cells = 1e7;
+  const double area_m2 = std::min(2.0 * range_m, world_m.x) * std::min(2.0 * range_m, world_m.y);
+  const double cells = area_m2 / (cell_m * cell_m);
   if (cells <= most_cells) return {};
   return bad_input(
-      fmt::format(
-          "'{:g}' is not valid: a scan that reaches {:g} m would cover {:.0f} million cells, and at most "
-          "{:.0f} million are drawn; expected at least {:.4f} m",
-          cell_m, range_m, 1e-6 * cells, 1e-6 * most_cells,
-          std::ceil(2e4 * range_m / std::sqrt(most_cells)) * 1e-4),
+      fmt::format("'{:g}' is not valid: a scan would cover {:.0f} million cells of this world, and "
+                  "at most {:.0f} million are kept; expected at least {:.3f} m",
+                  cell_m, 1e-6 * cells, 1e-6 * most_cells,
+                  std::ceil(1e3 * std::sqrt(area_m2 / most_cells)) * 1e-3),
       "occupancy.resolution");
 }
 
@@ -120,11 +121,13 @@ Outcome<ExploreSetup> load_explore(const ExploreScenario& scenario) {
   auto start = parse_pose(scenario.start, "start");
   if (!start) return pass_on(start);
   if (auto ok = check_laser(scenario.sim.laser); !ok) return pass_on(ok);
-  if (auto ok = check_cells(scenario.task.slam.map.resolution_m, scenario.sim.laser.most_m); !ok)
-    return pass_on(ok);
   auto loaded = load_explore_world(scenario.world);
   if (!loaded) return pass_on(loaded);
   if (auto ok = check_start(loaded->world.bounds, start->position); !ok) return pass_on(ok);
+  if (auto ok = check_cells(scenario.task.slam.map.resolution_m, scenario.sim.laser.most_m,
+                            loaded->world.bounds.size());
+      !ok)
+    return pass_on(ok);
   ExploreSetup setup{std::move(loaded->world), scenario.task, scenario.sim, std::move(loaded->warnings)};
   setup.task.start = {start->position, wrap_angle(start->heading_rad)};
   if (auto ok = take_robot(scenario, setup); !ok) return pass_on(ok);

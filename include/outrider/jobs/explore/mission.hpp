@@ -24,7 +24,7 @@
 //   budget    the limit of time or distance is reached
 //   leak      the map exceeds its largest extent: the world is open
 //   stuck     the robot got stuck too often, there is no path home, it got no nearer to home for 120 s, it
-//             saw nothing new for 300 s and four drives across its map, or its planner ran out of its budget
+//             saw nothing new for 200 s and two drives across its map, or its planner ran out of its budget
 //   lost      the robot no longer knows its pose, its map cannot be believed (map_doubt.hpp), or what it sees
 //             at home is not what it saw there first: it may have been carried away
 //   blind     no usable scan came

@@ -65,11 +65,22 @@ TEST(ExploreScenario, WhatIsNoGoodIsRefused) {
   EXPECT_EQ(fault([](auto& s) { s.start = "1,2"; }).substr(0, 6), "start:");
   EXPECT_EQ(fault([](auto& s) { s.sim.laser.least_m = 4.0; }),
             "laser.least: '4' is not valid; expected less than laser.most, which is 3.5 m");
-  EXPECT_EQ(
-      fault([](auto& s) { s.task.slam.map.resolution_m = 0.001; }),
-      "occupancy.resolution: '0.001' is not valid: a scan that reaches 3.5 m would cover 49 million cells, "
-      "and at most 4 million are drawn; expected at least 0.0035 m");
   const test::Folder folder;
+  const std::string hall = folder.write("h.csv", "0,0,100,0\n100,0,100,100\n");
+  const auto cells = [&](double resolution_m, double most_m) {
+    return fault([&](auto& s) {
+      s.world.world = hall;
+      s.start = "1,1,0";
+      s.task.slam.map.resolution_m = resolution_m;
+      s.sim.laser.most_m = most_m;
+    });
+  };
+  EXPECT_EQ(
+      cells(0.01, 100.0),
+      "occupancy.resolution: '0.01' is not valid: a scan would cover 100 million cells of this world, and at "
+      "most 10 million are kept; expected at least 0.032 m");
+  EXPECT_EQ(cells(0.032, 100.0), "none");
+  EXPECT_EQ(cells(0.01, 3.5), "none");
   const std::string walls = folder.write("s.csv", "0,0,4,0\n4,0,4,3\n");
   EXPECT_EQ(fault([&](auto& s) {
               s.world.world = walls;
