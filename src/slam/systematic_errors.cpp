@@ -13,12 +13,20 @@
 namespace outrider {
 namespace {
 
-constexpr double deviations = 2.0;  // of what is not seen
-constexpr double most_gain = 13.4;  // of chi-square with five degrees of freedom: exceeded one time in 50
+constexpr double deviations = 1.5;  // of what is not seen
+constexpr double most_gain = 11.1;  // of chi-square with five degrees of freedom: exceeded one time in 20
 constexpr double most_points_m = 0.1, most_poses_m = 0.25, most_of_radius = 0.03;
 constexpr Eigen::Index kinds = SharedErrors::RowsAtCompileTime;
 using SharedMatrix = Eigen::Matrix<double, kinds, kinds>;
 using Shares = Eigen::Matrix<double, 3, kinds>;
+
+/// Returns the edge with what the solution says that it measures. A shared part belongs to that: if it were
+/// one of what was measured, with its noise, a smaller map would always fit better.
+GraphEdge predicted(GraphEdge edge, const Eigen::Vector3d& residual) {
+  edge.measured.position = edge.measured.position + Vec2{residual[0], residual[1]};
+  edge.measured.heading_rad += residual[2];
+  return edge;
+}
 
 /// Returns what each shared error of one changes in the measurement of an edge.
 Shares shares_of(const GraphEdge& edge, bool is_odometry) {
@@ -45,7 +53,8 @@ class SharedEquations {
     for (std::size_t i = 0; i < graph.edges.size(); ++i) {
       const GraphEdge& edge = graph.edges[i];
       linear_.push_back(linearise(edge, poses[edge.from], poses[edge.to]));
-      shares_.push_back(shares_of(edge, edge.kind == EdgeKind::pose && !refusable[i]));
+      shares_.push_back(
+          shares_of(predicted(edge, linear_.back().residual), edge.kind == EdgeKind::pose && !refusable[i]));
     }
   }
 

@@ -36,7 +36,7 @@ struct MapShift {
   double moved_m = 0.0;   ///< by the estimate of the shared errors
   double unseen_m = 0.0;  ///< by one standard deviation along the direction that moves them most
   double most_m = 0.0;    ///< what a map that is done may be off by
-  SharedErrors worst = SharedErrors::Zero();  ///< the estimate, and twice that direction on top of it
+  SharedErrors worst = SharedErrors::Zero();  ///< the estimate, and 1.5 times that direction on top of it
 };
 
 struct SystematicErrors {
@@ -54,7 +54,7 @@ SystematicErrors find_systematic_errors(const PoseGraph& graph, const std::vecto
 
 /// Returns why the size of a map is in doubt, as a clause; empty if it is not. Points may be off by 0.1 m and
 /// poses by 0.25 m, or by 3 % of the size of the map. It is in doubt if what the measurements do not see is
-/// more, or if they are implausible without shared errors (chi-square, one time in 50), and these with two
+/// more, or if they are implausible without shared errors (chi-square, one time in 20), and these with 1.5
 /// standard deviations of what is not seen are more.
 std::string why_not_believed(const SystematicErrors& errors);
 

@@ -93,7 +93,7 @@ TEST(SystematicErrors, AHealthyMapIsBelieved) {
     ASSERT_LT(yard.landmark_error_m(poses), 0.1);
     doubted += why_not_believed(find_systematic_errors(yard.graph, poses)).empty() ? 0 : 1;
   }
-  EXPECT_LE(doubted, maps / 25) << "chance makes one in 50";
+  EXPECT_LE(doubted, maps / 25) << "chance makes one in 20 at most";
 }
 
 TEST(SystematicErrors, AMapOfAWrongSizeWhoseMeasurementsAgreeIsDoubted) {
