@@ -1,5 +1,5 @@
 // Logs of short runs, made by the tool: a robot explores two rooms on a map with a heading, another drives by tags, logs are mapped.
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { source, tool } from "./server.mjs";
@@ -52,6 +52,8 @@ export function makeRuns(folder) {
 }
 
 export function makeMaps(folder) {
-  for (const name of ["office", "posts"])
-    execFileSync(tool, ["run", join(source, `scenarios/slam/${name}.yaml`), "--out", join(folder, `runs/${name}`)], { stdio: "ignore" });
+  for (const name of ["office", "posts"]) {  // a map that is in doubt is drawn as well
+    const { status } = spawnSync(tool, ["run", join(source, `scenarios/slam/${name}.yaml`), "--out", join(folder, `runs/${name}`)], { stdio: "ignore" });
+    if (status !== 0 && status !== 1) throw new Error(`${name} was not mapped`);
+  }
 }
