@@ -107,10 +107,7 @@ Outcome<Json> answer_reading(const Json& question, const Folder& folder, const s
   }
   if (fields.has("head")) return scenario_head(fields.text("head"), fields.text("name"), jobs);
   const bool map = fields.has("map"), scenario = fields.has("scenario"), scene = fields.has("scene");
-  auto path = checked_path(fields.text(map        ? "map"
-                                             : scenario ? "scenario"
-                                             : scene    ? "scene"
-                                                        : "save_as"));
+  auto path = checked_path(fields.text(map ? "map" : scenario ? "scenario" : scene ? "scene" : "save_as"));
   const Json* yard = map || scenario || scene ? nullptr : fields.object("yard");
   if (auto ok = fields.end(); !ok) return pass_on(ok);
   if (!path) return pass_on(path);

@@ -4,8 +4,8 @@
 // Files may be gzip-compressed. Only positions and faces are read. Polygons in OBJ and Collada become fans of
 // triangles. In Collada, the nodes of the visual scene with their transforms and the <unit> of length are
 // used; <up_axis> is ignored, as in Gazebo. Triangles without area are skipped. A part of a mesh goes by the
-// name of an object or a group (OBJ), or by the name or the id of a node or a geometry (Collada); the parts of
-// STL have no names.
+// name of an object or a group (OBJ), or by the name or the id of a node or a geometry (Collada); the parts
+// of STL have no names.
 //
 // Faults: bad_input with the file (and the line, for text formats). Bounds: 64 MiB, a million triangles,
 // coordinates within 1e6. O(length of the file + triangles).

@@ -1,10 +1,10 @@
 // Worlds from SDF files (1.4 to 1.12, of Gazebo and Gazebo Classic), including slightly broken ones.
 //
 // Only collisions are read. Boxes, cylinders, spheres, planes (half-spaces) and triangle meshes become solids
-// without change. A capsule becomes a cylinder and two spheres. An ellipsoid or a cone becomes a mesh around it
-// that is at most 1 % larger. Polylines become the mesh around what they enclose, with their holes. A mesh may
-// name one of its parts (<submesh>). Poses follow the pose frame semantics of SDF: frames, joints at zero,
-// nested and merged models. Poses in a saved <state> override those of the models, as in Gazebo.
+// without change. A capsule becomes a cylinder and two spheres. An ellipsoid or a cone becomes a mesh around
+// it that is at most 1 % larger. Polylines become the mesh around what they enclose, with their holes. A mesh
+// may name one of its parts (<submesh>). Poses follow the pose frame semantics of SDF: frames, joints at
+// zero, nested and merged models. Poses in a saved <state> override those of the models, as in Gazebo.
 //
 // Plain paths and file:// in <include> and <mesh> are relative to the folder of the file or, if there is no
 // such file, to the nearest of the four folders above it that has one. model://, package:// and https:// (a
@@ -15,9 +15,9 @@
 // in, for when they are not found.
 //
 // Repaired, each with a warning that names file and line (docs/formats.md lists them all): poses of three
-// numbers, times in <state> that are not a pair, several shapes in one <geometry>, missing and duplicate names,
-// a missing <world> (the models then stand on a floor at z = 0). Omitted with a warning: includes, meshes and
-// heightmaps that are not found, populations.
+// numbers, times in <state> that are not a pair, several shapes in one <geometry>, missing and duplicate
+// names, a missing <world> (the models then stand on a floor at z = 0). Omitted with a warning: includes,
+// meshes and heightmaps that are not found, populations.
 //
 // A <heightmap> with a PNG is the terrain of the world (terrain.hpp) and replaces the floor. There is at most
 // one, and its pose must have no rotation.

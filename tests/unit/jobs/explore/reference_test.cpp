@@ -99,9 +99,10 @@ TEST(ExplorationReference, AStartFromWhichNothingCanBeSeenIsRefused) {
   const auto truth = exploration_reference(it.laser, it.ground, {50.0, 1.0});
   ASSERT_FALSE(truth);
   EXPECT_EQ(truth.error().code, FaultCode::start_blocked);
-  EXPECT_EQ(to_string(truth.error()),
-            "start: (50, 1) is outside the map, and nothing is within the 3.5 m that the laser sees: all that "
-            "stands lies between (-0.1, -0.1) and (3.1, 2.1); start it in there");
+  EXPECT_EQ(
+      to_string(truth.error()),
+      "start: (50, 1) is outside the map, and nothing is within the 3.5 m that the laser sees: all that "
+      "stands lies between (-0.1, -0.1) and (3.1, 2.1); start it in there");
   EXPECT_TRUE(exploration_reference(it.laser, it.ground, {5.0, 1.0})) << "beside the house, in sight of it";
 }
 
