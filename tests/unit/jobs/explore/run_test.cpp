@@ -21,7 +21,7 @@ World room_with_screen() {
   world.solids = {testing::box("south", {-0.1, -0.1}, {3.1, 0.0}),
                   testing::box("north", {-0.1, 2.0}, {3.1, 2.1}),
                   testing::box("west", {-0.1, 0.0}, {0.0, 2.0}), testing::box("east", {3.0, 0.0}, {3.1, 2.0}),
-                  testing::box("screen", {1.6, 1.3})};
+                  testing::box("screen", {1.5, 0.0}, {1.6, 1.3})};
   world.bounds = {{-0.1, -0.1}, {3.1, 2.1}};
   return world;
 }
