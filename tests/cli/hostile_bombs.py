@@ -1,5 +1,4 @@
 """Hostile files made by hand: small ones that unpack to much, chains, deep nestings, and fields that lie."""
-import bz2
 import gzip
 import io
 import sqlite3

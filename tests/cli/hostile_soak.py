@@ -45,7 +45,6 @@ def main():
     parser.add_argument("--share", type=float, default=1.0, help="of the variants of each valid file")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", default="", help="part of the names of the files to make")
-    parser.add_argument("--keep", default="", help="folder for the files that ended badly")
     given = parser.parse_args()
     tasks = [(name, given.seed, given.share) for name in names() if given.only in name]
     tasks += [(None, label, 1.0) for label, *_ in hostile_chains.made_by_hand() if given.only in label]
