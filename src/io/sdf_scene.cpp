@@ -146,12 +146,6 @@ std::array<double, 4> quaternion_of(double roll_rad, double pitch_rad, double ya
           cr * cp * cy + sr * sp * sy};
 }
 
-Pose3 inverse(const Pose3& a_T_b) {
-  const auto& [x, y, z] = a_T_b.rotation.axes;
-  return {-1.0 * a_T_b.rotation.unrotate(a_T_b.position),
-          {{Vec3{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}}};
-}
-
 Outcome<std::vector<Pose3>> collision_poses(const SdfScene& scene) {
   FramePoses poses(scene);
   std::vector<Pose3> world_T_scope(scene.scopes.size());

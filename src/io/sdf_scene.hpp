@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "outrider/geometry/pose.hpp"
+#include "outrider/geometry/spatial_pose.hpp"
 #include "sdf_files.hpp"
 #include "unique_names.hpp"
 
@@ -69,9 +69,6 @@ Rotation rotation_of(std::array<double, 4> q);
 
 /// Returns the quaternion (x, y, z, w) of fixed-axis roll, pitch, yaw.
 std::array<double, 4> quaternion_of(double roll_rad, double pitch_rad, double yaw_rad);
-
-/// Returns b_T_a.
-Pose3 inverse(const Pose3& a_T_b);
 
 /// Returns world_T_collision of every collision. Faults: bad_input with the place of a frame whose pose is
 /// relative to a frame that does not exist, or to itself. O((frames + collisions) (depth + log frames)); no
