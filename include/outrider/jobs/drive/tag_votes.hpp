@@ -6,9 +6,7 @@
 // estimate without it agrees with the belief, that bounds the error, whichever tag was moved: solution
 // separation, as for satellites (Brown and McBurney, Self-contained GPS integrity check using maximum
 // solution separation, Navigation 35, 1988). The estimates survive a turn in place, as they are of the
-// position. But the robot drifts while it turns, and dead reckoning does not tell: a tag that is seen again
-// after a turn does, also one that was moved. Its drift adds to what the others may be off by. O(tags^2) an
-// image.
+// position. O(tags^2) an image.
 #pragma once
 
 #include <map>
@@ -28,10 +26,7 @@ struct TagVotes {
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
     Eigen::Vector2d weighted_m = Eigen::Vector2d::Zero();
   };
-  using Votes = std::map<std::set<int>, Vote>;  ///< by the ids of the tags
-  Votes votes;
-  Votes since_turn, before_turn;  ///< the part of them since the last turn, and of the last stay before
-  double heading_rad = 0.0;       ///< of the last image
+  std::map<std::set<int>, Vote> votes;                    ///< by the ids of the tags
   Eigen::Vector2d corrected_m = Eigen::Vector2d::Zero();  ///< by which the belief was corrected meanwhile
 
   /// Notes that an image corrected the belief.
@@ -42,14 +37,9 @@ struct TagVotes {
            const PoseBelief& belief, const TagMap& map, const RobotCamera& camera,
            const LocaliseOptions& options);
 
-  /// Returns the sets of tags that put the robot within `most_m` of the belief, with 2.5 standard deviations
-  /// to spare. `tag_sigma_m` is that of where a tag hangs: all its images share it, so no mean makes it
-  /// smaller.
-  [[nodiscard]] std::vector<std::set<int>> agreeing(double most_m, double tag_sigma_m) const;
-
-  /// Returns how far the robot drifted while it turned, by the tags that were seen before and after, m: what
-  /// is more than one standard deviation.
-  [[nodiscard]] double drift_m() const;
+  /// Returns the sets of tags that put the robot within `most_m` of the belief, with 2 standard deviations to
+  /// spare.
+  [[nodiscard]] std::vector<std::set<int>> agreeing(double most_m) const;
 };
 
 }  // namespace outrider
