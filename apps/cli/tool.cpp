@@ -68,7 +68,7 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
 
 bool json_wanted = false;
 std::terminate_handler usual_end = std::abort;
-std::atomic<char*> reserve = nullptr;  ///< of memory, for what cleans up when it has ended
+std::atomic<char*> reserve = nullptr;  ///< memory for cleaning up when there is none left
 
 /// Gives the reserve back when memory ends, so the allocation is tried again; the next one may fail.
 void give_reserve_back() {

@@ -29,7 +29,7 @@ struct ChildProgram {
   std::vector<std::string> words;  ///< the first is the program
   OpenFolder folder;               ///< its working folder, to which OUTRIDER_CONFINE confines it
   std::string input{};             ///< text for its standard input
-  std::chrono::seconds limit{60};  ///< of processor time, at least 1 s
+  std::chrono::seconds limit{60};  ///< processor time, at least 1 s
   std::size_t memory_bytes = 0;    ///< limit of its data segment; 0: none
   std::size_t most_output_bytes = std::size_t{16} << 20U;  ///< limit of standard output; the rest is dropped
   std::optional<OpenFolder> out = {};                      ///< another folder, which it finds as child_out

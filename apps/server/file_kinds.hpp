@@ -1,4 +1,4 @@
-// What files are, by their names and what they hold.
+// The kinds of files, told by their names and their content.
 //
 // All but is_parsed() parse what strangers wrote: call them in the reader process (reading.hpp).
 #pragma once

@@ -42,7 +42,7 @@ struct RunSettings {
   std::size_t at_once = 2;           ///< missions that run at once
   std::size_t waiting = 16;          ///< missions in the queue; more are refused
   std::size_t kept = 32;             ///< ended missions; older ones are removed
-  std::chrono::seconds limit{1800};  ///< of a mission on all processors; as much processor time as that is
+  std::chrono::seconds limit{1800};  ///< processor time of a mission, for each processor
   std::size_t memory_bytes = std::size_t{4} << 30U;        ///< for one mission
   std::uint64_t live_log_bytes = std::uint64_t{1} << 30U;  ///< that are kept of the live log of a run
   std::size_t live_logs_bytes = std::size_t{2} << 30U;     ///< that are kept of all live logs together

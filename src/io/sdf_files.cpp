@@ -57,7 +57,7 @@ std::string_view last_part(std::string_view uri) {
 /// An address of Gazebo Fuel: host/1.0/owner/models/name, then perhaps /version, then perhaps /files/file.
 struct FuelAddress {
   std::string name;
-  std::string folder;   ///< of the model in a cache of Fuel, which has lower case: host/owner/models/name
+  std::string folder;   ///< folder of the model in a cache of Fuel, in lower case: host/owner/models/name
   std::string version;  ///< empty or "tip": the newest
   std::string file;     ///< empty: the model
 };

@@ -19,9 +19,9 @@ namespace outrider {
 
 struct RobotFile {
   std::vector<Vec2> outline;  ///< convex, counter-clockwise; contains all collisions, seen from above
-  double radius_m = 0.0;      ///< of the disk about the robot's origin that contains them
+  double radius_m = 0.0;      ///< radius of the disk about the robot's origin that contains them
   double height_m = 0.0;
-  std::map<std::string, Pose3, std::less<>> robot_T_frame;  ///< of its links and frames, by name
+  std::map<std::string, Pose3, std::less<>> robot_T_frame;  ///< pose of each link and frame, by name
   std::vector<std::string> warnings;
 };
 

@@ -41,7 +41,7 @@ Pose3 pose(const Pose& p) {
   return {vec(p.Pos()), {{vec(p.Rot().XAxis()), vec(p.Rot().YAxis()), vec(p.Rot().ZAxis())}}};
 }
 
-/// What sdformat reads.
+/// Returns what sdformat reads.
 struct Peer {
   std::vector<Placed> placed;
   std::string error;
