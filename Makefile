@@ -26,10 +26,10 @@ MISSIONS ?= 1000
 TIMES ?= 10
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs site soak cancel loops replays totality growth flaky writes load hostile fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build build-times tool-and-page serve pictures test asan tsan docs site soak cancel loops replays totality growth flaky writes load hostile fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 }' Makefile
 
 # If npm cannot get its packages, the tool has no page; the picture run.svg does not need npm.
 demo: tool-and-page  ## guard the example yard, print the summary, write a page and a picture to out/yard
@@ -44,6 +44,12 @@ tool-and-page:
 	$(INSTALL) build page
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
 	@ninja -C build -j $(JOBS) outrider
+
+build-times:  ## build the tool anew in build-times, one file at a time, and print which rooms and files cost most
+	$(INSTALL) build
+	$(CONFIGURE) release build-times -B build-times -DOUTRIDER_TIME_BUILD=ON -DOUTRIDER_BUILD_TESTS=OFF -DOUTRIDER_WITH_PAGE=OFF -DOUTRIDER_WITH_PYTHON=OFF
+	@ninja -C build-times clean && rm -f build-times/compile-times.txt && ninja -C build-times -j 1 outrider
+	@scripts/build-times build-times
 
 serve: tool-and-page  ## build the tool with its page, and open the scenarios at 127.0.0.1:8080
 	@build/outrider serve scenarios

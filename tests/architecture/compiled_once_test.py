@@ -1,0 +1,41 @@
+"""The tool is compiled once: `make test` after `make demo` finds more packages and builds more, but compiles no file of the
+tool anew, except the catalogue that gains rows. Compares the commands of this build with those of a folder that is
+configured as if only the packages for the tool were installed.
+
+compiled_once_test.py SOURCES BUILD
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+GAINS_ROWS = {"src/path/catalog.cpp"}  # the rows of the planners of OMPL
+ABSENT = [f"-DOUTRIDER_WITH_{name}=OFF" for name in ("OMPL", "PHYSICS", "CBC", "CERES", "PYTHON")]
+
+
+def commands(folder: pathlib.Path) -> dict[str, str]:
+    entries = json.loads((folder / "compile_commands.json").read_text(encoding="utf-8"))
+    return {entry["command"].split(" -o ")[1].split()[0]: entry["command"].replace(str(folder), "BUILD") for entry in entries}
+
+
+def main() -> None:
+    sources, build = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+    cache = (build / "CMakeCache.txt").read_text(encoding="utf-8").splitlines()
+    kept = [f"-D{line}" for line in cache if line.startswith(("CMAKE_CXX_COMPILER:", "CMAKE_CXX_FLAGS:",
+                                                              "CMAKE_CXX_COMPILER_LAUNCHER:", "CMAKE_COMPILE_WARNING_AS_ERROR:",
+                                                              "OUTRIDER_QUICK_BUILD:", "OUTRIDER_WITH_PAGE:"))]
+    with tempfile.TemporaryDirectory() as name:
+        alone = pathlib.Path(name).resolve()
+        subprocess.run(["cmake", "--preset", "release", "-B", alone, "-DOUTRIDER_BUILD_TESTS=OFF", *kept, *ABSENT], cwd=sources,
+                       check=True, capture_output=True)
+        before, after = commands(alone), commands(build)
+    assert len(before) > 100, before
+    assert not before.keys() - after.keys(), f"compiled for the tool alone: {before.keys() - after.keys()}"
+    changed = {command.rsplit(" ", 1)[1] for output, command in before.items() if command != after[output]}
+    changed = {str(pathlib.Path(source).relative_to(sources)) if source.startswith(str(sources)) else source for source in changed}
+    assert changed <= GAINS_ROWS, f"compiled again: {sorted(changed)}"
+    print(f"{len(before)} files of the tool, {len(changed)} compiled again")
+
+
+main()
