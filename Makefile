@@ -26,7 +26,7 @@ MISSIONS ?= 1000
 TIMES ?= 10
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build build-times tool-and-page serve pictures test asan tsan docs site soak cancel loops replays totality growth flaky writes load hostile fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build build-times tool-and-page serve pictures test research asan tsan docs site soak cancel loops replays totality growth flaky writes load hostile fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 }' Makefile
@@ -60,6 +60,12 @@ test:  ## build everything and run every test
 	@ninja -C build -j $(JOBS)
 	@ctest --preset release -j $(JOBS) && echo "Every test passed." || \
 	  { echo "Some tests failed; the list above names them."; exit 1; }
+
+research:  ## build the reference methods of research/ and their tests, and run these; then `outrider research` has them
+	$(INSTALL) build test
+	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_BUILD_RESEARCH=ON
+	@ninja -C build -j $(JOBS) outrider outrider-research unit_research
+	@ctest --preset release -j $(JOBS) -R "[.]research$$|^Research" && echo "Every test of research passed."
 
 flaky: build  ## run the tests that wait for anything TIMES in a row, 10 unless given, beside four busy loops
 	$(INSTALL) build test physics cbc ompl page browser python notebook

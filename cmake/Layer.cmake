@@ -1,5 +1,6 @@
 # A layer is one folder under src/ and include/outrider/, and one target outrider_<name>. The folder
-# jobs/guard becomes outrider_jobs_guard, outrider::jobs_guard.
+# jobs/guard becomes outrider_jobs_guard, outrider::jobs_guard. The layer `research` stands apart: its folder at the top has
+# headers (`research/NAME.hpp`) and sources together, and is not installed.
 #
 # The compiler sees its headers only through its own target: each layer has an include tree with only its own
 # folder, so a file that includes a layer it does not link to does not compile.
@@ -18,19 +19,26 @@ function(outrider_layer)
   string(REPLACE / _ name ${LAYER_NAME})
   set(target outrider_${name})
   set(tree ${PROJECT_BINARY_DIR}/layers/${name})
-  cmake_path(GET LAYER_NAME PARENT_PATH parent)
-  file(MAKE_DIRECTORY ${tree}/outrider/${parent})
-  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/include/outrider/${LAYER_NAME}
-       ${tree}/outrider/${LAYER_NAME} SYMBOLIC)
+  if(LAYER_NAME STREQUAL "research")
+    set(sources ${PROJECT_SOURCE_DIR}/research)
+    set(headers ${sources})
+    set(seen_as ${tree}/research)
+  else()
+    set(sources ${PROJECT_SOURCE_DIR}/src/${LAYER_NAME})
+    set(headers ${PROJECT_SOURCE_DIR}/include/outrider/${LAYER_NAME})
+    set(seen_as ${tree}/outrider/${LAYER_NAME})
+  endif()
+  cmake_path(GET seen_as PARENT_PATH parent)
+  file(MAKE_DIRECTORY ${parent})
+  file(CREATE_LINK ${headers} ${seen_as} SYMBOLIC)
 
   add_library(${target} STATIC)
-  foreach(source IN LISTS LAYER_SOURCES)
-    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/${LAYER_NAME}/${source})
-  endforeach()
+  list(TRANSFORM LAYER_SOURCES PREPEND ${sources}/)
+  target_sources(${target} PRIVATE ${LAYER_SOURCES})
   add_library(outrider::${name} ALIAS ${target})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${tree}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-    PRIVATE ${PROJECT_SOURCE_DIR}/src/${LAYER_NAME})
+    PRIVATE ${sources})
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE ${OUTRIDER_WARNINGS})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name}
@@ -55,7 +63,9 @@ function(outrider_layer)
   if(NOT LAYER_APART)
     outrider_join(${target})
   endif()
-  set_property(GLOBAL APPEND PROPERTY OUTRIDER_LAYERS ${target})
+  if(NOT LAYER_NAME STREQUAL "research")
+    set_property(GLOBAL APPEND PROPERTY OUTRIDER_LAYERS ${target})
+  endif()
 endfunction()
 
 # Sets `result` to true if a library has nothing to link after our sources are compiled, so users of the

@@ -16,6 +16,7 @@
 #include "job_command.hpp"
 #include "output.hpp"
 #include "outrider/io/confinement.hpp"
+#include "research.hpp"
 #include "stop_on_signal.hpp"
 #include "terminal.hpp"
 
@@ -33,6 +34,8 @@ bool wants_json(int argc, char** argv) {
 
 int run(const std::vector<Job>& jobs, int argc, char** argv) {
   std::vector<std::string> given(argv + 1, argv + argc);
+  if (!given.empty() && given[0] == "research")
+    return print_fault(become_research({given.begin() + 1, given.end()}), wants_json(argc, argv));
   // Handles signals from the start, except while a scenario is read from standard input: then nothing has
   // begun that would need a clean end.
   std::optional<StopOnSignal> stop;
@@ -48,7 +51,8 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
   tool.footer(
       "\n'outrider COMMAND --help' shows the flags of a command.\n"
       "Exit status: 0 the job was done, 1 it was not, 2 the request or an input was wrong,\n"
-      "3 an answer could not be written, as on a full disk.");
+      "3 an answer could not be written, as on a full disk.\n"
+      "'outrider research COMMAND' has reference methods to compare with, where they are built.");
   add_run(tool);
   add_jobs(tool, jobs, stop ? stop->token() : std::stop_token());
   add_calibrate(tool);

@@ -6,9 +6,9 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "explore_bound.hpp"
 #include "explore_strategies.hpp"
 #include "outrider/job/run_job.hpp"
-#include "outrider/jobs/explore/bound.hpp"
 #include "outrider/jobs/explore/catalog.hpp"
 #include "outrider/jobs/explore/job.hpp"
 #include "outrider/jobs/explore/run.hpp"
@@ -20,7 +20,7 @@ namespace {
 struct BenchWorld {
   std::string name;
   ExploreSetup setup;
-  double least_s = 0.0;  ///< lower bound of the time of a run (explore/bound.hpp)
+  double least_s = 0.0;  ///< lower bound of the time of a run (explore_bound.hpp)
 };
 
 /// Holds the results of one strategy in one world; each vector has one value per seed.

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <map>
 
+#include "explore_bound.hpp"
 #include "explore_grid.hpp"
 #include "explore_maps.hpp"
 #include "outrider/core/rng.hpp"
-#include "outrider/jobs/explore/bound.hpp"
 #include "outrider/jobs/explore/task.hpp"
 #include "rows.hpp"
 

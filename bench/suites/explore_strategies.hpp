@@ -2,7 +2,7 @@
 // bound.
 //
 // Each strategy explores each map (explore_maps.hpp) from the same drawn starts (explore_grid.hpp). The time
-// of a run is divided by the lower bound for its start (jobs/explore/bound.hpp), and by the time of `nearest`
+// of a run is divided by the lower bound for its start (explore_bound.hpp), and by the time of `nearest`
 // from the same start. Intervals hold 95 % of 1000 bootstrap samples, which draw the runs of each map anew
 // and keep the maps.
 #pragma once

@@ -11,10 +11,6 @@ print(", ".join(outrider.guard_planners()))
 # Prints:
 # optimal: complete; the least cost of all catches, or the proof that there is none
 # anytime: complete; never dearer with more budget, and the least cost when none is set
-# iterative_a_star: none; a catch at one of the seconds that it tries
-# multi_goal_a_star: the least cost where its states fit in memory; else it gives up
-# lrta_star: none; it never catches a target that keeps going away
-# rtaa_star: none; it never catches a target that keeps going away
 # boustrophedon, spiral, quickest
 # tour, information_gain, nearest
 # best_tour, shrinking_circles, circles_in_order, source_target_table

@@ -90,7 +90,7 @@ TEST(Layers, HeavyHeadersStayOutOfPublicHeaders) {
 
 TEST(Layers, TheCommandLineIsParsedBehindOneDoor) {
   const std::regex parser(R"(#\s*include\s*[<"]CLI)");
-  for (const Source& source : sources({"include", "src", "apps"})) {
+  for (const Source& source : sources({"include", "src", "apps", "research"})) {
     EXPECT_EQ(std::regex_search(source.code, parser), source.path == "apps/cli/command.cpp") << source.path;
   }
 }
@@ -112,7 +112,7 @@ std::vector<std::string> types_defined(const std::string& code) {
 /// Two types of one name in one namespace are one type to the linker, which keeps either's destructor.
 TEST(Layers, ATypeIsDefinedOnce) {
   std::map<std::string, std::string> home;
-  for (const Source& source : sources({"include", "src", "apps"})) {
+  for (const Source& source : sources({"include", "src", "apps", "research"})) {
     if (!source.path.ends_with(".hpp")) continue;
     for (const std::string& type : types_defined(source.code)) {
       const auto [first, added] = home.emplace(type, source.path);

@@ -90,13 +90,6 @@ class Pursue(ToolTest):
             metrics = self.pursue("small.txt", "--planner", row["name"])["metrics"]
             self.assertEqual((metrics["cost"], metrics["lower_bound"]), (11, 11), row["name"])
 
-    def test_options_of_a_planner_are_flags(self):
-        def expansions(*flags):
-            return self.pursue("small.txt", "--planner", "rtaa_star", *flags)["metrics"]["expansions"]
-
-        self.assertLess(expansions("--rtaa-star-lookahead", "1"), expansions())
-        self.refused("pursue", "small.txt", "--rtaa-star-lookahead", "0", says=["--rtaa-star-lookahead", "from 1"])
-
     def test_refusals(self):
         self.write("bad.txt", SMALL.replace(" 5", "five"))
         self.refused("pursue", "bad.txt", says=["bad.txt:17", "'five' is no cost"])

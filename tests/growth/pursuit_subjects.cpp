@@ -2,7 +2,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "outrider/pursuit/multi_goal_a_star.hpp"
 #include "outrider/pursuit/optimal.hpp"
 #include "outrider/pursuit/sweep.hpp"
 #include "subject.hpp"
@@ -62,16 +61,6 @@ std::vector<Subject> pursuit_subjects() {
              [](double horizon) { return std::pow(horizon, 0.75); }}},
            [](int horizon) {
              return pursued(optimal_pursuit, OptimalPursuitOptions{}, late_catch(64, horizon));
-           }},
-          {"multi_goal_a_star",
-           "horizon, s",
-           "pursuit/multi_goal_a_star.hpp",
-           {256, 512, 1024, 2048},
-           {{"expansions", "cells x seconds", linear},
-            {"blocks", "O(states log states)", [](double n) { return n * std::log(64.0 * n); }},
-            {"peak bytes", "20 bytes per state", linear}},
-           [](int horizon) {
-             return pursued(multi_goal_a_star, MultiGoalAStarOptions{}, late_catch(8, horizon));
            }}};
 }
 

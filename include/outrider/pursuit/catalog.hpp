@@ -1,7 +1,8 @@
-// The catalogue of pursuit planners; src/pursuit/catalog.cpp is the only list.
+// The catalogue of pursuit planners: the rows of src/pursuit/catalog.cpp, and those that a program adds.
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -34,8 +35,25 @@ struct PursuitPlanner {
   std::function<ConfiguredPursuitPlanner()> configure;
 };
 
-/// Returns all planners in display order.
+/// Returns a row's `configure` for a planner with options of this type, which have a describe().
+template <class Options>
+std::function<ConfiguredPursuitPlanner()> with_pursuit_options(
+    Outcome<PursuitPlan> (*planner)(const PursuitProblem&, const Options&, const Budget&, Workspace&)) {
+  return [planner] {
+    const auto options = std::make_shared<Options>();
+    return ConfiguredPursuitPlanner{
+        describe(*options),
+        [planner, options](const PursuitProblem& problem, const Budget& budget, Workspace& workspace) {
+          return planner(problem, *options, budget, workspace);
+        }};
+  };
+}
+
+/// Returns all planners in display order; the first is the default.
 const std::vector<PursuitPlanner>& pursuit_planners();
+
+/// Adds a row at the end, for all who read the catalogue later. Before the first thread starts.
+void add_pursuit_planner(PursuitPlanner row);
 
 /// Returns the planner of that name. Fault: bad_input, with the nearest known name.
 Outcome<PursuitPlanner> find_pursuit_planner(std::string_view name);

@@ -1,4 +1,4 @@
-#include "outrider/pursuit/iterative_a_star.hpp"
+#include "research/pursuit/iterative_a_star.hpp"
 
 #include <algorithm>
 #include <cstdlib>

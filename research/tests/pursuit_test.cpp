@@ -1,12 +1,15 @@
 // Where the reference methods work, and where and why they fail.
 #include <gtest/gtest.h>
 
+#include "outrider/pursuit/catalog.hpp"
 #include "outrider/pursuit/check.hpp"
-#include "outrider/pursuit/iterative_a_star.hpp"
-#include "outrider/pursuit/multi_goal_a_star.hpp"
 #include "outrider/pursuit/optimal.hpp"
-#include "outrider/pursuit/real_time.hpp"
+#include "research/pursuit/iterative_a_star.hpp"
+#include "research/pursuit/multi_goal_a_star.hpp"
+#include "research/pursuit/real_time.hpp"
+#include "research/research.hpp"
 #include "support/pursuit_oracle.hpp"
+#include "support/random_cases.hpp"
 
 namespace outrider {
 namespace {
@@ -24,7 +27,7 @@ std::vector<Cell> to_and_fro(int low, int high, int seconds) {
   return cells;
 }
 
-TEST(RealTimeSearch, NeverCatchesATargetThatKeepsGoingAway) {
+TEST(ResearchRealTimeSearch, NeverCatchesATargetThatKeepsGoingAway) {
   Workspace workspace;
   std::vector<Cell> target;
   for (int x = 2; x < 20; ++x) target.push_back({x, 0});
@@ -36,7 +39,7 @@ TEST(RealTimeSearch, NeverCatchesATargetThatKeepsGoingAway) {
   }
 }
 
-TEST(RealTimeSearch, CatchesATargetThatStops) {
+TEST(ResearchRealTimeSearch, CatchesATargetThatStops) {
   Workspace workspace;
   std::vector<Cell> target = to_and_fro(3, 7, 20);
   target.resize(30, target.back());
@@ -47,7 +50,7 @@ TEST(RealTimeSearch, CatchesATargetThatStops) {
   }
 }
 
-TEST(RealTimeSearch, RtaaStarLooksOutOfAPocketInWhichLrtaStarLearnsForLong) {
+TEST(ResearchRealTimeSearch, RtaaStarLooksOutOfAPocketInWhichLrtaStarLearnsForLong) {
   Workspace workspace;
   const auto problem = drawn_pursuit({"11111111", "1111###1", "111111#1", "111111#1", "1111###1", "11111111"},
                                      {5, 3}, std::vector<Cell>(200, Cell{7, 3}));
@@ -57,7 +60,7 @@ TEST(RealTimeSearch, RtaaStarLooksOutOfAPocketInWhichLrtaStarLearnsForLong) {
   EXPECT_LT(rtaa->catch_time_s, lrta->catch_time_s);
 }
 
-TEST(IterativeAStar, PaysForWaitingAtTheGoalWhereTheOptimumWaitsElsewhere) {
+TEST(ResearchIterativeAStar, PaysForWaitingAtTheGoalWhereTheOptimumWaitsElsewhere) {
   // The target is above a wall until its last second; waiting is free where the robot starts, dear there.
   std::vector<Cell> target(9, Cell{0, 1});
   target.push_back({3, 0});
@@ -70,7 +73,7 @@ TEST(IterativeAStar, PaysForWaitingAtTheGoalWhereTheOptimumWaitsElsewhere) {
   EXPECT_EQ(optimum->cost, testing::slow_catch(problem)->cost);
 }
 
-TEST(IterativeAStar, PenaltiesMakeALateWayFit) {
+TEST(ResearchIterativeAStar, PenaltiesMakeALateWayFit) {
   // The cheap way round is one of five steps, but the target is gone after second 3.
   const auto problem = drawn_pursuit({"1991", "1##1", "1111"}, {0, 2}, std::vector<Cell>(4, Cell{3, 2}));
   Workspace workspace;
@@ -80,7 +83,7 @@ TEST(IterativeAStar, PenaltiesMakeALateWayFit) {
   EXPECT_TRUE(check(*plan, problem));
 }
 
-TEST(MultiGoalAStar, GivesUpWhereItsStatesDoNotFit) {
+TEST(ResearchMultiGoalAStar, GivesUpWhereItsStatesDoNotFit) {
   const auto problem =
       drawn_pursuit({"0000000000", "0000000000", "0000000000"}, {0, 0}, to_and_fro(5, 9, 60));
   Workspace workspace;
@@ -88,6 +91,32 @@ TEST(MultiGoalAStar, GivesUpWhereItsStatesDoNotFit) {
   const auto small = multi_goal_a_star(problem, {20}, {}, workspace);
   ASSERT_FALSE(small);
   EXPECT_EQ(small.error().code, FaultCode::budget_exhausted);
+}
+
+/// The laws of tests/unit/pursuit/catalog_test.cpp.
+TEST(ResearchCatalog, EveryPursuitPlannerKeepsItsPromise) {
+  const std::size_t own = pursuit_planners().size();
+  add_research();
+  ASSERT_EQ(pursuit_planners().size(), own + 4);
+  Rng rng(71);
+  Workspace workspace;
+  for (int k = 0; k < testing::cases(500); ++k) {
+    const PursuitProblem problem = testing::random_pursuit(rng, 7, 16);
+    const auto truth = testing::slow_catch(problem);
+    for (std::size_t row = own; row < own + 4; ++row) {
+      const PursuitPlanner& planner = pursuit_planners()[row];
+      const auto plan = planner.configure().plan(problem, {}, workspace);
+      const auto again = planner.configure().plan(problem, {}, workspace);
+      ASSERT_EQ(plan.has_value(), again.has_value()) << planner.name << ", case " << k;
+      if (!plan) continue;
+      EXPECT_EQ(*plan, *again) << planner.name << ", case " << k;
+      EXPECT_TRUE(certify(*plan, problem, {})) << planner.name << ", case " << k;
+      EXPECT_GE(plan->cost, truth->cost) << planner.name << ", case " << k;
+      if (planner.guarantee.optimal) {
+        EXPECT_EQ(plan->cost, truth->cost) << planner.name << ", case " << k;
+      }
+    }
+  }
 }
 
 }  // namespace

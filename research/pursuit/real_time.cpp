@@ -1,4 +1,4 @@
-#include "outrider/pursuit/real_time.hpp"
+#include "research/pursuit/real_time.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "outrider/pursuit/multi_goal_a_star.hpp"
+#include "research/pursuit/multi_goal_a_star.hpp"
 
 #include <fmt/format.h>
 

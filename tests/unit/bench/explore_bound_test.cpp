@@ -1,4 +1,4 @@
-#include "outrider/jobs/explore/bound.hpp"
+#include "explore_bound.hpp"
 
 #include <gtest/gtest.h>
 

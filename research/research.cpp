@@ -1,0 +1,51 @@
+#include "research/research.hpp"
+
+#include "outrider/pursuit/catalog.hpp"
+#include "research/pursuit/iterative_a_star.hpp"
+#include "research/pursuit/multi_goal_a_star.hpp"
+#include "research/pursuit/real_time.hpp"
+
+namespace outrider {
+namespace {
+
+void add_pursuit_planners() {
+  add_pursuit_planner(
+      {.name = "iterative_a_star",
+       .sentence =
+           "A* in space towards cells of the target from its last one back, with penalties for being late.",
+       .paper = "the method of the reference report (course CMU 16-782), from its description",
+       .guarantee = {.complete = false,
+                     .optimal = false,
+                     .sentence = "none; a catch at one of the seconds that it tries"},
+       .configure = with_pursuit_options(iterative_a_star)});
+  add_pursuit_planner(
+      {.name = "multi_goal_a_star",
+       .sentence = "A* over (cell, second) with every cell of the target in its second as a goal.",
+       .paper =
+           "Hart, Nilsson and Raphael, A formal basis for the heuristic determination of minimum cost paths, "
+           "1968",
+       .guarantee = {.complete = false,
+                     .optimal = true,
+                     .sentence = "the least cost where its states fit in memory; else it gives up"},
+       .configure = with_pursuit_options(multi_goal_a_star)});
+  add_pursuit_planner({.name = "lrta_star",
+                       .sentence = "Follows the target, looking one cell ahead and learning.",
+                       .paper = "Korf, Real-time heuristic search, 1990",
+                       .guarantee = {.complete = false,
+                                     .optimal = false,
+                                     .sentence = "none; it never catches a target that keeps going away"},
+                       .configure = with_pursuit_options(lrta_star)});
+  add_pursuit_planner({.name = "rtaa_star",
+                       .sentence = "Follows the target with a small A* each second and learns from it.",
+                       .paper = "Koenig and Likhachev, Real-time adaptive A*, 2006",
+                       .guarantee = {.complete = false,
+                                     .optimal = false,
+                                     .sentence = "none; it never catches a target that keeps going away"},
+                       .configure = with_pursuit_options(rtaa_star)});
+}
+
+}  // namespace
+
+void add_research() { add_pursuit_planners(); }
+
+}  // namespace outrider
