@@ -18,19 +18,24 @@ fresh_debian() {
   rm "$root.log"
   mount -t proc proc "$root/proc"
   mount --bind /dev "$root/dev"
+  mount --bind /dev/pts "$root/dev/pts"
+  mount -t tmpfs tmpfs "$root/dev/shm"
   local settings
   for settings in /etc/apt/apt.conf.d/*proxy* /etc/apt/apt.conf; do
     [ ! -f "$settings" ] || cp "$settings" "$root/etc/apt/apt.conf.d/"
   done
   cp /etc/resolv.conf "$root/etc/resolv.conf"
+  mkdir -p "$root/etc/trusted"
+  cp /etc/ssl/certs/ca-certificates.crt "$root/etc/trusted/"  # npm needs the certificates of this machine's network, too
   inside apt-get -qq update
 }
 
 remove_debian() {
-  umount -q "$root/proc" "$root/dev" || true
+  umount -q "$root/proc" "$root/dev/pts" "$root/dev/shm" "$root/dev" || true
   rm -rf --one-file-system "$root"
 }
 
-inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
+inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
+  DEBIAN_FRONTEND=noninteractive NPM_CONFIG_CAFILE=/etc/trusted/ca-certificates.crt "$@"; }
 
 step() { echo "== $*"; }
