@@ -106,10 +106,8 @@ tsan:  ## run the test programs, costly tests in part, and the tool where its th
 	    -R "$(if $(UNITS),$(call tests_of,$(UNITS)),^unit_)|^cli[.]($(subst $(space),|,$(THREADED)))$$" && \
 	  echo "No race was found." || { echo "Some tests failed under the thread sanitizer; the list above names them."; exit 1; }
 
-docs:  ## write docs/options.md and docs/scenario.schema.json anew
-	$(INSTALL) build ompl
-	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
-	@ninja -C build -j $(JOBS) docs
+docs: build  ## write the pages of options and the schemas of scenarios to build/docs
+	@ninja -C build docs
 
 soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz for an hour, load, hostile, cancel, loops, replays, totality and writes
 	$(INSTALL) build test cbc
@@ -199,7 +197,7 @@ bench:  ## run the benchmarks, and write what they measure to out/bench, from wh
 site:  ## build the docs site in out/site, to be served by any web server; OUTRIDER_BENCH names a folder with results of benchmarks
 	$(INSTALL) build page python notebook
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
-	@ninja -C build -j $(JOBS) outrider_python
+	@ninja -C build -j $(JOBS) outrider_python docs
 	$(NPM)
 	@cd web && node build/site.mjs ../out/site
 

@@ -1,5 +1,6 @@
-// site.mjs [OUT]: builds the docs site in OUT, ../out/site unless given. The Markdown of the repository is its only
-// source: links and pictures are followed from docs/index.md and README.md, and what they name becomes a page.
+// site.mjs [OUT]: builds the docs site in OUT, ../out/site unless given. Its sources are the Markdown of the repository and
+// the pages that the tool wrote to build/docs: links and pictures are followed from docs/index.md and README.md, and what
+// they name becomes a page.
 import { spawnSync } from "node:child_process";
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { dirname, join, posix, resolve } from "node:path";
@@ -23,7 +24,15 @@ const inBrowser = existsSync(join(wasm, "plan.html")) ? (await load(readFileSync
 const frames = new Map(inBrowser.filter(({ models }) => models.length > 0)
   .map(({ name }) => [`docs/planners/${name}.md`, planFrame(name)]));
 
-const read = (path) => readFileSync(join(root, path), "utf8");
+const written = process.env.OUTRIDER_DOCS ?? join(root, "build/docs");
+
+/** Where a file of the repository is, or in its place a page of the tool. */
+function at(path) {
+  const own = join(root, path), page = join(written, posix.basename(path));
+  return !existsSync(own) && posix.dirname(path) === "docs" && existsSync(page) ? page : own;
+}
+if (!existsSync(at("docs/options-guard.md"))) throw new Error("the pages of options are missing: `make docs` writes them");
+const read = (path) => readFileSync(at(path), "utf8");
 const below = (folder, pattern) => readdirSync(join(root, folder), { recursive: true, encoding: "utf8" })
   .filter((name) => pattern.test(name)).sort().map((name) => `${folder}/${name}`);
 function write(path, text) {
@@ -37,7 +46,7 @@ const pageOf = (path) => path.endsWith(".md") ? path.replace(/README[.]md$/, "in
 
 /** Stages what a link names, a path in the repository, and returns the path of its page. */
 function stage(path) {
-  const folder = statSync(join(root, path)).isDirectory();
+  const folder = statSync(at(path)).isDirectory();
   if (folder && existsSync(join(root, path, "README.md"))) return stage(`${path}/README.md`);
   const page = folder ? `${path}/index.md` : pageOf(path);
   if (done.has(page)) return page;
@@ -72,7 +81,7 @@ function followLinks(path, page) {
   const target = (link) => {
     const [, name, anchor] = /^([^#]*)(#.*)?$/.exec(link);
     const file = posix.join(from, decodeURI(name)).replace(/\/$/, "");
-    if (/^[a-z]+:/.test(link) || name === "" || !existsSync(join(root, file))) return link;
+    if (/^[a-z]+:/.test(link) || name === "" || !existsSync(at(file))) return link;
     if (/[.](png|svg|webp|jpg)$/.test(file)) {
       mkdirSync(join(staged, dirname(file)), { recursive: true });
       cpSync(join(root, file), join(staged, file));
