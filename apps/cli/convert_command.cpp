@@ -56,7 +56,7 @@ std::size_t words_of_first_line(std::string_view text) {
 Outcome<Trajectory> load_trajectory(const ConvertCommand& command) {
   if (is_log_file(command.in)) return trajectory_from_log(command.in, command.topic);
   const auto text = read_file(command.in);
-  if (!text) return tl::unexpected<Fault>(text.error());
+  if (!text) return pass_on(text);
   const std::size_t count = words_of_first_line(*text);
   if (count == 8) return trajectory_from_tum(*text, command.in);
   if (count == 12) return trajectory_from_kitti(*text, command.in);
@@ -96,7 +96,7 @@ Outcome<Converted> copy_messages(const ConvertCommand& command, McapWriter& writ
 
 Outcome<Converted> copy_poses(const ConvertCommand& command, McapWriter& writer) {
   const auto trajectory = load_trajectory(command);
-  if (!trajectory) return tl::unexpected<Fault>(trajectory.error());
+  if (!trajectory) return pass_on(trajectory);
   const std::string topic = command.topic.empty() ? "/pose" : command.topic;
   if (auto ok = write_trajectory(*trajectory, writer, topic); !ok) return pass_on(ok);
   return Converted{"poses", trajectory->size()};
@@ -120,7 +120,7 @@ Outcome<Converted> export_messages(const ConvertCommand& command, const std::sto
   auto reader = open_input(command);
   if (!reader) return pass_on(reader);
   const auto done = write(**reader, command.out, [&](double) { return !stop.stop_requested(); });
-  if (!done) return tl::unexpected<Fault>(done.error());
+  if (!done) return pass_on(done);
   Converted converted{"messages", done->messages};
   for (const std::string& channel : done->left_out)
     converted.warnings.push_back(fmt::format("{} is left out; the type is not known", excerpt(channel)));
@@ -130,7 +130,7 @@ Outcome<Converted> export_messages(const ConvertCommand& command, const std::sto
 
 Outcome<Converted> convert_to_text(const ConvertCommand& command, std::string (*text_of)(const Trajectory&)) {
   const auto trajectory = load_trajectory(command);
-  if (!trajectory) return tl::unexpected<Fault>(trajectory.error());
+  if (!trajectory) return pass_on(trajectory);
   if (auto ok = write_file(command.out, text_of(*trajectory)); !ok) return pass_on(ok);
   return Converted{"poses", trajectory->size()};
 }

@@ -242,7 +242,7 @@ Outcome<std::vector<std::string>> expand_run(const std::vector<Job>& jobs, std::
     if (auto ok = supply_from_stdin(path); !ok) return pass_on(ok);
   }
   const auto job = job_of_scenario(jobs, path);
-  if (!job) return tl::unexpected<Fault>(job.error());
+  if (!job) return pass_on(job);
   words[0] = job->name;
   words.insert(words.begin() + 1, {"--scenario", path});
   return words;

@@ -120,7 +120,7 @@ Status write_views(const ReplayCommand& command, const Command& flags, const Sto
     return bad_input("a page or a picture needs the log of a run; give RUN/run.mcap", command.path);
   if (html) {
     const auto page = page_text(run.report, run.path);
-    if (!page) return tl::unexpected<Fault>(page.error());
+    if (!page) return pass_on(page);
     if (auto ok = write_file(command.html, *page); !ok) return ok;
   }
   return svg ? write_file(command.svg, plan_view(run.log)) : Status{};

@@ -139,7 +139,7 @@ Status check(const SweepFlags& flags) {
 Outcome<Plan> make_plan(SweepFlags& flags, const Command& words, const std::vector<Job>& jobs) {
   if (auto ok = check(flags); !ok) return pass_on(ok);
   const auto request = read_request(flags, words);
-  if (!request) return tl::unexpected<Fault>(request.error());
+  if (!request) return pass_on(request);
   auto sweep = prepare_sweep(jobs, *request);
   if (!sweep) return pass_on(sweep);
   Plan plan{.sweep = std::move(*sweep), .manifest = {}, .work = {.folder = flags.folder}};
@@ -249,7 +249,7 @@ Outcome<Answer> conclude(const Plan& plan) {
   const std::string& folder = plan.work.folder;
   ChunkReader chunks(plan.sweep, folder);
   const auto hash = merge_chunks(chunks);
-  if (!hash) return tl::unexpected<Fault>(hash.error());
+  if (!hash) return pass_on(hash);
   Answer answer;
   if (hash->empty()) {
     answer.reason = "another process is making the table";
@@ -257,12 +257,12 @@ Outcome<Answer> conclude(const Plan& plan) {
     return answer;
   }
   const auto summary = summarise(chunks);
-  if (!summary) return tl::unexpected<Fault>(summary.error());
+  if (!summary) return pass_on(summary);
   answer.summary = Json::parse(summary_json(plan.sweep, *summary));
   answer.table_sha256 = *hash;
   answer.text = summary_text(plan.sweep, *summary);
   const auto picture = sweep_picture(chunks, *summary);
-  if (!picture) return tl::unexpected<Fault>(picture.error());
+  if (!picture) return pass_on(picture);
   const std::string title = fmt::format("{}: {} runs", plan.sweep.job.name, plan.sweep.total);
   const std::vector<NamedContent> files = {{folder + "/sweep.svg", *picture},
                                            {folder + "/sweep.html", sweep_page(title, *picture, answer.text)},
@@ -284,7 +284,7 @@ Answer chunks_so_far(const Plan& plan, const std::vector<std::uint64_t>& missing
 
 Outcome<Answer> compute(const Plan& plan, const SweepFlags& flags, const SweepWatch& watch) {
   const auto others = compute_chunks(plan.sweep, plan.work, watch);
-  if (!others) return tl::unexpected<Fault>(others.error());
+  if (!others) return pass_on(others);
   const auto missing = missing_chunks(plan.sweep, flags.folder);
   if (missing.empty() && flags.chunks.empty()) return conclude(plan);
   Answer answer = chunks_so_far(

@@ -91,7 +91,7 @@ Json file_kind(const std::string& path, const Folder& folder) {
 
 Outcome<Json> scenario_head(const std::string& text, const std::string& name, const std::vector<Job>& jobs) {
   const auto job = job_of_scenario_text(jobs, text, name);
-  if (!job) return tl::unexpected<Fault>(job.error());
+  if (!job) return pass_on(job);
   const auto seed = seed_of(text);
   return Json{{"job", job->name}, {"seed", seed ? Json(*seed) : Json()}};
 }

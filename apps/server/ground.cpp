@@ -80,7 +80,7 @@ Outcome<std::vector<std::vector<Vec2>>> edited(const PolygonMap& map, const std:
 /// Makes the ground from scratch, without the original cells, which are not drawn here.
 Outcome<PlanGround> made_anew(const GroundRequest& request) {
   const auto map = edited(*request.map, request.edits);
-  if (!map) return tl::unexpected<Fault>(map.error());
+  if (!map) return pass_on(map);
   auto ground = plan_ground(map->shape, request.options);
   if (ground) ground->occupied = {};
   return ground;

@@ -201,7 +201,7 @@ Outcome<Json> answer_plan(const Json& request, PlanningMemory& memory, Workspace
   const PlanQuestion asked{*ground, {question->planner}, {question->query}};
   const PlanTools tools{.trace = trace.most > 0 ? &trace : nullptr, .workspace = &workspace};
   const auto found = answer(asked, tools, budget);
-  if (!found) return tl::unexpected<Fault>(found.error());
+  if (!found) return pass_on(found);
   const auto& fault = found->rows.front().fault;
   if (fault && fault->code == FaultCode::bad_input) return tl::unexpected<Fault>(*fault);
   auto object = run_json<Json>(plan_report(asked, *found));

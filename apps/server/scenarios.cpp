@@ -120,7 +120,7 @@ Outcome<std::vector<NamedContent>> unpacked_files(const Json& answer) {
 /// Returns a scenario for the page; refuses jobs that the page cannot change.
 Outcome<Json> shown_job(const std::string& path) {
   const auto job = job_of_scenario(jobs(), path);
-  if (!job) return tl::unexpected<Fault>(job.error());
+  if (!job) return pass_on(job);
   if (job->name == "plan") return shown_question(path);
   if (job->name == "guard") return shown_yard(path);
   return bad_input(

@@ -59,7 +59,7 @@ Outcome<BenchWorld> loaded(const std::string& name, const ExploreScenario& scena
   if (!setup) return pass_on(setup);
   const auto bound = explore_bound(solid_cells(*setup), setup->task.start.position, setup->sim.laser.most_m,
                                    setup->task.robot, {.return_home = setup->task.rules.return_home});
-  if (!bound) return tl::unexpected<Fault>(bound.error());
+  if (!bound) return pass_on(bound);
   return BenchWorld{name, std::move(*setup), bound->least_s};
 }
 
@@ -105,7 +105,7 @@ Outcome<StrategyRow> measured(const BenchWorld& world, const std::string& strate
     Log log;
     const auto run =
         run_explore(world.setup.world, task, world.setup.sim, static_cast<std::uint64_t>(seed), log);
-    if (!run) return tl::unexpected<Fault>(run.error());
+    if (!run) return pass_on(run);
     ++row.runs;
     row.done += run->report.status == "done" ? 1 : 0;
     const auto keep = [&](std::vector<double>& values, std::string_view name) {

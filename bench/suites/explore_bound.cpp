@@ -241,7 +241,7 @@ Outcome<ExploreBound> explore_bound(const Grid<std::uint8_t>& solid, Vec2 start,
   if (!sure) return pass_on(sure);
   const auto ground = std::make_shared<const GridMap>(*std::move(sure));
   const auto query = grid_query({ground, start, start});
-  if (!query) return tl::unexpected<Fault>(query.error());
+  if (!query) return pass_on(query);
   auto corners = GridMap::of(surely_blocked(solid, robot.radius_m), GridModel::corners);
   if (!corners) return pass_on(corners);
   const double resolution = solid.frame.resolution_m;

@@ -146,7 +146,7 @@ Status explore_map(const ExploreMap& map, std::int64_t seeds,
   for (std::int64_t seed = 1; seed <= seeds; ++seed) {
     const Vec2 start = explore_start(map.solid, clearance_m, static_cast<std::uint64_t>(seed));
     const auto bound = explore_bound(map.solid, start, range_m, burger(), {.exact_cells = true});
-    if (!bound) return tl::unexpected<Fault>(bound.error());
+    if (!bound) return pass_on(bound);
     GridExploration asked{map.solid, start, range_m, burger(), {}};
     std::map<std::string, GridExplorationRun> by_strategy;
     for (const auto& [strategy, maps] : runs) {

@@ -27,9 +27,9 @@ std::string column(const std::optional<double>& value, int digits) {
 Outcome<LaserRow> measure_laser_log(const std::string& path, int repeat,
                                     const std::function<double()>& processor_s) {
   const auto text = read_file(path);
-  if (!text) return tl::unexpected<Fault>(text.error());
+  if (!text) return pass_on(text);
   const auto log = laser_log_from_carmen({*text, path}, {});
-  if (!log) return tl::unexpected<Fault>(log.error());
+  if (!log) return pass_on(log);
   const std::string name = std::filesystem::path(path).filename().string();
   LaserRow row;
   row.name = name.substr(0, name.find(".log"));

@@ -111,7 +111,7 @@ Status measure_map(const PursuitRequest& request, const fs::path& path,
                    const std::vector<PursuitPlanner>& planners, const BenchObserver& observer,
                    std::vector<PursuitRow>& rows) {
   const auto problem = load_pursuit_map(path.string());
-  if (!problem) return tl::unexpected<Fault>(problem.error());
+  if (!problem) return pass_on(problem);
   std::optional<std::uint64_t> optimum;
   const std::string map = path.filename().string().substr(0, path.filename().string().find('.'));
   for (const PursuitPlanner& planner : planners) {

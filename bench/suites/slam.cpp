@@ -62,7 +62,7 @@ Outcome<Files> files_in(const std::string& folder) {
 
 template <class Pose>
 Outcome<GraphRow> measure(const Outcome<PoseGraphOf<Pose>>& graph, const std::string& path, int repeat) {
-  if (!graph) return tl::unexpected<Fault>(graph.error());
+  if (!graph) return pass_on(graph);
   const std::string name = std::filesystem::path(path).filename().string();
   GraphRow row;
   row.name = name.substr(0, name.find(".g2o"));
@@ -90,7 +90,7 @@ Outcome<GraphRow> measure(const Outcome<PoseGraphOf<Pose>>& graph, const std::st
 /// Measures the graph; one whose information matrices are not positive definite, with isotropic ones.
 Outcome<GraphRow> measure(const std::string& path, int repeat) {
   const auto text = read_file(path);
-  if (!text) return tl::unexpected<Fault>(text.error());
+  if (!text) return pass_on(text);
   if (!is_spatial_g2o(*text)) return measure(pose_graph_from_g2o(*text, path), path, repeat);
   const auto graph = pose_graph3_from_g2o(*text, path);
   if (graph) return measure(graph, path, repeat);

@@ -134,7 +134,7 @@ Outcome<Camera> camera_from_text(std::string_view text, const std::string& name,
 
 Outcome<Camera> load_camera(const std::string& path, const std::string& section) {
   const auto text = read_file(path);
-  if (!text) return tl::unexpected<Fault>(text.error());
+  if (!text) return pass_on(text);
   return camera_from_text(*text, path, section);
 }
 

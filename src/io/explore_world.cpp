@@ -38,7 +38,7 @@ Outcome<LoadedWorld> load_explore_world(const ExploreWorldFiles& files) {
     return bad_input("the ground of this world is not flat; give one with a floor", files.world);
   if (!files.slices.empty()) {
     const auto slices = load_slices(files.slices);
-    if (!slices) return tl::unexpected<Fault>(slices.error());
+    if (!slices) return pass_on(slices);
     if (auto ok = add_slices(world, *slices, files.wall_height_m, files.slices); !ok) return pass_on(ok);
   }
   if (auto ok = add_walls(world, files.walls, files.wall_height_m); !ok) return pass_on(ok);

@@ -14,7 +14,7 @@ namespace outrider {
 Outcome<std::string> file_hash(const std::string& path) {
   if (const std::string* content = supplied_content(path)) return sha256(*content);
   const auto descriptor = open_file(path);
-  if (!descriptor) return tl::unexpected<Fault>(descriptor.error());
+  if (!descriptor) return pass_on(descriptor);
   Sha256 hash;
   std::string piece(std::size_t{1} << 18U, '\0');
   int error = 0;

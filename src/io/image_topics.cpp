@@ -100,7 +100,7 @@ Outcome<std::string> find_info(const std::vector<Channel>& channels, const std::
   if (options.info.empty() && beside != channels.end()) return beside->topic;
   if (options.info.empty() && std::ranges::none_of(channels, is_info)) return std::string();
   const auto found = find_topic(channels, {{CameraInfo::type}, options.info, "--info-topic"});
-  if (!found) return tl::unexpected<Fault>(found.error());
+  if (!found) return pass_on(found);
   return channels[found->front()].topic;
 }
 
@@ -111,7 +111,7 @@ Outcome<std::optional<Camera>> read_camera(const std::string& path, const std::s
   if (!message) return pass_on(message);
   if (!*message) return std::optional<Camera>{};
   const auto decoder = ChannelDecoder<CameraInfo>::of((*log)->channels()[(*message)->channel]);
-  if (!decoder) return tl::unexpected<Fault>(decoder.error());
+  if (!decoder) return pass_on(decoder);
   CameraInfo info;
   if (auto ok = decoder->decode((*message)->data, info); !ok) return pass_on(ok);
   auto camera = camera_of(info);
@@ -129,7 +129,7 @@ Outcome<std::unique_ptr<ImageTopics>> open_image_topics(const std::string& path,
   contents->reset();
   const auto found =
       find_topic(channels, {{Image::type, CompressedImage::type}, options.image, "--image-topic"});
-  if (!found) return tl::unexpected<Fault>(found.error());
+  if (!found) return pass_on(found);
   const std::string topic = channels[found->front()].topic;
   std::map<std::size_t, ImageDecoder> decoders;
   for (const std::size_t index : *found) {
@@ -138,7 +138,7 @@ Outcome<std::unique_ptr<ImageTopics>> open_image_topics(const std::string& path,
     decoders.emplace(index, std::move(*decoder));
   }
   const auto info = find_info(channels, topic, options);
-  if (!info) return tl::unexpected<Fault>(info.error());
+  if (!info) return pass_on(info);
   std::optional<Camera> camera;
   if (!info->empty()) {
     auto read = read_camera(path, *info);

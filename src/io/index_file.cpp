@@ -56,7 +56,7 @@ Outcome<bool> load_index_file(const std::string& path, const ConfiguredPlanner& 
   auto descriptor = open_file(path);
   if (!descriptor) return pass_on(descriptor);
   const auto stored = mapped(*descriptor, path);
-  if (!stored) return tl::unexpected<Fault>(stored.error());
+  if (!stored) return pass_on(stored);
   if (auto ok = planner.load_index(ground, *stored, workspace); !ok)
     return bad_input(std::move(ok.error().sentence), path);
   return true;
@@ -66,7 +66,7 @@ Status save_index_file(const std::string& path, const ConfiguredPlanner& planner
                        const Budget& budget, Workspace& workspace) {
   if (auto ok = check_usable(path, planner, ground); !ok) return ok;
   const auto bytes = planner.save_index(ground, budget, workspace);
-  if (!bytes) return tl::unexpected<Fault>(bytes.error());
+  if (!bytes) return pass_on(bytes);
   return write_file(path, *bytes);
 }
 

@@ -44,7 +44,7 @@ Outcome<std::unique_ptr<LogReader>> open_log_file(const std::string& path, const
     return bad_input("ROS 2 bags are not read here; \"outrider convert\" writes it as MCAP", path);
   }
   const auto descriptor = open_file(path);
-  if (!descriptor) return tl::unexpected<Fault>(descriptor.error());
+  if (!descriptor) return pass_on(descriptor);
   return open_log(*descriptor, path, selection);
 }
 

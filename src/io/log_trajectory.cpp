@@ -85,7 +85,7 @@ Outcome<Trajectory> trajectory_from_log(const std::string& path, const std::stri
   const std::vector<Channel> channels = (*contents)->channels();
   contents->reset();
   const auto found = find_topic(channels, wish);
-  if (!found) return tl::unexpected<Fault>(found.error());
+  if (!found) return pass_on(found);
   std::map<std::size_t, PoseReader> readers;
   for (const std::size_t index : *found) {
     auto reader = reader_of(channels[index]);

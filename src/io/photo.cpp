@@ -64,7 +64,7 @@ Outcome<CameraImage> photo_from_bytes(std::string_view bytes, const std::string&
 
 Outcome<CameraImage> load_photo(const std::string& path) {
   const auto bytes = read_file(path);
-  if (!bytes) return tl::unexpected<Fault>(bytes.error());
+  if (!bytes) return pass_on(bytes);
   return photo_from_bytes(*bytes, path);
 }
 

@@ -44,7 +44,7 @@ Status find_odometry(const std::vector<Channel>& channels, const LaserTopicsOpti
       options.odom.empty() && std::ranges::none_of(channels, is_odometry) && !all.moving.empty();
   if (in_transforms) return {};
   const auto found = find_topic(channels, {{nav_msgs::Odometry::type}, options.odom, "--odom"});
-  if (!found) return tl::unexpected<Fault>(found.error());
+  if (!found) return pass_on(found);
   auto decoders = decoders_of<nav_msgs::Odometry>(channels, *found);
   if (!decoders) return pass_on(decoders);
   all.odometry_topic = channels[found->front()].topic;
@@ -57,7 +57,7 @@ Status find_odometry(const std::vector<Channel>& channels, const LaserTopicsOpti
 Outcome<RobotChannels> find_robot_channels(const std::vector<Channel>& channels,
                                            const LaserTopicsOptions& options) {
   const auto found = find_topic(channels, {{sensor_msgs::LaserScan::type}, options.scan, "--scan"});
-  if (!found) return tl::unexpected<Fault>(found.error());
+  if (!found) return pass_on(found);
   auto scans = decoders_of<sensor_msgs::LaserScan>(channels, *found);
   if (!scans) return pass_on(scans);
   auto moving = find_transforms(channels, "tf");

@@ -139,9 +139,9 @@ Status add_slices(World& world, const std::vector<WorldSlice>& slices, double he
 
 Outcome<LoadedWorld> load_world(const std::string& path, const WorldFileOptions& options) {
   const auto content = read_file(path);
-  if (!content) return tl::unexpected<Fault>(content.error());
+  if (!content) return pass_on(content);
   const auto kind = world_kind(*content, path);
-  if (!kind) return tl::unexpected<Fault>(kind.error());
+  if (!kind) return pass_on(kind);
   auto loaded = load_kind(*kind, *content, path, options);
   if (!loaded) return loaded;
   World& world = loaded->world;

@@ -75,7 +75,7 @@ Status read_scenario(JobTask& task, const std::string& path, const std::string& 
                      "job");
   }
   const auto keys = scenario_keys(path);
-  if (!keys) return tl::unexpected<Fault>(keys.error());
+  if (!keys) return pass_on(keys);
   const std::set<std::string> named(keys->begin(), keys->end());
   resolve_files(task, named, as_if.empty() ? path : as_if);
   task.given.insert(named.begin(), named.end());
@@ -122,7 +122,7 @@ Outcome<Run> run_task(const Job& job, JobTask& task, const RunWatch& watch) {
   const auto done = task.run(run, watch);
   for (LogSink* sink : watch.sinks) run.log.remove_sink(*sink);
   if (!done && done.error().code == FaultCode::cancelled) return cancelled(done.error().sentence);
-  if (!done) return tl::unexpected<Fault>(done.error());
+  if (!done) return pass_on(done);
   Report& report = run.report;
   report.job = job.name;
   report.warnings.insert(report.warnings.begin(), warnings->begin(), warnings->end());
@@ -133,7 +133,7 @@ Outcome<Run> run_task(const Job& job, JobTask& task, const RunWatch& watch) {
 Outcome<Run> run_job(const std::vector<Job>& jobs, const std::string& scenario_path, const Changes& changes,
                      const RunWatch& watch) {
   const auto job = job_of_scenario(jobs, scenario_path);
-  if (!job) return tl::unexpected<Fault>(job.error());
+  if (!job) return pass_on(job);
   const auto task = job->blank();
   if (auto ok = read_scenario(*task, scenario_path); !ok) return pass_on(ok);
   if (auto ok = change(*task, changes); !ok) return pass_on(ok);

@@ -31,7 +31,7 @@ Outcome<WrittenFiles> write_run(Run& run, RunLog& log, const std::string& folder
   const std::string result = result_text(run);
   add("result", "run.json", result);
   const auto log_path = log.finish(result);
-  if (!log_path) return tl::unexpected<Fault>(log_path.error());
+  if (!log_path) return pass_on(log_path);
   if (!log_path->empty()) {
     complete.push_back({folder + "/run.mcap", *log_path});
     written.emplace_back("log", complete.back().path);

@@ -50,7 +50,7 @@ Outcome<LogCopy> copy_log(LogReader& from, McapWriter& to, const std::function<b
     const Route& route = (*routes)[message.channel];
     if (route.converter) {
       const auto cdr = route.converter->convert(message.data);
-      if (!cdr) return tl::unexpected<Fault>(cdr.error());
+      if (!cdr) return pass_on(cdr);
       if (auto ok = to.write(route.to, message.time_ns, *cdr); !ok) return pass_on(ok);
     } else if (auto ok = to.write(route.to, message.time_ns, message.data); !ok) {
       return pass_on(ok);

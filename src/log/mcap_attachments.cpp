@@ -56,7 +56,7 @@ Outcome<std::vector<LogAttachment>> read_attachments(const ByteSource& source) {
   if (!start) return pass_on(start);
   if (!is_mcap(*start)) return bad_input("it is not an MCAP file: it does not start as one", source.name());
   const auto footer = mcap::read_footer(source);
-  if (!footer) return tl::unexpected<Fault>(footer.error());
+  if (!footer) return pass_on(footer);
   mcap::RecordWalker walker(source, mcap::magic.size(), mcap::end_of_data(source, *footer));
   auto all = collect(source, walker);
   if (all && *footer && !walker.at_end()) {
@@ -67,7 +67,7 @@ Outcome<std::vector<LogAttachment>> read_attachments(const ByteSource& source) {
 
 Outcome<std::vector<LogAttachment>> read_attachments(const std::string& path) {
   const auto source = open_file_source(path);
-  if (!source) return tl::unexpected<Fault>(source.error());
+  if (!source) return pass_on(source);
   return read_attachments(**source);
 }
 

@@ -16,7 +16,7 @@ Outcome<Chunk> read_chunk(const ByteSource& source, std::uint64_t offset, std::u
         fmt::format("a chunk has {} bytes, more than the {} that are read", length, largest_record_bytes));
   }
   const auto bytes = source.read(offset, head_bytes + length);
-  if (!bytes) return tl::unexpected<Fault>(bytes.error());
+  if (!bytes) return pass_on(bytes);
   ByteReader head(*bytes);
   if (head.number<std::uint8_t>() != static_cast<std::uint8_t>(Op::chunk) ||
       head.number<std::uint64_t>() != length) {

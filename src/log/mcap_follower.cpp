@@ -43,7 +43,7 @@ Status McapFollower::State::reopen() {
 Status McapFollower::State::skip_magic() {
   if (position > 0 || source->size() < mcap::magic.size()) return {};
   const auto start = source->read(0, mcap::magic.size());
-  if (!start) return tl::unexpected<Fault>(start.error());
+  if (!start) return pass_on(start);
   if (*start != mcap::magic) return bad_input("it does not begin as an MCAP file; name another", path);
   position = mcap::magic.size();
   return {};
@@ -55,7 +55,7 @@ Status McapFollower::State::find_part() {
   mcap::RecordWalker walker(*source, position, source->size());
   for (;;) {
     const auto record = walker.next();
-    if (!record) return tl::unexpected<Fault>(record.error());
+    if (!record) return pass_on(record);
     if (!*record) return {};
     const mcap::Op op = (*record)->op;
     ended = op == mcap::Op::data_end || op == mcap::Op::footer;
@@ -120,7 +120,7 @@ Status McapFollower::read(const std::function<void(const LogMessage&)>& on_messa
   State& s = *state_;
   if (!s.part) return {};
   const auto records = s.records_of_part();
-  if (!records) return tl::unexpected<Fault>(records.error());
+  if (!records) return pass_on(records);
   const std::string complaint = mcap::for_each_record(
       *records, [&](mcap::Op op, std::string_view content) { return s.define(op, content); },
       [&](const mcap::MessageRecord& message) { return s.pass(message, on_message); });

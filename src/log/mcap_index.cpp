@@ -143,7 +143,7 @@ Status IndexBuilder::add_chunk(const RecordHead& record) {
 Status IndexBuilder::scan_chunk(const RecordHead& record) {
   unlisted_ = true;
   const auto chunk = read_chunk(source_, record.offset, record.length, largest_chunk_bytes);
-  if (!chunk) return tl::unexpected<Fault>(chunk.error());
+  if (!chunk) return pass_on(chunk);
   Piece piece{record.offset, head_bytes + record.length, std::numeric_limits<std::uint64_t>::max(), 0, true};
   const auto on_definition = [&](Op op, std::string_view content) {
     return has_summary_ ? index_.table.find(op, content) : index_.table.add(op, content);
@@ -192,7 +192,7 @@ Status IndexBuilder::end_data(const RecordHead& record) {
   // Some writers count from the start of the file, some from the end of the header.
   for (const std::uint64_t start : {std::uint64_t{0}, header_end_}) {
     const auto crc = crc32_of_range(source_, start, record.offset);
-    if (!crc) return tl::unexpected<Fault>(crc.error());
+    if (!crc) return pass_on(crc);
     if (*crc == *stated) return {};
   }
   return damaged(source_, record.offset, "the checksum of the data is wrong");

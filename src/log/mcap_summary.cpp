@@ -36,7 +36,7 @@ bool belongs_to_data(Op op) {
 Status check_crc(const ByteSource& source, const FooterRecord& footer) {
   if (footer.summary_crc == 0) return {};
   const auto crc = crc32_of_range(source, footer.summary_start, source.size() - magic.size() - 4);
-  if (!crc) return tl::unexpected<Fault>(crc.error());
+  if (!crc) return pass_on(crc);
   if (*crc != footer.summary_crc)
     return damaged(source, footer.summary_start, "the checksum of the summary is wrong");
   return {};
@@ -73,7 +73,7 @@ Outcome<FileSummary> read_summary(const ByteSource& source, const FooterRecord& 
   RecordWalker walker(source, footer.summary_start, source.size() - tail_bytes);
   while (true) {
     const auto record = walker.next();
-    if (!record) return tl::unexpected<Fault>(record.error());
+    if (!record) return pass_on(record);
     if (!*record) break;
     if (belongs_to_data((*record)->op)) {
       return damaged(source, (*record)->offset, "a record lies in the summary that does not belong there");

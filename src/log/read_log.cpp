@@ -84,7 +84,7 @@ Outcome<StoredLog> read_log(const std::string& path) {
   if (!reader) return pass_on(reader);
   if (auto ok = check_topics((*reader)->channels(), path); !ok) return pass_on(ok);
   const auto decoders = decoders_of((*reader)->channels(), path);
-  if (!decoders) return tl::unexpected<Fault>(decoders.error());
+  if (!decoders) return pass_on(decoders);
   StoredLog stored;
   std::size_t bytes = 0;
   while (true) {

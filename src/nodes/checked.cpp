@@ -80,7 +80,7 @@ Outcome<Grid<std::uint8_t>> checked_map(const nav_msgs::OccupancyGrid& map) {
                                  static_cast<double>(map.info.resolution)));
   }
   const auto origin = plane_pose(map.info.origin);
-  if (!origin) return tl::unexpected<Fault>(origin.error());
+  if (!origin) return pass_on(origin);
   if (std::abs(origin->heading_rad) > upright) {
     return bad_input(fmt::format("the map is turned by {:.2f} degrees; only maps along the axes are taken",
                                  degrees(origin->heading_rad)));
@@ -116,7 +116,7 @@ Outcome<std::vector<Pose2>> checked_path(const nav_msgs::Path& path) {
   poses.reserve(path.poses.size());
   for (const geometry_msgs::PoseStamped& stamped : path.poses) {
     const auto pose = plane_pose(stamped.pose);
-    if (!pose) return tl::unexpected<Fault>(pose.error());
+    if (!pose) return pass_on(pose);
     poses.push_back(*pose);
   }
   return poses;

@@ -40,7 +40,7 @@ ExploreMissionNode::ExploreMissionNode(ExploreMissionNodeOptions options)
 Status ExploreMissionNode::take_scan(const sensor_msgs::LaserScan& scan) {
   const std::optional<double> before_s = scans_.newest_s();
   const auto time_s = scans_.take(scan.header.stamp);
-  if (!time_s) return tl::unexpected<Fault>(time_s.error());
+  if (!time_s) return pass_on(time_s);
   if (auto ok = check(scan_of(scan, false, *time_s)); !ok) return ok;
   if (before_s == *time_s) return {};
   scan_came_s_ = now_s();

@@ -73,7 +73,7 @@ ExplorerNode::ExplorerNode(ExplorerNodeOptions options)
 Status ExplorerNode::take_map(const nav_msgs::OccupancyGrid& map) {
   if (auto time_s = maps_.take(map.header.stamp); !time_s) return pass_on(time_s);
   const auto grid = checked_map(map);
-  if (!grid) return tl::unexpected<Fault>(grid.error());
+  if (!grid) return pass_on(grid);
   if (beginning_.is_another(map) && !over_) {
     over_ = true;
     set_status(NodeLevel::error, "map_lost",

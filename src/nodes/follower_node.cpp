@@ -79,7 +79,7 @@ Status FollowerNode::take_plan(const nav_msgs::Path& path) {
     return {};
   }
   const auto poses = checked_path(path);
-  if (!poses) return tl::unexpected<Fault>(poses.error());
+  if (!poses) return pass_on(poses);
   PathProgress next;
   for (const Pose2& pose : *poses) next.points.push_back(pose.position);
   if (!path_ || path_->points.back() != next.points.back()) moved_on_s_ = now_s();
@@ -91,7 +91,7 @@ Status FollowerNode::take_plan(const nav_msgs::Path& path) {
 Status FollowerNode::take_odometry(const nav_msgs::Odometry& odometry) {
   const std::optional<double> before_s = odometries_.newest_s();
   const auto time_s = odometries_.take(odometry.header.stamp);
-  if (!time_s) return tl::unexpected<Fault>(time_s.error());
+  if (!time_s) return pass_on(time_s);
   if (auto ok = frames_.add(odometry); !ok) return ok;
   const geometry_msgs::Twist& twist = odometry.twist.twist;
   if (!std::isfinite(twist.linear.x) || !std::isfinite(twist.angular.z))

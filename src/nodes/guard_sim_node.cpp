@@ -55,7 +55,7 @@ std::size_t GuardSimNode::hits() const { return static_cast<std::size_t>(std::ra
 
 Status GuardSimNode::take_aim(const sensor_msgs::JointState& message) {
   const auto joints = joints_of(message);
-  if (!joints) return tl::unexpected<Fault>(joints.error());
+  if (!joints) return pass_on(joints);
   const auto& to = *joints;
   if (!to) return bad_input("it does not name the joints 'yaw' and 'pitch'");
   const GunModel& gun = yard_->problem.gun;

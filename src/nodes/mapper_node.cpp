@@ -124,7 +124,7 @@ std::vector<KeptScan> MapperNode::kept_scans() const {
 
 Status MapperNode::take_scan(const sensor_msgs::LaserScan& scan) {
   const auto time_s = scans_.take(scan.header.stamp);
-  if (!time_s) return tl::unexpected<Fault>(time_s.error());
+  if (!time_s) return pass_on(time_s);
   if (auto ok = check(scan_of(scan, false, *time_s)); !ok) return ok;
   if (waiting_.size() == most_waiting) waiting_.pop_front();
   waiting_.push_back({*time_s, scan});
@@ -156,7 +156,7 @@ Status MapperNode::map(const Waiting& waiting) {
                     excerpt(waiting.scan.header.frame_id), options_.frames.base));
   }
   const auto level = scan_mount(*mount);
-  if (!level) return tl::unexpected<Fault>(level.error());
+  if (!level) return pass_on(level);
   const auto odometry = frames_.odom_T_robot(waiting.time_s);
   if (!odometry) return bad_input("its odometry is not finite");
   const LaserScan scan = scan_of(waiting.scan, level->upside_down, waiting.time_s);

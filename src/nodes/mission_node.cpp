@@ -94,7 +94,7 @@ void MissionNode::listen_to_pose() {
 Status MissionNode::take_odometry(const nav_msgs::Odometry& odometry) {
   const std::optional<double> before_s = odometries_.newest_s();
   const auto time_s = odometries_.take(odometry.header.stamp);
-  if (!time_s) return tl::unexpected<Fault>(time_s.error());
+  if (!time_s) return pass_on(time_s);
   if (auto ok = frames_.add(odometry); !ok) return ok;
   if (before_s != *time_s) odometry_came_s_ = now_s();
   odometry_came();

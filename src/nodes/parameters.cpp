@@ -105,7 +105,7 @@ NodeService service(std::string name, std::function<Response(const Request&)> an
   return {std::move(name), &message_type<Request>(), &message_type<Response>(),
           [answer = std::move(answer)](std::string_view cdr) -> Outcome<std::string> {
             const auto request = decode<Request>(MessageEncoding::cdr, cdr);
-            if (!request) return tl::unexpected<Fault>(request.error());
+            if (!request) return pass_on(request);
             if (const std::size_t count = count_of(*request); count > most_parameters_asked) {
               return bad_input(fmt::format("the request names {} parameters; ask for at most {} at once",
                                            count, most_parameters_asked));

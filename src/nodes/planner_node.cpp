@@ -49,7 +49,7 @@ PlannerNode::PlannerNode(PlannerNodeOptions options)
 Status PlannerNode::take_map(const nav_msgs::OccupancyGrid& map) {
   if (auto time_s = maps_.take(map.header.stamp); !time_s) return pass_on(time_s);
   const auto grid = checked_map(map);
-  if (!grid) return tl::unexpected<Fault>(grid.error());
+  if (!grid) return pass_on(grid);
   if (beginning_.is_another(map)) {
     goal_.reset();
     ground_ = TraversabilityGrid(options_.ground, options_.radius_m);
@@ -72,7 +72,7 @@ Status PlannerNode::take_goal(const geometry_msgs::PoseStamped& goal) {
                                  excerpt(goal.header.frame_id), options_.frames.map));
   }
   const auto pose = plane_pose(goal.pose);
-  if (!pose) return tl::unexpected<Fault>(pose.error());
+  if (!pose) return pass_on(pose);
   if (goal_ == *pose) return {};  // it was sent again
   goal_ = *pose;
   planned_s_ = -1e9;

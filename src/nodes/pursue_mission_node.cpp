@@ -78,9 +78,9 @@ PursueMissionNode::~PursueMissionNode() = default;
 Status PursueMissionNode::take_target(const geometry_msgs::PoseStamped& target) {
   const std::optional<double> before_s = targets_.newest_s();
   const auto time_s = targets_.take(target.header.stamp);
-  if (!time_s) return tl::unexpected<Fault>(time_s.error());
+  if (!time_s) return pass_on(time_s);
   const auto pose = plane_pose(target.pose);
-  if (!pose) return tl::unexpected<Fault>(pose.error());
+  if (!pose) return pass_on(pose);
   if (!task_.problem.costs->contains(cell_of(pose->position)))
     return bad_input(
         fmt::format("the target is at {:g}, {:g}, outside of the map", pose->position.x, pose->position.y));

@@ -33,7 +33,7 @@ Status RemoteGun::take(const sensor_msgs::JointState& message, double now_s) {
   if (!*joints) return {};
   const std::optional<double> before_s = stamps_.newest_s();
   const auto time_s = stamps_.take(message.header.stamp);
-  if (!time_s) return tl::unexpected<Fault>(time_s.error());
+  if (!time_s) return pass_on(time_s);
   joints_ = *joints;
   if (before_s != *time_s) came_s_ = now_s;  // the same once more is not new
   return {};

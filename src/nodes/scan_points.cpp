@@ -14,14 +14,14 @@ namespace outrider {
 Status ScanPoints::take(const sensor_msgs::LaserScan& message, const RobotFrames& frames, double now_s) {
   const std::optional<double> before_s = stamps_.newest_s();
   const auto time_s = stamps_.take(message.header.stamp);
-  if (!time_s) return tl::unexpected<Fault>(time_s.error());
+  if (!time_s) return pass_on(time_s);
   const auto mount_pose = frames.robot_T(message.header.frame_id);
   if (!mount_pose) {
     return bad_input(fmt::format("no transform says where '{}' is on '{}'", excerpt(message.header.frame_id),
                                  frames.names().base));
   }
   const auto mount = scan_mount(*mount_pose);
-  if (!mount) return tl::unexpected<Fault>(mount.error());
+  if (!mount) return pass_on(mount);
   const LaserScan scan = scan_of(message, mount->upside_down, *time_s);
   if (auto ok = check(scan); !ok) return ok;
   points_.clear();

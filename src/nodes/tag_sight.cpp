@@ -64,7 +64,7 @@ void TagSight::see(double taken_s, std::vector<TagSighting> sightings) {
 
 Status TagSight::take(const sensor_msgs::Image& message) {
   const auto taken_s = images_.take(message.header.stamp);
-  if (!taken_s) return tl::unexpected<Fault>(taken_s.error());
+  if (!taken_s) return pass_on(taken_s);
   if (!camera_) return bad_input("no camera_info has come yet, and without it an image tells nothing");
   auto image = grey_image(message);
   if (!image) return pass_on(image);
@@ -78,7 +78,7 @@ Status TagSight::take(const sensor_msgs::Image& message) {
 
 Status TagSight::take(const apriltag_msgs::AprilTagDetectionArray& message) {
   const auto taken_s = detections_.take(message.header.stamp);
-  if (!taken_s) return tl::unexpected<Fault>(taken_s.error());
+  if (!taken_s) return pass_on(taken_s);
   if (!camera_) return bad_input("no camera_info has come yet, and without it detections tell nothing");
   if (message.detections.size() > most_detections) {
     return bad_input(

@@ -153,13 +153,13 @@ Outcome<RosReader> RosNode::reader_on_wire(const std::string& topic, const Messa
 
 Outcome<RosWriter> RosNode::writer(const std::string& topic, const MessageType& type, Delivery qos) {
   const auto name = resolve_topic(topic);
-  if (!name) return tl::unexpected<Fault>(name.error());
+  if (!name) return pass_on(name);
   return writer_on_wire(topic_on_wire(*name), type, qos);
 }
 
 Outcome<RosReader> RosNode::reader(const std::string& topic, const MessageType& type, Delivery qos) {
   const auto name = resolve_topic(topic);
-  if (!name) return tl::unexpected<Fault>(name.error());
+  if (!name) return pass_on(name);
   return reader_on_wire(topic_on_wire(*name), type, qos);
 }
 

@@ -86,7 +86,7 @@ Outcome<std::vector<RosService>> parameter_services(RosNode& network, const RosN
                                                     const std::vector<OptionGroup>& parameters) {
   std::vector<RosService> services;
   const auto node = resolve_topic(as.node, as);
-  if (!node) return tl::unexpected<Fault>(node.error());
+  if (!node) return pass_on(node);
   for (NodeService& service : NodeParameters(parameters).services()) {
     auto opened = RosService::open(network, *node, std::move(service));
     if (!opened) return pass_on(opened);
@@ -103,7 +103,7 @@ Status run_node(Node& node, const RunNodeOptions& options, const std::stop_token
   if (!space) return pass_on(space);
   const RosNamespace as{*space, node.name()};
   const auto names = TopicNames::of(as, options.renames);
-  if (!names) return tl::unexpected<Fault>(names.error());
+  if (!names) return pass_on(names);
   auto network = RosNode::open(options.network);
   if (!network) return pass_on(network);
   auto wiring = wire(*network, node, *names, options.faults);

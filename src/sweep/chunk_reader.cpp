@@ -8,18 +8,18 @@ namespace outrider {
 Status ChunkReader::for_each_text(
     const std::function<Status(std::uint64_t chunk, const ChunkText& text, const std::string& path)>& use) {
   const auto manifest = manifest_in(folder_);
-  if (!manifest) return tl::unexpected<Fault>(manifest.error());
+  if (!manifest) return pass_on(manifest);
   const std::string origin = manifest_hash(*manifest);
   for (std::uint64_t chunk = 0; chunk < sweep_->chunks(); ++chunk) {
     const std::string path = chunk_path(folder_, chunk);
     const auto text = read_file(path);
-    if (!text) return tl::unexpected<Fault>(text.error());
+    if (!text) return pass_on(text);
     if (!checked_[chunk]) {
       if (auto ok = check_chunk(*sweep_, chunk, origin, *text, path); !ok) return ok;
       checked_[chunk] = true;
     }
     const auto split = split_chunk(*sweep_, chunk, *text, path);
-    if (!split) return tl::unexpected<Fault>(split.error());
+    if (!split) return pass_on(split);
     if (auto ok = use(chunk, *split, path); !ok) return ok;
   }
   return {};
@@ -28,7 +28,7 @@ Status ChunkReader::for_each_text(
 Status ChunkReader::for_each_table(const std::function<void(const SweepTable&)>& use) {
   return for_each_text([&](std::uint64_t chunk, const ChunkText& text, const std::string& path) -> Status {
     const auto table = read_rows(*sweep_, chunk, text, path);
-    if (!table) return tl::unexpected<Fault>(table.error());
+    if (!table) return pass_on(table);
     use(*table);
     return {};
   });

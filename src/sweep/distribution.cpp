@@ -155,7 +155,7 @@ Outcome<Varied> parse_varied(std::string_view text) {
   std::string_view rest = trimmed(text.substr(equals + 1));
   for (;;) {
     const auto more = take_distribution(rest, varied);
-    if (!more) return tl::unexpected<Fault>(more.error());
+    if (!more) return pass_on(more);
     if (!*more) break;
   }
   if (!varied.parts.empty()) {

@@ -180,7 +180,7 @@ std::string manifest_path(const std::string& folder) { return folder + "/manifes
 
 Outcome<Manifest> manifest_in(const std::string& folder) {
   const auto text = read_file(manifest_path(folder));
-  if (!text) return tl::unexpected<Fault>(text.error());
+  if (!text) return pass_on(text);
   return read_manifest(*text, manifest_path(folder));
 }
 

@@ -49,7 +49,7 @@ Status write_merged(ChunkReader& chunks, const std::vector<std::string>& metrics
       [&](std::uint64_t chunk, const ChunkText& text, const std::string& path) -> Status {
         if (text.metrics == metrics) return write(text.lines);  // as they are
         const auto table = read_rows(chunks.sweep(), chunk, text, path);
-        if (!table) return tl::unexpected<Fault>(table.error());
+        if (!table) return pass_on(table);
         return write(widened(*table, fixed, metrics));
       });
 }
@@ -58,7 +58,7 @@ Status write_merged(ChunkReader& chunks, const std::vector<std::string>& metrics
 
 Outcome<std::string> merge_chunks(ChunkReader& chunks) {
   const auto metrics = all_metrics(chunks);
-  if (!metrics) return tl::unexpected<Fault>(metrics.error());
+  if (!metrics) return pass_on(metrics);
   const std::string part = chunks.folder() + "/table.part";
   auto lock = FileLock::take(part);
   if (!lock) return pass_on(lock);

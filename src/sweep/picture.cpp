@@ -254,7 +254,7 @@ Outcome<std::string> sweep_picture(ChunkReader& chunks, const SweepSummary& summ
   const std::size_t keys = names.size();
   for (const std::size_t i : shown) names.push_back(summary.sides[0].metrics[i].name);
   const auto columns = read_columns(chunks, names);
-  if (!columns) return tl::unexpected<Fault>(columns.error());
+  if (!columns) return pass_on(columns);
   std::vector<Axis> axes;
   for (std::size_t i = 0; i < keys; ++i) axes.push_back(axis_of(sweep, (*columns)[i]));
   std::erase_if(axes, [](const Axis& axis) { return axis.labels.empty(); });

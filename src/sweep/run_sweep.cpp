@@ -45,7 +45,7 @@ Status keep(Run& run, const std::string& folder, const std::string& scenario) {
   run.log.add_sink(file);
   const auto written = write_run(run, file, folder);
   run.log.remove_sink(file);
-  if (!written) return tl::unexpected<Fault>(written.error());
+  if (!written) return pass_on(written);
   return {};
 }
 
@@ -167,7 +167,7 @@ Status begin_sweep(const Manifest& manifest, const std::string& folder) {
     if (auto ok = write_file(path, manifest_text(manifest)); !ok) return ok;
   } else {
     const auto begun = manifest_in(folder);
-    if (!begun) return tl::unexpected<Fault>(begun.error());
+    if (!begun) return pass_on(begun);
     if (auto ok = check_same(*begun, manifest, path); !ok) return ok;
   }
   return make_folder(folder + "/chunks");
@@ -187,7 +187,7 @@ Outcome<SweepResult> run_one(const Sweep& sweep, std::uint64_t number, const Swe
 Outcome<std::vector<std::uint64_t>> compute_chunks(const Sweep& sweep, const SweepWork& work,
                                                    const SweepWatch& watch) {
   const auto manifest = manifest_in(work.folder);
-  if (!manifest) return tl::unexpected<Fault>(manifest.error());
+  if (!manifest) return pass_on(manifest);
   const std::string origin = manifest_hash(*manifest);
   std::uint64_t left = 0;
   for (std::uint64_t chunk = work.first_chunk; chunk < work.end_chunk && !watch.stop.stop_requested();

@@ -193,7 +193,7 @@ Outcome<SweepSummary> summarise(ChunkReader& chunks) {
         summary.done[run] = false;
         reasons.add(run, status, reason);
       });
-  if (!outcomes) return tl::unexpected<Fault>(outcomes.error());
+  if (!outcomes) return pass_on(outcomes);
   reasons.finish(summary);
   std::vector<Subset> sets;
   for (std::uint64_t side = 0; side < sweep.sides(); ++side) {
@@ -214,7 +214,7 @@ Outcome<SweepSummary> summarise(ChunkReader& chunks) {
     const std::size_t end = std::min(begin + at_once, outcomes->metrics.size());
     const auto columns = read_columns(chunks, {outcomes->metrics.begin() + static_cast<std::ptrdiff_t>(begin),
                                                outcomes->metrics.begin() + static_cast<std::ptrdiff_t>(end)});
-    if (!columns) return tl::unexpected<Fault>(columns.error());
+    if (!columns) return pass_on(columns);
     add_metrics(sweep, sets, runs, *columns, summary);
   }
   if (sweep.sides() == 2) summary.paired_done = paired_done_of(sweep, *outcomes);

@@ -58,5 +58,9 @@ template <class T>
 tl::unexpected<Fault> pass_on(Outcome<T>& outcome) {
   return tl::unexpected<Fault>(std::move(outcome.error()));
 }
+template <class T>
+tl::unexpected<Fault> pass_on(const Outcome<T>& outcome) {
+  return tl::unexpected<Fault>(outcome.error());
+}
 
 }  // namespace outrider

@@ -95,7 +95,7 @@ class Node {
     inputs_.push_back({std::move(topic), &message_type<Message>(), delivery});
     handlers_.push_back([handle = std::move(handle)](std::string_view cdr) -> Status {
       const auto message = decode<Message>(MessageEncoding::cdr, cdr);
-      if (!message) return tl::unexpected<Fault>(message.error());
+      if (!message) return pass_on(message);
       return handle(*message);
     });
   }

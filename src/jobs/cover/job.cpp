@@ -141,7 +141,7 @@ Status CoverJob::run(Run& run, const RunWatch& watch) {
   RunSteps steps(watch, 3);
   const auto promise =
       plan_and_prove(*task, scenario.options, plan_key(options(), {"seed", "faults"}), steps, watch);
-  if (!promise) return tl::unexpected<Fault>(promise.error());
+  if (!promise) return pass_on(promise);
   CoverRun driven{(*promise)->plan, (*promise)->proof, {}, {}, {}, {}};
   const CoverPlan& planned = driven.plan;
   driven.bound = time_bound(planned.track, problem.pace, problem.tracking_error_m, scenario.error_factor);

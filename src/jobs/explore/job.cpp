@@ -30,10 +30,10 @@ Status ExploreJob::run(Run& run, const RunWatch& watch) {
   if (auto ok = steps.next("exploring"); !ok) return ok;
   auto explored = run_explore(setup->world, setup->task, setup->sim,
                               static_cast<std::uint64_t>(scenario.seed), run.log, steps.inner());
-  if (!explored) return tl::unexpected<Fault>(explored.error());
+  if (!explored) return pass_on(explored);
   run.report = std::move(explored->report);
   auto map = map_server_text({explored->map, 0.0}, "map.pgm");
-  if (!map) return tl::unexpected<Fault>(map.error());
+  if (!map) return pass_on(map);
   run.files = {{"track.csv", track_csv(explored->track)},
                {"map.pgm", std::move(map->image)},
                {"map.yaml", std::move(map->yaml)}};

@@ -213,7 +213,7 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
   SimulatedRobot robot = simulated_explorer(world, given.start, given.robot, params, seed);
   const auto reference = exploration_reference(robot.devices().laser->finder(),
                                                robot.body<TwistBody>().ground(), given.start.position);
-  if (!reference) return tl::unexpected<Fault>(reference.error());
+  if (!reference) return pass_on(reference);
   auto begun = begin(bounded(given, *reference, params.laser));
   if (!begun) return pass_on(begun);
   TimedMission timed{std::move(*begun)};

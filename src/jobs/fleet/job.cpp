@@ -36,7 +36,7 @@ Status FleetJob::run(Run& run, const RunWatch& watch) {
     run.report.status = "not_done";
     run.report.reason = plan.error().sentence;
   } else {
-    return tl::unexpected<Fault>(plan.error());
+    return pass_on(plan);
   }
   log_fleet(run.log, *problem, scenario, plan ? &*plan : nullptr);
   run.report.world_name = printable(std::filesystem::path(scenario.map).filename().string());

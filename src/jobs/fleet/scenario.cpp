@@ -29,9 +29,9 @@ Outcome<std::vector<Vec2>> points_of_key(const std::string& text, const std::str
 
 Status set_ends(const FleetScenario& scenario, FleetProblem& problem) {
   auto starts = points_of_key(scenario.starts, "starts");
-  if (!starts) return tl::unexpected<Fault>(starts.error());
+  if (!starts) return pass_on(starts);
   auto goals = points_of_key(scenario.goals, "goals");
-  if (!goals) return tl::unexpected<Fault>(goals.error());
+  if (!goals) return pass_on(goals);
   if (starts->empty()) {
     return bad_input("it is missing; give x,y for each robot, or agents, a scenario of MovingAI", "starts");
   }
@@ -49,7 +49,7 @@ Status read_agents(const FleetScenario& scenario, FleetProblem& problem) {
   if (!scenario.starts.empty() || !scenario.goals.empty())
     return bad_input("it stands beside starts or goals; give one or the other", "agents");
   auto rows = load_movingai_scenario(scenario.agents);
-  if (!rows) return tl::unexpected<Fault>(rows.error());
+  if (!rows) return pass_on(rows);
   const GridFrame& frame = problem.grid->frame;
   const auto count = scenario.robots == 0 ? rows->size() : static_cast<std::size_t>(scenario.robots);
   if (count > rows->size()) {

@@ -50,7 +50,7 @@ Status PlanJob::run(Run& run, const RunWatch& watch) {
   RunSteps steps(watch, 1 + static_cast<int>(task->planners.size()));
   if (auto ok = steps.next("preparing the map"); !ok) return ok;
   const auto question = question_of(*task, watch.stop);
-  if (!question) return tl::unexpected<Fault>(question.error());
+  if (!question) return pass_on(question);
   if (question->queries.size() == 1) {
     if (auto ok = check_query(*question->ground, question->queries.front()); !ok) return ok;
   }
@@ -62,7 +62,7 @@ Status PlanJob::run(Run& run, const RunWatch& watch) {
               .index_file = task->settled.index,
               .before = [&](std::string_view planner) { return steps.next(std::string(planner)); }},
              watch.budget());
-  if (!found) return tl::unexpected<Fault>(found.error());
+  if (!found) return pass_on(found);
   if (auto ok = check_single(*found); !ok) return ok;
   run.report = plan_report(*question, *found);
   log_answer(run.log, *task, *question, *found, traces ? &trace : nullptr);

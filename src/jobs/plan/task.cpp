@@ -71,16 +71,16 @@ Status set_costs(PlanTask& task) {
   PlanCostOptions& costs = task.ground.costs;
   if (!scenario.costs.empty()) {
     auto map = load_cost_map(scenario.costs, scenario.cost_of_black);
-    if (!map) return tl::unexpected<Fault>(map.error());
+    if (!map) return pass_on(map);
     costs.map = std::make_shared<const CostMap>(std::move(*map));
   }
   costs.per_slope = scenario.slope_cost;
   if (costs.per_slope == 0.0) return {};
   if (!scenario.terrain.empty()) {
     const auto text = read_file(scenario.terrain);
-    if (!text) return tl::unexpected<Fault>(text.error());
+    if (!text) return pass_on(text);
     auto terrain = terrain_from_grid(*text, scenario.terrain);
-    if (!terrain) return tl::unexpected<Fault>(terrain.error());
+    if (!terrain) return pass_on(terrain);
     costs.terrain = std::make_shared<const HeightField>(std::move(*terrain));
     return {};
   }

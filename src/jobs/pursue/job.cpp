@@ -65,7 +65,7 @@ Status PursueJob::run(Run& run, const RunWatch& watch) {
       scenario.faults, static_cast<std::uint64_t>(scenario.seed));
   constexpr double never = std::numeric_limits<double>::quiet_NaN();
   if (!pursued) {
-    if (!is_proven_impossible(pursued.error())) return tl::unexpected<Fault>(pursued.error());
+    if (!is_proven_impossible(pursued.error())) return pass_on(pursued);
     run.report = pursuit_report(pursued.error(), name);
     run.report.machine_times = {
         {"first_feasible_s", never}, {"planning_s", laps.lap_s()}, {"peak_mib", peak_mib()}};

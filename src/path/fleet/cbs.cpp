@@ -137,7 +137,7 @@ class Tree {
     std::uint64_t cost = 0;
     for (std::size_t robot = 0; robot < query_.robots(); ++robot) {
       auto track = track_of(query_, robot, Constraints{}, memory_, meter_);
-      if (!track) return tl::unexpected<Fault>(track.error());
+      if (!track) return pass_on(track);
       cost += track->size() - 1;
       alone_.push_back(std::move(*track));
     }

@@ -188,7 +188,7 @@ template <class Index>
 Status load_index(const std::shared_ptr<const GridMap>& ground, const StoredIndex& stored,
                   std::int64_t hub_memory_mib, Workspace& workspace) {
   const auto content = content_of(stored, {Index::planner, text_of_options(hub_memory_mib), *ground});
-  if (!content) return tl::unexpected<Fault>(content.error());
+  if (!content) return pass_on(content);
   IndexReader reader(*content);
   auto index = Index::read(reader, *ground);
   if (index == nullptr && !holds_none(*content)) return damaged_index();

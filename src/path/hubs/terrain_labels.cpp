@@ -157,7 +157,7 @@ Outcome<std::string> save_terrain_labels(const IndexedGround& ground, const Terr
 Status load_terrain_labels(const IndexedGround& ground, const StoredIndex& stored,
                            const TerrainLabelsOptions& options, Workspace& workspace) {
   const auto content = hub_labelling::content_of(stored, hub_labelling::key_of(ground, options));
-  if (!content) return tl::unexpected<Fault>(content.error());
+  if (!content) return pass_on(content);
   hub_labelling::IndexReader reader(*content);
   auto index = hub_labelling::TerrainIndex::read(reader, *ground.grid);
   if (index == nullptr && !hub_labelling::holds_none(*content)) return hub_labelling::damaged_index();
