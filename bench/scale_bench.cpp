@@ -158,7 +158,7 @@ void print(const std::string& map, const PathPlanner& planner, const Measured& m
   std::fflush(stdout);
 }
 
-/// What is measured.
+/// The maps and planners that are measured.
 struct Selection {
   std::vector<int> sides;
   std::vector<std::string> maps, planners;

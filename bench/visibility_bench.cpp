@@ -41,7 +41,7 @@ std::vector<Vec2> loop_of(std::multimap<std::pair<int, int>, Cell>& sides, Cell 
   Cell at = from, last{};
   do {
     const auto [begin, end] = sides.equal_range({at.x, at.y});
-    // Where two loops touch, turns left, around the same blocked cell.
+    // At a corner where two loops touch, the loop turns left, around the same blocked cell.
     auto next = begin;
     for (auto side = begin; side != end; ++side) {
       if (side->second == (last == Cell{} ? step : Cell{-last.y, last.x})) next = side;

@@ -1,5 +1,5 @@
-// What compares, proves or bounds, but runs no robot: reference methods beside those of the library. `make
-// research` builds it into the tool; the library does not have it.
+// Reference methods beside those of the library: they compare, prove or bound, but run no robot. `make
+// research` builds them into the tool; the library does not have them.
 #pragma once
 
 namespace outrider {

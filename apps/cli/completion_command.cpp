@@ -1,4 +1,5 @@
-// What a shell and `man` know of the tool: both are written from the descriptions of its commands.
+// The shell completion and the manual page of the tool. Both are written from the descriptions of its
+// commands.
 #include <fmt/format.h>
 
 #include <algorithm>

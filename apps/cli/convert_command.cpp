@@ -35,7 +35,7 @@ OptionGroup describe(ConvertCommand& command) {
             &command.topic}}};
 }
 
-/// What was converted.
+/// The result of a conversion.
 struct Converted {
   std::string what;  ///< "messages" or "poses"
   std::size_t count = 0;

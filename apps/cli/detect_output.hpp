@@ -1,4 +1,4 @@
-// What 'outrider detect' prints.
+// The output of 'outrider detect'.
 #pragma once
 
 #include <nlohmann/json.hpp>

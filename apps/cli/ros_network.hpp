@@ -12,7 +12,7 @@
 
 namespace outrider::cli {
 
-/// How a node is connected.
+/// The connection of a node to ROS 2.
 struct RosRequest {
   std::string space;                         ///< namespace
   std::vector<std::string> renames;          ///< from:=to

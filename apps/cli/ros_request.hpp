@@ -1,4 +1,4 @@
-// What the commands of nodes have in common.
+// The common parts of the commands of nodes.
 #pragma once
 
 #include <stop_token>

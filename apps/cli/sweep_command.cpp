@@ -180,7 +180,7 @@ class SweepLine {
   double shown_s_ = 0.0;
 };
 
-/// What the work cost. It differs from run to run and is only displayed.
+/// Returns the time and the memory that the work took. They differ from run to run and are only displayed.
 Json machine_json(const SweepProgress& progress, double begin_s) {
   rusage used{};
   ::getrusage(RUSAGE_SELF, &used);
@@ -192,7 +192,7 @@ Json machine_json(const SweepProgress& progress, double begin_s) {
           {"peak_mib", static_cast<double>(used.ru_maxrss) / 1024.0}};
 }
 
-/// What is printed in the end.
+/// The answer that is printed at the end.
 struct Answer {
   std::string status = "done";
   std::string reason = {};

@@ -31,7 +31,7 @@ std::string message_data(std::uint32_t subscription, std::int64_t time_ns, std::
 /// Returns the time of the run, in ns.
 std::string time(std::int64_t time_ns);
 
-/// What a client asks: to have the messages of a channel, or no more of them.
+/// A request of a client: to subscribe to the messages of a channel, or to end a subscription.
 struct Request {
   std::uint32_t subscription = 0;
   bool begins = false;        ///< subscribe, not unsubscribe

@@ -20,7 +20,7 @@
 
 namespace outrider::server {
 
-/// What state.json holds of a run.
+/// The content of state.json of a run.
 struct KeptRun {
   std::string id;
   std::string scenario;  ///< as the user named it

@@ -29,7 +29,7 @@ class PageViewer final : public Viewer {
  private:
   using Message = std::shared_ptr<const Json>;
 
-  /// Which run is watched, and up to where it was sent.
+  /// The run that is watched, and the parts of it that were sent.
   struct Watch {
     std::string run = {};
     std::uint64_t from = 0;        ///< number of the last message that was sent

@@ -1,4 +1,4 @@
-// What viewers get of a run: its messages and its live log while it runs, the files that it left afterwards.
+// The parts of a run that viewers get: its messages and its live log while it runs, its files afterwards.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a mission prints, read: its progress, and how it ended.
+// Reads the messages that a mission prints: its progress and its end.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -32,7 +32,7 @@ double median_us(const PeerRow& row) {
   return sorted[sorted.size() / 2];
 }
 
-/// What the answers of a task have in common.
+/// The best values among the answers to a task.
 struct Task {
   std::vector<double> least_cost;
   double least_mean_us = std::numeric_limits<double>::infinity();  ///< of Outrider

@@ -12,7 +12,7 @@ namespace outrider::bench {
 
 enum class Whose { ours, exact_peer, sampling_peer };
 
-/// What a solver said of each problem of a task.
+/// The answers of a solver to the problems of a task.
 struct PeerRow {
   std::string task;
   std::string solver;

@@ -18,7 +18,8 @@ double proven_cost(const TourProblem& problem) {
   return right ? tour->cost_s : std::numeric_limits<double>::infinity();
 }
 
-/// By CBC, with flows that keep the tour in one piece; one thread, no limit of time.
+/// Returns the least cost as proven by CBC, with flows that keep the tour in one piece; one thread, no time
+/// limit.
 double programmed_cost(const SupplyProblem& problem) {
   const auto programme = solve_by_programme(problem);
   return programme && programme->tour.proven_optimal ? programme->tour.cost_s

@@ -46,7 +46,7 @@ CoverRow measure(const CoverKind& kind, std::int64_t number, const CoverProblem&
   row.length_ratio = plan->sums.length_m / proof->length_bound_m;
   row.order_gap = std::max(0.0, 1.0 - plan->order_bound_s / plan->sums.time_s);
   row.complete = proof->complete;
-  // What leaves something out may be shorter than all that covers everything.
+  // A track that leaves something out may be shorter than every track that covers everything.
   if (row.complete && row.length_ratio < 1.0 - 2.0 * problem.uncovered)
     row.mismatch = "the track is below its lower bound";
   return row;

@@ -78,7 +78,7 @@ DriveTask course(const DriveSetup& setup, std::uint64_t number) {
   return task;
 }
 
-/// By how much the legs keep more clearance than the robot's radius.
+/// Returns the distance, m, by which the clearance of the legs exceeds the robot's radius.
 double leg_margin_m(const DriveTask& task) {
   std::vector<Vec2> points = {task.start.position};
   for (const Waypoint& waypoint : task.waypoints) points.push_back(waypoint.pose.position);

@@ -15,7 +15,7 @@
 
 namespace outrider::bench {
 
-/// What is asked.
+/// The exploration to simulate.
 struct GridExploration {
   const Grid<std::uint8_t>& solid;  ///< cells other than 0 are solid, and so is everything outside
   Vec2 start;
@@ -24,7 +24,7 @@ struct GridExploration {
   ExploreOptions options;
 };
 
-/// What came of it.
+/// The result of an exploration.
 struct GridExplorationRun {
   bool complete = false;  ///< it knows 99.5 % of the cells on which it can stand, and is home
   double driven_m = 0.0;

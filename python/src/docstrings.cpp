@@ -27,7 +27,7 @@ constexpr Docstring docstrings[] = {
 #include "docstrings.inc"
 };
 
-/// What a class or a function has already is the list of its options.
+/// Appends the list of options, which is the docstring that a class or a function has so far.
 std::string with_options(const std::string& text, const char* options) {
   return options == nullptr || *options == '\0' ? text : fmt::format("{}\n\n{}", text, options);
 }

@@ -60,7 +60,7 @@ class Guarding {
   }
 
  private:
-  /// What the mission relies on.
+  /// Checks the properties of an observation that the mission relies on.
   void check_seen(const Observation& seen) const {
     if (!(seen.time_s >= last_s_))
       refuse(fmt::format("{} s comes after {} s; time goes on", seen.time_s, last_s_), "time");
@@ -117,7 +117,7 @@ py::list targets_of(const PreparedGuard& guard) {
   return targets;
 }
 
-/// Those that the scenario lets come; a robot that is no simulation reports its own.
+/// Returns the intruders of the scenario. A robot that is not simulated reports its own.
 py::list intruders_of(const PreparedGuard& guard) {
   py::list intruders;
   if (!guard.yard) return intruders;

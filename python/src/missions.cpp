@@ -116,7 +116,7 @@ class Driving {
   Turn turn_;
 };
 
-/// By id: the corners in the world, in the order of AprilTag.
+/// Returns the corners of each tag in the world by id, in the order of AprilTag.
 py::dict tags_of(const DriveMission& mission) {
   py::dict tags;
   for (const Tag& tag : mission.task.tags.tags) {
@@ -227,7 +227,8 @@ class Pursuing {
     return value_of(rules_of(scenario));
   }
 
-  /// What the mission relies on: a team that stays as large, on the map, and cells of the target up to now.
+  /// Checks the properties that the mission relies on: the team keeps its size and stays on the map, and the
+  /// cells of the target are known up to now.
   void check_seen(const Observation& seen) {
     if (!seen.grid) refuse("there are no cells; give a GridObservation each second", "grid");
     const GridObservation& grid = *seen.grid;

@@ -1,4 +1,4 @@
-// What robots sense, as missions take it.
+// The measurements of robots in the form that missions take.
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

@@ -69,7 +69,7 @@ py::object table_value(const TableValue& value) {
                     value);
 }
 
-/// By name: a list of values for each column.
+/// Returns the tables by name, each with a list of values for each column.
 py::dict tables_of(const FinishedRun& finished) {
   py::dict tables;
   for (const Table& table : finished.run.report.tables) {

@@ -138,7 +138,7 @@ py::dict landmarks_of(Landmarks& mapper) {
   return result;
 }
 
-/// What both mappers tell.
+/// Binds the estimates that both mappers give.
 template <class Class>
 void bind_estimates(Class& type) {
   using M = typename Class::type;

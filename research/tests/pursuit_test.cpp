@@ -1,4 +1,4 @@
-// Where the reference methods work, and where and why they fail.
+// Tests where the reference methods work, and where and why they fail.
 #include <gtest/gtest.h>
 
 #include "outrider/pursuit/catalog.hpp"
