@@ -1,4 +1,5 @@
-// Where a log is written to while it grows: a file, a pipe, or a string. Thread rule: one sink, one thread.
+// ByteSink: the destination of a log while it grows: a file, a pipe, or a string. Thread rule: one sink, one
+// thread.
 #pragma once
 
 #include <memory>

@@ -11,7 +11,7 @@
 
 namespace outrider {
 
-/// What is looked for.
+/// The topic that is looked for.
 struct TopicWish {
   std::vector<std::string_view> types;  ///< ROS 2 names, such as "sensor_msgs/msg/LaserScan": any of them
   std::string topic;                    ///< the name that the user gave; empty: the only topic of the type

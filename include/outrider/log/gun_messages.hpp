@@ -90,7 +90,7 @@ struct Target {
   }
 };
 
-/// Where a target is. It moves along a straight line between two messages of its name.
+/// The position of a target. Between two messages of its name the target moves along a straight line.
 struct TargetPosition {
   std::string name;
   geometry_msgs::Point centre;
@@ -182,7 +182,7 @@ struct Supplies {
   }
 };
 
-/// What tank and battery hold. The levels are linear between two messages.
+/// The levels of tank and battery. They are linear between two messages.
 struct StoreLevels {
   double water = 0.0;
   double charge = 0.0;

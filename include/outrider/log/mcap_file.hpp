@@ -1,4 +1,4 @@
-// What an MCAP file holds beside its messages. Thread rule: safe to call concurrently.
+// Reads the attachments that an MCAP file holds beside its messages. Thread rule: safe to call concurrently.
 #pragma once
 
 #include <cstdint>

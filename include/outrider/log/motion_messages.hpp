@@ -142,8 +142,8 @@ struct CoverageArea {
   }
 };
 
-/// Where the robot is in its path over an area, and how much of it is covered. The areas are about linear
-/// between two messages.
+/// The areas that the robot has covered so far on its path over an area. They are about linear between two
+/// messages.
 struct Coverage {
   double covered = 0.0;  ///< at least once
   double overlap = 0.0;  ///< more than once
@@ -186,7 +186,7 @@ struct CostGrid {
   }
 };
 
-/// What all robots have paid.
+/// The cost that all robots have paid together.
 struct PaidCost {
   double paid = 0.0;
 
@@ -197,7 +197,7 @@ struct PaidCost {
   }
 };
 
-/// What is known about a pursuit. Costs are those of the whole mission.
+/// The known costs and bounds of a pursuit. Costs are those of the whole mission.
 struct CostBound {
   double expansions = 0.0;   ///< of all planning until now
   double cost = 0.0;         ///< of the best known catch; NaN: none

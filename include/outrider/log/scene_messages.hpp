@@ -56,7 +56,7 @@ struct RoundedPolygon {
   }
 };
 
-/// What is run, where, and with which robot.
+/// The job that is run, its world and its robot.
 struct RunInfo {
   std::string job;
   std::string sim;         ///< "physics" if rigid bodies are simulated

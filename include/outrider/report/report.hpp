@@ -1,4 +1,4 @@
-// Report: what a run came to: status, metrics, tables and settings. run.json is its text. What happened in
+// Report: the result of a run: status, metrics, tables and settings. run.json is its text. What happened in
 // the run is in its log.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace outrider {
 
-/// What a run came to.
+/// The result of a run.
 struct Report {
   std::string status;      ///< "done", "not_done", "doubtful", "unconfirmed" or "cancelled"
   std::string job;         ///< "guard", ...

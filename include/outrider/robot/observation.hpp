@@ -73,7 +73,8 @@ struct GridObservation {
   /// Second of the first of these cells. Unset: they follow those of the observations before.
   std::optional<int> target_from_s = {};
   bool blocked = false;  ///< the robot could not enter the cell to which it was sent: it is closed
-  /// Whether a robot is in the cell of the target, if the robots feel it. Unset: by the path of the target.
+  /// True if a robot is in the cell of the target; set if the robots feel it. Unset: the path of the target
+  /// decides.
   std::optional<bool> caught = {};
 };
 

@@ -15,7 +15,7 @@
 
 namespace outrider {
 
-/// Whose names are resolved.
+/// The node whose names are resolved.
 struct RosNamespace {
   std::string space = "/";        ///< absolute, such as "/robot_1"
   std::string node = "outrider";  ///< name without slashes

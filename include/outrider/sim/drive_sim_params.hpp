@@ -29,7 +29,7 @@ struct MovedTag {
   double at_s = 0.0;     ///< time at which it is moved
 };
 
-/// What goes wrong while a simulated robot drives.
+/// The faults that occur while a simulated robot drives.
 struct DriveSimParams {
   WheelFaults wheels;          ///< errors between commanded and true wheel speeds
   LinkFaults link;             ///< faults of the link that carries the commands

@@ -40,7 +40,7 @@ struct ExplorerWheels {
 };
 std::vector<Option> describe(ExplorerWheels& wheels);
 
-/// What goes wrong with the range finder and the wheels without the robot being told.
+/// Faults of the range finder and the wheels. The robot is not told of them.
 struct ExplorerFaults {
   double blind_from_s = 1e9;   ///< from then on no scan comes
   double blind_for_s = 1e9;    ///< for how long

@@ -19,7 +19,7 @@ struct Intruder {
   double settles_s = 0.0;  ///< time at which it reaches its place
 };
 
-/// What an intruder does after a hit: it leaves the yard, or survives and walks to another place.
+/// The behaviour of an intruder after a hit: it leaves the yard, or survives and walks to another place.
 struct Survival {
   double leave = 1.0;     ///< probability that it leaves
   double walk_mps = 1.0;  ///< walking speed of survivors; 0: they reach the next place at once

@@ -1,4 +1,4 @@
-// Where a post may be put in the way of a simulated robot.
+// Checks the place at which a post is put in the way of a simulated robot.
 #pragma once
 
 #include "outrider/core/outcome.hpp"

@@ -17,7 +17,7 @@ struct RigidRecord {
   std::vector<std::string> misses = {};  ///< by target: how the last shot missed; empty before the first miss
 };
 
-/// What a simulated robot has done so far.
+/// The record of a simulated robot so far.
 struct SimRecord {
   std::optional<RigidRecord> rigid = {};  ///< set if rigid bodies are simulated
   double driven_m = 0.0;

@@ -49,8 +49,8 @@ using BallStops =
 
 class SimulatedGun {
  public:
-  /// What the scene refers to must outlive the gun. `gun` is the random stream of shot errors, `timing` that
-  /// of firing times.
+  /// The objects to which the scene refers must outlive the gun. `gun` is the random stream of shot errors,
+  /// `timing` that of firing times.
   SimulatedGun(const GunScene& scene, const ExecutionErrors& errors, const Rng& gun, const Rng& timing,
                const GunFaults& faults = {});
 

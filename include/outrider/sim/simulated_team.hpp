@@ -12,7 +12,7 @@
 
 namespace outrider {
 
-/// How often each fault happened.
+/// The number of times that each fault happened.
 struct TeamFaultCounts {
   int missing = 0;  ///< sightings that did not come
   int late = 0;     ///< sightings that came late

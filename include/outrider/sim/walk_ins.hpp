@@ -37,7 +37,7 @@ std::vector<Option> describe(WalkInOptions& options);
 class WalkIns {
  public:
   WalkIns() = default;
-  /// What stands higher than `climbs_m` is in the way of people.
+  /// Solids that stand higher than `climbs_m` are obstacles for people.
   WalkIns(const World& world, Vec2 robot, double climbs_m, const WalkInOptions& options, const Rng& rng);
 
   /// The robot that they come upon.

@@ -27,7 +27,7 @@ struct WayFaults {
   double blocked_at_s = 1e9;   ///< from then on a post stands in the middle of the present or next straight
   double blocked_for_s = 1e9;  ///< for how long
   double blocked_radius_m = 0.2;  ///< radius of the post
-  /// Where the post stands, once the robot is off it; nothing: on the way of the robot, as above.
+  /// Place of the post, where it is put once the robot is off it. Unset: on the path of the robot, as above.
   std::optional<Vec2> blocked_place = {};
 
   /// Returns true if any fault was asked for.

@@ -22,7 +22,7 @@
 
 namespace outrider {
 
-/// What a run was given, and what it came to.
+/// The inputs of a run, and its result.
 struct SweepResult {
   SweepRun run = {};
   std::string status = {};

@@ -16,7 +16,7 @@ struct Column {
   std::vector<double> values;
 };
 
-/// What the runs came to, without their metrics.
+/// The results of the runs, without their metrics.
 struct Outcomes {
   std::vector<std::string> metrics;     ///< names of all
   std::vector<std::string> statuses;    ///< names, in the order in which runs have them

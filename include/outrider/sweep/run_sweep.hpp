@@ -23,7 +23,7 @@
 
 namespace outrider {
 
-/// Which chunks to compute, and where.
+/// The chunks to compute, and the folder that they are written to.
 struct SweepWork {
   std::string folder;
   std::uint64_t first_chunk = 0;
@@ -31,7 +31,7 @@ struct SweepWork {
   bool keep_failures = false;   ///< write the runs whose status is not `done` as `outrider run --out` does
 };
 
-/// How far the work of this process is. Times are those of clocks, and reach no result.
+/// The progress of this process. Its times are read from clocks and enter no result.
 struct SweepProgress {
   std::uint64_t done = 0;    ///< runs of this process
   std::uint64_t left = 0;    ///< runs in chunks that are missing, at most

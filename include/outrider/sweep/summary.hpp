@@ -11,7 +11,7 @@
 
 namespace outrider {
 
-/// How many runs of a set are of a kind.
+/// The share of the runs of a set that are of one kind.
 struct Rate {
   std::uint64_t hits = 0;
   std::uint64_t count = 0;
@@ -61,7 +61,7 @@ struct PairedSummary {
   double wilcoxon_p = 1.0;
 };
 
-/// Which side is done, over the pairs.
+/// The numbers of pairs in which both sides, one side or neither is done.
 struct PairedDone {
   std::uint64_t both = 0, only_a = 0, only_b = 0, neither = 0;
   double mcnemar_p = 1.0;

@@ -21,7 +21,7 @@
 
 namespace outrider {
 
-/// What a user asks for.
+/// The sweep that a user asks for.
 struct SweepRequest {
   std::string scenario = {};
   std::uint64_t runs = 1;  ///< number of samples: runs of each point of the grid
