@@ -29,7 +29,7 @@ struct Air {
   /// Flights are parabolas.
   [[nodiscard]] bool none() const { return drag_per_m == 0.0; }
   [[nodiscard]] Vec3 wind() const;
-  /// Of a ball with velocity `u` through the air.
+  /// Returns the acceleration, m/s2, of a ball with velocity `u`, m/s, through the air.
   [[nodiscard]] Vec3 acceleration(Vec3 u, double gravity_mps2) const;
 };
 

@@ -30,7 +30,7 @@ struct FiringRegion {
   static constexpr std::uint8_t no_shot = 255;
 
   GridPart<std::uint8_t> pitch{no_shot};  ///< by cell: index in the pitch lattice, or no_shot
-  /// By cell: error_ratio() of that shot (shot.hpp); infinite if none.
+  /// For each cell, error_ratio() of that shot (shot.hpp); infinite if there is none.
   GridPart<float> error_ratio{std::numeric_limits<float>::infinity()};
   std::size_t places = 0;                 ///< number of standable cells
   std::size_t in_range = 0;               ///< number of these within range, ignoring obstacles

@@ -2,7 +2,7 @@
 //
 // In the vertical plane of the flight, with s the distance from the muzzle and h the height of the muzzle,
 //     z(s) = h + s tan(pitch) - k s^2,   k = g / (2 v^2 cos^2(pitch)).
-// So for a given pitch, one point of the path determines the drop coefficient k and the speed v.
+// For a given pitch, one point of the path therefore determines the drop coefficient k and the speed v.
 // Units: metres, seconds, radians.
 #pragma once
 

@@ -14,7 +14,8 @@ namespace outrider {
 struct Waypoint {
   Pose2 pose;
   bool stop = true;  ///< come to rest there with its heading; otherwise pass by it, with any heading
-  /// How far from it the corner may be cut if it is no stop; `FollowOptions::pass_m` limits it too.
+  /// Largest distance from the waypoint, m, at which its corner may be cut if it is no stop;
+  /// `FollowOptions::pass_m` limits it too.
   double room_m = std::numeric_limits<double>::infinity();
   friend bool operator==(const Waypoint&, const Waypoint&) = default;
 };

@@ -15,7 +15,7 @@
 
 namespace outrider {
 
-/// Which terms of the information matrices are read. `diagonal` is for files whose other terms are wrong.
+/// The terms of the information matrices that are read. `diagonal` is for files whose other terms are wrong.
 /// `isotropic` gives one number to positions and one to rotations, the inverse of the mean variance of each
 /// (Rosen et al., IJRR 38 (2019), the objective of SE-Sync).
 enum class InformationTerms { all, diagonal, isotropic };

@@ -8,10 +8,10 @@
 // messages around it; a scan without odometry within 0.5 s is left out. The time of a message is the stamp in
 // its header, or the time at which it was recorded if that is 0.
 //
-// Where the laser stands on the robot comes from /tf_static and /tf. It must be level, upright or upside
-// down; the scans of one that is upside down, or turns clockwise, are reversed. A range below range_min or
-// above range_max, or one that is no number, is no reading; an infinite one says that nothing was within
-// range_max (REP 117).
+// The pose of the laser on the robot comes from /tf_static and /tf. The laser must be level, upright or
+// upside down; the scans of one that is upside down, or turns clockwise, are reversed. A range below
+// range_min or above range_max, or one that is no number, is no reading; an infinite one says that nothing
+// was within range_max (REP 117).
 //
 // Memory: some chunks of the log, the odometry of 30 s, and at most 64 MiB of scans that wait for theirs.
 // Faults: bad_input with the topic or the option that names one, for a log without the topics, with several

@@ -1,4 +1,4 @@
-// Where a laser stands on its robot, and the scans that it sends from there.
+// The mount of a laser on its robot, and the scans that it sends from there.
 #pragma once
 
 #include <cstdint>

@@ -78,7 +78,7 @@ struct FastestDrive {
 /// piece.
 Outcome<FastestDrive> fastest_drive(const std::vector<CurvePiece>& pieces, const DriveLimits& limits);
 
-/// Where a robot is on its path, and its speed.
+/// The distance of a robot along its path, and its speed.
 struct DriveState {
   double along_m = 0.0;
   double speed_mps = 0.0;

@@ -33,7 +33,7 @@ class CoverMissionNode final : public MissionNode {
   [[nodiscard]] const PieceDrive& drive() const { return drive_; }
 
  private:
-  /// What is made once it is known where the robot is.
+  /// The task, plan and mission, which are made once the pose of the robot is known.
   struct Work;
 
   void act() override;

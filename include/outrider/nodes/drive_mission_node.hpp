@@ -11,10 +11,10 @@
 // its commands and by tags; odometry is not used. Images may come `latency` late. In the closed loop the
 // mission begins with the first image; in the open loop it needs none.
 //
-// Where the newest scan shows something in the way (in_the_way.hpp) that is more than 0.1 m away from every
-// solid of the world, or no scan comes any more, the robot slows down and stands. For the mission time passes
-// more slowly then, and stands still (slowed_clock.hpp): the robot drives the same way later. States:
-// waiting, driving, stopped, done, unconfirmed, doubtful, lost, stuck, blocked.
+// If the newest scan shows something in the way (in_the_way.hpp) that is more than 0.1 m away from every
+// solid of the world, or no scan comes any more, the robot slows down and stops. The time of the mission then
+// slows down and stops too (slowed_clock.hpp), so the robot drives the same path later. States: waiting,
+// driving, stopped, done, unconfirmed, doubtful, lost, stuck, blocked.
 #pragma once
 
 #include <deque>

@@ -51,7 +51,7 @@ struct NodeEvent {
   std::string sentence;
 };
 
-/// What a node does: a word for programs and a sentence for people.
+/// The activity of a node: a word for programs and a sentence for people.
 struct NodeStatus {
   NodeLevel level = NodeLevel::info;
   std::string state;

@@ -34,7 +34,7 @@ class PieceDriver {
  private:
   enum class Stage { turn, wait, drive, done };
 
-  /// Where a point is along the piece.
+  /// The place of a point relative to the piece.
   struct Place {
     double along_m = 0.0;
     double left_m = 0.0;       ///< beside the piece, seen along the way

@@ -38,7 +38,7 @@ class RobotSimNode : public Node {
   static constexpr double step_s = 0.05;
   static constexpr const char* base_frame = "base_link";
 
-  /// Where the robot is by what it measures.
+  /// The pose and the motion of the robot according to its own measurements.
   struct Whereabouts {
     Pose2 odometry;
     Twist2 twist;                     ///< by its odometry

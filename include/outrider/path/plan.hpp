@@ -48,7 +48,7 @@ struct CostWeights {
   friend bool operator==(const CostWeights&, const CostWeights&) = default;
 };
 
-/// What a robot that steers can do, and the room that it takes.
+/// The motions of a robot that steers, and the room that it takes.
 struct Steering {
   double turning_radius_m = 0.0;  ///< least radius of its arcs
   bool reverse = false;           ///< it can drive backwards

@@ -1,6 +1,7 @@
 // The plan view: a picture of a run from above, made from its log.
 //
-// What is drawn follows from the channels of the log (docs/log.md), never from the job. From below to above:
+// The drawing follows from the channels of the log (docs/log.md), never from the job. Its layers from below
+// to above:
 //
 //   ground   /map with /map_updates, /cost_grid, /firing_regions, /costmap, /expanded, /coverage_area,
 //            /terrain, /solids or else /walls

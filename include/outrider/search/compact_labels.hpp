@@ -18,7 +18,7 @@
 
 namespace outrider {
 
-/// Whether the cost of a closed state is dropped at once, or kept until it is released.
+/// The time at which the cost of a closed state is dropped: at once, or when it is released.
 enum class ClosedCosts : std::uint8_t { dropped, kept };
 
 /// For fewer than `most_states` states.

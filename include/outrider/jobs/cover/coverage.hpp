@@ -34,7 +34,7 @@ struct Bar {
   [[nodiscard]] double reach_m() const;
 };
 
-/// What a path covers of an area.
+/// The coverage of an area by a path.
 struct Coverage {
   Region covered;  ///< part of the area that was covered
   Region missed;   ///< part of the area that was not covered
@@ -78,7 +78,8 @@ class GrowingCoverage {
   CoverageSums add(const std::vector<Pose2>& poses);
 
  private:
-  /// What one section covers by itself, and which part of that was passed over more than once by then.
+  /// The region that one section covers by itself, and the part of it that was passed over more than once by
+  /// then.
   struct Section {
     Region covered;
     Region overlap;

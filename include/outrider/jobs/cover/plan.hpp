@@ -26,7 +26,7 @@
 
 namespace outrider {
 
-/// What a piece of the track is for: a move between cells, a lap along a border, a lane of a cell, or a
+/// The purpose of a piece of the track: a move between cells, a lap along a border, a lane of a cell, or a
 /// transfer between areas.
 enum class PieceRole { move, lap, lane, transfer };
 

@@ -42,7 +42,7 @@ struct AreaOutline {
   std::vector<std::vector<Vec2>> holes;
 };
 
-/// What covers the ground.
+/// The tool that covers the ground.
 struct CoverTool {
   std::string shape = "disk";  ///< disk: the robot itself; bar: a rectangle that is fixed to it
   double width_m = 0.0;        ///< of a bar, across the heading; 0: as wide as the robot

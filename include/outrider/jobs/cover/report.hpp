@@ -19,7 +19,7 @@
 
 namespace outrider {
 
-/// How a drive with faults went.
+/// The result of a drive with faults.
 struct FaultyResult {
   std::vector<HoldUp> hold_ups;
   double strayed_m = 0.0;          ///< largest distance from the track that the robot measured

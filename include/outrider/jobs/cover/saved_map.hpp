@@ -14,7 +14,7 @@
 
 namespace outrider {
 
-/// How a map becomes an area.
+/// Options for making an area of a map.
 struct SavedMapOptions {
   double radius_m = 0.1;      ///< of the disk that covers
   double tolerance_m = 0.0;   ///< how far inside the free space the area may end; 0: two cells of the map

@@ -71,7 +71,7 @@ struct ExploreState {
   Budget budget = {};  ///< of each path
 };
 
-/// What a decision says.
+/// The kind of a decision.
 enum class DecisionKind : std::uint8_t {
   go,        ///< drive to the goal to see more
   complete,  ///< no reachable frontier with enough unknown area is left: go home
@@ -79,7 +79,7 @@ enum class DecisionKind : std::uint8_t {
 };
 std::string_view to_string(DecisionKind kind);
 
-/// Why a frontier is not visited.
+/// The reason why a frontier is not visited.
 enum class Refusal : std::uint8_t {
   closed,    ///< the robot fits nowhere into it, or nowhere in sight of it
   no_way,    ///< no known way leads to where it would be seen

@@ -1,4 +1,4 @@
-// What an exploration leaves over, where, and why.
+// The places that an exploration leaves over, and the reasons.
 //
 // A frontier is left over if at least least_left_m2 of unknown area would be seen from it, if it is at least
 // least_opening_m wide itself, and if some way over known free cells leads to it, however narrow. A smaller
@@ -17,7 +17,7 @@
 
 namespace outrider {
 
-/// Why something is left over.
+/// The reason why a place is left over.
 enum class LeftReason : std::uint8_t { narrow, touched, no_way, failed, not_seen, not_tried };
 /// Returns the reason in a few words: "too narrow", "touched there", ...
 std::string_view to_string(LeftReason reason);

@@ -1,4 +1,4 @@
-// Why the map of an exploration cannot be believed.
+// Reasons to doubt the map of an exploration.
 //
 // A robot that was carried away goes on mapping where odometry puts it. If it is recognised later, the map is
 // right; if it is not, parts of the map lie beside or over each other, and neither the map nor the pose of

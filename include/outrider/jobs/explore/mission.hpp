@@ -15,8 +15,8 @@
 // comes late is matched there. Without any usable scan that is younger than `blind_s` the robot stops; it
 // does not drive by what it saw longer ago.
 //
-// Where nothing is left to see on ground that the map calls wide enough, the robot tries the ways on which it
-// may fit all the same: it drives up to them, measures the gap (close_range.hpp), and passes through its
+// When nothing is left to see on ground that the map calls wide enough, the robot tries the passages in which
+// it may fit all the same: it drives up to them, measures the gap (close_range.hpp), and passes through its
 // middle or notes its width. When nothing is left to see or to try, or the budget is spent, it drives home.
 // The mission ends with a stop reason:
 //   complete  nothing is left over (left_over.hpp)
@@ -47,7 +47,7 @@
 
 namespace outrider {
 
-/// What the robot does now.
+/// The present activity of the robot.
 enum class ExploreStage { seek, go_home, back_off, over };
 
 /// An event of the mission.

@@ -21,7 +21,7 @@
 
 namespace outrider {
 
-/// What the robot can see or reach of a place.
+/// The extent to which the robot can see or reach a place.
 enum Seeable : std::uint8_t {
   not_seeable = 0,
   beside_surface = 1,  ///< visible, but within a cell of a surface, where a map shows the surface
@@ -45,7 +45,7 @@ struct ExplorationReference {
 Outcome<ExplorationReference> exploration_reference(const RangeFinder& laser, const OpenGround& ground,
                                                     Vec2 start, double resolution_m = 0.05);
 
-/// How good a map is.
+/// The quality of a map.
 struct MapQuality {
   /// Fraction of the only_seeable and reachable places that are free in the map; 1 if there are none.
   double explored_fraction = 0.0;

@@ -41,7 +41,7 @@ class TraversabilityGrid {
  public:
   TraversabilityGrid(const KnownGroundOptions& options, double radius_m);
 
-  /// What an update changed.
+  /// The changes that an update made.
   struct Change {
     std::vector<std::uint32_t> cells;  ///< changed cells of the new frame()
     bool reframed = false;             ///< the frame has changed

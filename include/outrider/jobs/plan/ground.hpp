@@ -40,7 +40,7 @@ struct PlanCellChange {
   std::string where;  ///< the place that a fault names, such as a key
 };
 
-/// Where the costs of the ground come from.
+/// The sources of the costs of the ground.
 struct PlanCostOptions {
   std::shared_ptr<const CostMap> map = nullptr;          ///< cost per metre; null: 1
   std::shared_ptr<const HeightField> terrain = nullptr;  ///< its slopes cost more; null: flat

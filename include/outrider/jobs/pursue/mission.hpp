@@ -34,7 +34,7 @@
 
 namespace outrider {
 
-/// Whether planning costs mission time.
+/// The time that planning takes in the mission: none, or its wall time.
 enum class PursuitClock { free_planning, wall };
 
 /// Interface to a clock.
@@ -57,7 +57,7 @@ using PursuitAsk = std::function<Outcome<PursuitPlan>(const PursuitProblem&, con
 
 /// Options of the mission.
 struct PursuitRules {
-  PursuitClock clock = PursuitClock::free_planning;  ///< whether planning costs mission time
+  PursuitClock clock = PursuitClock::free_planning;  ///< time that planning takes in the mission
   int known_s = std::numeric_limits<int>::max();     ///< seconds of the target's future that are known
   TargetForecast forecast;  ///< predicts the rest; the first of the catalogue unless set
   PursuitAsk ask;           ///< the planner; empty: the anytime search
@@ -65,7 +65,7 @@ struct PursuitRules {
   Budget budget;            ///< limit of each call, in addition to `call_s`
 };
 
-/// What was known at one moment of planning.
+/// The state of knowledge at one moment of planning.
 struct PursuitMoment {
   int time_s = 0;                     ///< mission time
   double planning_s = 0.0;            ///< planning time until this moment

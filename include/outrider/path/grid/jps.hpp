@@ -1,13 +1,13 @@
 // Jump point search on a grid, bit-parallel: A* that skips the cells at which no optimal path needs to turn.
 //
-// Of the many shortest paths between two cells, the search follows only those that go diagonally first, and
-// it expands only the cells at which a blocked cell forces a turn. It scans straight runs 64 cells at a time.
-// A diagonal run scans to both sides at each of its cells. The jump points found by these scans become
+// Among the many shortest paths between two cells, the search follows only those that go diagonally first,
+// and it expands only the cells at which a blocked cell forces a turn. It scans straight runs 64 cells at a
+// time. A diagonal run scans to both sides at each of its cells. The jump points found by these scans become
 // successors of the first cell of the diagonal; the cells of the diagonal never enter the queue.
 //
 // Jump points in dead ends, parts of the ground that no shortest path between start and goal enters, are left
-// out; the gates that lead from one part to the next give a lower bound. What lies next to a jump point is
-// scanned by the first query that expands it and kept for the next ones.
+// out; the gates that lead from one part to the next give a lower bound. The jump points next to another one
+// are scanned by the first query that expands it and kept for the next ones.
 //
 // Complete and optimal among paths along the eight moves of the grid; lengths are kept exactly as m + sqrt(2)
 // n cells, and lower_bound is the cost. Accepts only the model `cells`. The first query on a ground stores it
