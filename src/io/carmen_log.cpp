@@ -125,7 +125,7 @@ Outcome<ScanLine> robot_scan_of(Words words, double most_m) {
   return line;
 }
 
-/// Where a scan was taken, and the odometry around it.
+/// The pose at which a scan was taken, and the odometry around it.
 struct OdometryOfScan {
   Pose2 pose;                   ///< of the line with the scan
   std::optional<Pose2> before;  ///< the last ODOM since the scan before

@@ -15,7 +15,7 @@
 
 namespace outrider {
 
-/// What the matrix of an edge is.
+/// The kind of matrix that comes with an edge.
 enum class EdgeMatrix { information, covariance };
 
 template <class Pose>

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t longest_message_side = 100'000;
 constexpr std::uint64_t most_message_pixels = 100'000'000;
 
-/// How the pixels of an encoding lie in memory.
+/// The memory layout of the pixels of an encoding.
 struct PixelLayout {
   std::string_view name;
   std::size_t bytes = 1;  ///< of a pixel

@@ -26,7 +26,7 @@ Pose2 in_plane(const Pose3& pose) {
   return {{pose.position.x, pose.position.y}, std::atan2(ahead.y, ahead.x)};
 }
 
-/// What the beginning of a log says about the robot.
+/// Facts about the robot from the beginning of a log.
 struct Survey {
   std::string laser_frame;
   std::string base_frame;

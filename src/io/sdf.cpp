@@ -55,7 +55,7 @@ std::vector<std::string> solid_names(const SdfScene& scene) {
   return names;
 }
 
-/// What a scene becomes.
+/// The world that is built from a scene, and its sources.
 struct Building {
   SdfFiles& files;
   const std::string& name;

@@ -1,6 +1,6 @@
-// What a ROS 1 bag holds: its channels and where its chunks lie.
+// BagContents: the channels of a ROS 1 bag and the positions of its chunks.
 //
-// It comes from the index at the end of the bag. A bag without one, because its recorder was killed or its
+// They come from the index at the end of the bag. A bag without one, because its recorder was killed or its
 // end is missing, is read once from its beginning: each chunk is decompressed, and then let go.
 #pragma once
 

@@ -74,7 +74,7 @@ class BagReader : public LogReader {
   std::vector<bool> selected_;                ///< by channel
   std::vector<const BagChunkInfo*> waiting_;  ///< by their first times
   std::size_t opened_ = 0;                    ///< how many of them have been opened
-  /// By the time of the next message, and of equal times in the order of the file.
+  /// Open chunks in the order of their next messages; those with equal times in the order of the file.
   using OpenChunks = std::multimap<std::pair<std::int64_t, std::uint64_t>, OpenChunk>;
   OpenChunks open_;
   OpenChunks::node_type current_;  ///< the chunk of the message that next() returned, which is a view of it

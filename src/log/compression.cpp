@@ -16,7 +16,7 @@
 namespace outrider {
 namespace {
 
-/// What a codec did with a part of the input.
+/// The progress of a codec after a part of the input.
 struct Progress {
   std::size_t consumed = 0;
   std::size_t produced = 0;

@@ -9,7 +9,7 @@
 namespace outrider {
 namespace {
 
-/// What happens to the messages of a channel.
+/// The destination of a channel's messages, and their conversion if they need one.
 struct Route {
   std::size_t to = 0;  ///< channel in the file that is written
   std::optional<Ros1ToCdr> converter;

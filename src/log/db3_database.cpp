@@ -80,7 +80,7 @@ std::string uri_of(const std::string& path) {
   return uri;
 }
 
-/// As sqlite.org/security.html advises for files of strangers.
+/// Sets the limits that sqlite.org/security.html recommends for untrusted files.
 void set_limits(sqlite3* database) {
   constexpr std::array<std::pair<int, int>, 11> limits = {{{SQLITE_LIMIT_LENGTH, largest_db3_value},
                                                            {SQLITE_LIMIT_SQL_LENGTH, 100000},

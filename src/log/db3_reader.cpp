@@ -205,7 +205,7 @@ Outcome<std::optional<LogMessage>> Db3Reader::next() {
   return std::optional<LogMessage>{};
 }
 
-/// Which channels are selected. Fault: bad_input, if one is not in CDR.
+/// Returns a flag for each channel, true if it is selected. Fault: bad_input if a selected one is not in CDR.
 Outcome<std::vector<bool>> select(const Db3Database& database, const Db3Contents& contents,
                                   const LogSelection& selection) {
   const std::set<std::string> topics(selection.topics.begin(), selection.topics.end());

@@ -107,7 +107,7 @@ class JsonDecoder {
     bool in_array = false;
     std::size_t count = 0;  ///< elements of the array so far
   };
-  /// Where a value goes to.
+  /// The destination of a value.
   struct Place {
     const MessageField* field = nullptr;  ///< null: nowhere, and there is a complaint
     char* at = nullptr;

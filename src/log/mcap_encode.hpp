@@ -12,7 +12,8 @@
 
 namespace outrider::mcap {
 
-/// Where the messages of a channel begin in a chunk: times and offsets in its uncompressed records.
+/// The positions of a channel's messages in a chunk: the time and the offset of each in the uncompressed
+/// records.
 using MessageIndex = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
 
 void append_header(std::string& out, std::string_view profile, std::string_view library);

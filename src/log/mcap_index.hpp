@@ -1,8 +1,8 @@
-// What lies where in an MCAP file: the channels, and the pieces that messages are read from.
+// McapIndex: the channels of an MCAP file, and the pieces from which messages are read.
 //
 // The whole file is walked along its record heads, so nothing in it is missed that its summary does not name.
-// What the summary says of a chunk is believed until the chunk is read. Without a summary each chunk is read
-// once here.
+// The statements of the summary about a chunk are trusted until the chunk is read. Without a summary, each
+// chunk is read once here.
 #pragma once
 
 #include <cstdint>

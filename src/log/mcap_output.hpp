@@ -47,7 +47,7 @@ struct Definitions {
 /// The messages that wait to be written together.
 class ChunkBuffer {
  public:
-  /// Where definitions are appended to.
+  /// Returns the buffer to which definitions are appended.
   std::string& records() { return records_; }
   void add(const MessageRecord& message);
   [[nodiscard]] std::size_t size() const { return records_.size(); }
@@ -64,7 +64,7 @@ class ChunkBuffer {
   std::uint64_t end_time_ = 0;
 };
 
-/// What the summary at the end repeats and counts.
+/// The content of the summary at the end of a file: repeated definitions, counts and indexes.
 struct Summary {
   Definitions definitions;
   StatisticsRecord statistics;

@@ -1,8 +1,8 @@
 // Ros1ToCdr: messages of ROS 1 as CDR, by the definition that their channel carries. Their type need not be
 // known.
 //
-// What differs: alignment, the zero at the end of texts, the "seq" of a header, the byte of a message without
-// fields, and names of fields, which ROS 2 wants in small letters.
+// The two formats differ in alignment, the zero at the end of strings, the "seq" of a header, the byte of a
+// message without fields, and the names of fields, which are in lower case in ROS 2.
 #pragma once
 
 #include <string>

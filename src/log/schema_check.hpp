@@ -14,7 +14,7 @@ namespace outrider {
 Status check_schema(const Channel& channel, const MessageType& type);
 
 /// The same for the text of a JSON schema: the properties of each object are the fields, and their types fit.
-/// What a schema leaves open, for instance by "$ref", is believed.
+/// Parts that a schema leaves open, for instance by "$ref", are accepted.
 Status check_json_schema(std::string_view schema, const MessageType& type);
 
 }  // namespace outrider

@@ -139,7 +139,7 @@ std::optional<Vec2> DriveMissionNode::thing_ahead() {
   return compose(mission_->reckoning.belief.world_T_robot, inverse(then_T_now)) * *thing;
 }
 
-/// How far the robot is off is unknown: nobody tells where it truly is.
+/// Records an arrival at a waypoint. Its error is unknown, because nobody reports the true pose.
 void DriveMissionNode::note_arrival(const DriveArrival& arrival) {
   const bool reached = arrival.doubt.empty();
   const std::string sentence = fmt::format("waypoint {} {}{}", arrival.waypoint + 1,

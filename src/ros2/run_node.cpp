@@ -55,7 +55,7 @@ Outcome<Wiring> wire(RosNode& network, const Node& node, const TopicNames& names
     if (!name) return pass_on(name);
     auto reader = network.reader(*name, *topic.type, topic.delivery);
     if (!reader) return pass_on(reader);
-    // What is sent once is not lost: DDS sends it again.
+    // A message that is sent once is not lost: DDS sends it again.
     const bool once = topic.delivery == Delivery::fixed;
     wiring.links.emplace_back(once ? MessageFaults{} : faults, rng.child(wiring.readers.size()));
     wiring.readers.push_back(std::move(*reader));

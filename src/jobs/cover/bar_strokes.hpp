@@ -17,7 +17,7 @@
 
 namespace outrider::cover {
 
-/// Where a robot with a bar may be.
+/// The room in which a robot with a bar may move.
 class BarRoom {
  public:
   /// Faults: those of PolygonGround::of(). The field must outlive this object.
@@ -42,7 +42,7 @@ class BarRoom {
   std::shared_ptr<const FreeRoom> room_;
 };
 
-/// What is to be driven: the bar is to pass from `from` to `to`, and farther where `overrun_m` says so.
+/// A line for the bar: it is to pass from `from` to `to`, and `overrun_m` farther at both ends.
 struct BarLine {
   Vec2 from;
   Vec2 to;
@@ -52,8 +52,8 @@ struct BarLine {
   double away_m = 0.0;  ///< how far it drives then until it can turn
 };
 
-/// How the robot turns away from a wall: the angle, and how much farther than half its width the bar then has
-/// to be.
+/// A turn of the robot away from a wall: its angle, and the distance that the bar then has to keep in
+/// addition to half its width.
 struct WallTurn {
   double angle_rad;
   double gap_m;

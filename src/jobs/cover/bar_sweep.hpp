@@ -1,4 +1,4 @@
-// What a bar passes over between two poses, as polygons inside of the true sweep or around it.
+// The area that a bar passes over between two poses, as polygons inside the true sweep or around it.
 //
 // Two poses of one heading are joined by a straight motion, whose sweep is exact: the convex hull of both
 // rectangles. Others are joined by the rotation that takes one to the other, about one centre; a robot that

@@ -16,9 +16,9 @@ class TransitPlanner {
 
   /// Pieces from one point to the other; none where they are the same.
   Outcome<std::vector<PathPiece>> way(Vec2 from, Vec2 to);
-  /// The ways to all of them.
+  /// Returns the paths to all of them.
   Outcome<std::vector<std::vector<PathPiece>>> ways(Vec2 from, const std::vector<Vec2>& to);
-  /// Whether a way between these leaves its part.
+  /// Returns true if a path between these points leaves its part.
   [[nodiscard]] bool transfers(Vec2 from, Vec2 to) const;
 
  private:

@@ -3,8 +3,8 @@
 // Each thing is taken for round. After one contact its radius is a guess; the disk that touches the robot at
 // the first contact and passes through a later one has the radius
 //     d^2 / (2 d n),  d from the first contact to the later one, n the direction of the first.
-// So two contacts are enough for a post that is round. A contact that lies on no such disk is another
-// thing's.
+// Two contacts are therefore enough for a round post. A contact that lies on no such disk belongs to another
+// thing.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,4 @@
-// What a coverage run leaves as files: GeoJSON in the coordinates of the area's file, and the track in
-// metres.
+// The output files of a coverage run: GeoJSON in the coordinates of the area's file, and the track in metres.
 #pragma once
 
 #include <string>

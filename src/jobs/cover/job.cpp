@@ -79,7 +79,8 @@ struct Driver {
   }
 
  private:
-  /// What a stopped drive has covered is still measured; the measuring of a whole one can be stopped.
+  /// Measures the coverage of the drive. That of a stopped drive is measured too: pass a token that never
+  /// stops. The measuring of a finished drive can be stopped.
   Status measure(CoverRun& run, const std::stop_token& stop) const {
     run.driven = cover::coverage_of_drive(run.drive, problem, run.plan.ground.reach, stop);
     return stop.stop_requested() ? cancelled() : Status{};

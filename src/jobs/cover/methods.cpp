@@ -166,7 +166,8 @@ Outcome<FieldWork> laps_inwards(const CoverField& field, double arc_m, const Cov
                                 const CoverOptions& options, const std::stop_token& stop) {
   auto laps = spiral_laps(problem, field, arc_m, stop);
   if (!laps) return pass_on(laps);
-  // What the laps surely leave, deep enough inside for lanes: where they meet at sharp corners and ends.
+  // The core is the area that the laps surely leave uncovered, deep enough inside for lanes. It lies where
+  // they meet at sharp corners and ends.
   Region core = core_of(problem, field, problem.sure_radius_m() - 2.0 * Strides(problem).slack_m);
   for (const Lap& lap : *laps) {
     if (stop.stop_requested()) break;  // assembled() says so

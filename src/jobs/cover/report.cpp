@@ -37,7 +37,7 @@ double begin_of(const PieceDrive& drive, std::size_t piece) {
   return piece == 0 ? 0.0 : drive.ends_s[piece - 1];
 }
 
-/// Where it is then: between two samples it goes straight.
+/// Returns the pose at a time. Between two samples the robot moves along a straight line.
 Pose2 pose_at(const std::vector<TimedPose>& track, double time_s) {
   const auto next = std::ranges::lower_bound(track, time_s, {}, &TimedPose::time_s);
   if (next == track.begin()) return track.front().pose;
@@ -108,7 +108,7 @@ Table missed_table(const CoverProof& proof) {
   return table;
 }
 
-/// Why a track that leaves something out is not done.
+/// Returns the reason why a track that leaves something out is not done.
 std::string shortfall(const CoverProblem& problem, const CoverProof& proof) {
   double missed_m2 = 0.0;
   for (const MissedPlace& place : proof.missed) missed_m2 += place.area_m2;
@@ -130,7 +130,7 @@ std::string shortfall(const CoverProblem& problem, const CoverProof& proof) {
       std::ceil(1e4 * (1.0 - field.inner_fraction) * field.inner_m2 / field.reach_m2) * 1e-4);
 }
 
-/// Why a drive with faults has not covered what was promised.
+/// Returns the reason why a drive with faults has not covered what was promised.
 std::string why_missed(const FaultyResult& faulty, const CoverProblem& problem) {
   std::string reason =
       fmt::format("{:.4g} m2 are not covered that the track surely covers", faulty.promised_missed_m2);
@@ -146,7 +146,7 @@ std::string why_missed(const FaultyResult& faulty, const CoverProblem& problem) 
                               counted(faulty.hold_ups.size(), "time"), first.time_s, first.sentence);
 }
 
-/// What faults add to the metrics.
+/// Adds the metrics of a drive with faults.
 void add_metrics(std::vector<std::pair<std::string, double>>& metrics, const FaultyResult& faulty) {
   const bool false_covered = faulty.believed_complete && !faulty.kept_promise;
   const std::vector<std::pair<std::string, double>> more = {

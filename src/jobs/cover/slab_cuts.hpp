@@ -1,4 +1,4 @@
-// Where to cut a region into slabs for lanes along x, so that the lanes are short and few.
+// Cuts a region into slabs for lanes along x, so that the lanes are short and few.
 //
 // Slabs of even height waste length in tapers and beside steps: a lane is as long as the longest stretch of
 // its slab. A dynamic programme over heights (the corners, an even grid and one eight times finer than the

@@ -1,4 +1,4 @@
-// What the tool of a robot, its disk or a bar, covers on pieces of a track and on a drive.
+// The area that the tool of a robot, its disk or a bar, covers on pieces of a track and on a drive.
 #pragma once
 
 #include <stop_token>

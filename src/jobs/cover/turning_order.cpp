@@ -25,7 +25,7 @@ struct Drivable {
   double time_s = 0.0;
 };
 
-/// Whether a closed lap may begin with that piece: a leg between two arcs.
+/// Returns true if a closed lap may begin with piece `i`: a straight leg after an arc, both driven forward.
 bool begins(const Lap& lap, std::size_t i) {
   const PathPiece& before = lap[(i + lap.size() - 1) % lap.size()];
   return !lap[i].backward && lap[i].turn_rad == 0.0 && !before.backward && before.turn_rad != 0.0;

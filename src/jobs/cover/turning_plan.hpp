@@ -6,8 +6,8 @@
 
 namespace outrider::cover {
 
-/// What is tried: lanes within a headland of `problem.headland` laps, or of some numbers of laps; laps
-/// inwards as far as there are any; or both.
+/// The strokes that are tried: lanes within a headland of `problem.headland` laps, or of some numbers of
+/// laps; laps inwards as far as there are any; or both.
 enum class TurningMethod { lanes, laps, both };
 
 /// Plans a track without a turn in place: of those tried, the one that leaves least and then takes least

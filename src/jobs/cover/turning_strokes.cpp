@@ -23,7 +23,7 @@ Pose2 begin_of(const std::vector<PathPiece>& pieces) {
   return {pieces.front().from, heading_in(pieces.front())};
 }
 
-/// Where lanes may lead to: poses along the headland that lead to each other.
+/// The exits of lanes: poses along the headland that can be reached from each other.
 class Exits {
  public:
   Exits(const std::vector<Stroke>& laps, const CoverProblem& problem, const FreeRoom& room,

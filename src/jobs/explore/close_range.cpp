@@ -131,7 +131,8 @@ std::vector<Vec2> sampled(const PathProgress& path, double to_m) {
   return samples;
 }
 
-/// By how much a point has to be moved along `aside` to have the most room; little where that is enough.
+/// Returns the offset of a point along `aside`, m, with the most clearance; the smallest one that gives
+/// `wanted_m`.
 double best_offset(Vec2 point, Vec2 aside, const Nearby& surfaces, double wanted_m) {
   constexpr double dislike = 1e-3;  // of moving, so that it does not move for nothing
   double best = 0.0, most = -1.0;

@@ -1,4 +1,5 @@
-// What the robot marks on its ground: where it has driven, what it touched, and gaps that it tries.
+// The marks of the robot on its ground: places where it has driven, obstacles that it touched, and gaps that
+// it tries.
 #include <fmt/format.h>
 
 #include <algorithm>

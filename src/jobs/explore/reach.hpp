@@ -10,7 +10,7 @@ namespace outrider {
 
 inline constexpr double snap_m = 0.5;  ///< a robot on blocked ground is led to free ground within this
 
-/// Kept in the workspace: the flood from the robot, and one for whatever else.
+/// The floods that the workspace keeps: one from the robot, and one for any other use.
 struct RobotFlood {
   Flood flood;
 };

@@ -108,7 +108,7 @@ Table left_over_table(const LeftOvers& left) {
   return table;
 }
 
-/// Why a map that is called complete is not what is there; empty if it is.
+/// Returns the reason why a map that is called complete differs from the world; empty if it does not.
 std::string why_wrong(const MapQuality& quality) {
   constexpr double least_part = 0.9, most_error_m = 0.1;
   if (quality.map_error_m > most_error_m)
@@ -124,7 +124,7 @@ double count(const LeftOvers& left, LeftReason reason) {
   return static_cast<double>(std::ranges::count(left.places, reason, &LeftOver::reason));
 }
 
-/// What there is to see in the end, and what sees it.
+/// The reference for the world as it is at the end, and a range finder in that world.
 struct Truth {
   ExplorationReference reference;
   RangeFinder finder;

@@ -28,7 +28,7 @@ std::vector<std::uint32_t> spread(const std::vector<std::uint32_t>& all, std::si
   return some;
 }
 
-/// As the ground is now.
+/// Computes the sight from a frontier on the ground as it is now.
 FrontierSight made(const Frontier& frontier, const FrontierMap& map, SightMemory& memory) {
   const TraversabilityGrid& ground = map.ground();
   const Grid<std::uint8_t>& known = ground.known();

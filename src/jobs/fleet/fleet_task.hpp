@@ -1,4 +1,4 @@
-// What the job fleet does between its options and its report.
+// The work of the job fleet between its options and its report.
 #pragma once
 
 #include "outrider/jobs/fleet/job.hpp"

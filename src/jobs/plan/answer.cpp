@@ -74,8 +74,8 @@ double clearance_of(const PlanGround& ground, const Plan& plan) {
   return clearance_m(plan, *ground.standing, std::numeric_limits<double>::infinity());
 }
 
-/// How safe the plan is on the ground that is known best. Breaks off where the plan is not one. After a stop
-/// request the result is meaningless.
+/// Returns how safe the plan is on the ground that is known best. Throws std::logic_error if the plan is
+/// invalid. After a stop request the result is meaningless.
 Safety judge(const PathPlanner& planner, const PlanGround& ground, const PlanQuery& query, const Plan& plan,
              const std::stop_token& stop) {
   const Problem problem = problem_of(planner, ground, query);
@@ -179,7 +179,7 @@ struct Asked {
     }
     return rows;
   }
-  /// How much longer the first search on the ground takes than the same again.
+  /// Returns the time in s by which the first search on the ground takes longer than the same search again.
   [[nodiscard]] double building_s() const {
     if (!planner.first.index || question.queries.empty()) return 0.0;
     const Problem problem = problem_of(planner.first, *question.ground, question.queries.front());

@@ -1,4 +1,4 @@
-// What a metre costs on the cells of a ground, from a cost map and the slopes of a terrain.
+// The cost of a metre on each cell of a ground, from a cost map and the slopes of a terrain.
 #pragma once
 
 #include "outrider/jobs/plan/ground.hpp"

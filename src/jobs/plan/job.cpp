@@ -13,7 +13,8 @@
 namespace outrider {
 namespace {
 
-/// What a fault of a single question names: the end at which the robot cannot stand, or the planner.
+/// Returns the place that the fault of a single question names: the end at which the robot cannot stand, or
+/// the planner.
 std::string place_of(const PlanRow& row) {
   const Vec2 from = row.query.from, to = row.query.to;
   if (row.fault->code == FaultCode::start_blocked) return fmt::format("from {},{}", from.x, from.y);
@@ -21,8 +22,8 @@ std::string place_of(const PlanRow& row) {
   return "planner " + row.planner;
 }
 
-/// That there is no path is an answer to a single question, as it is to several; a question that cannot be
-/// asked is a fault.
+/// Returns the fault of a single question that cannot be asked. "No path" is an answer to a single question,
+/// as it is to several.
 Status check_single(const PlanAnswer& answer) {
   if (answer.rows.size() != 1 || answer.rows.front().found()) return {};
   Fault refusal = *answer.rows.front().fault;

@@ -1,4 +1,4 @@
-// What a person reads of an answer.
+// The answer as text for people.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace outrider {
 
-/// A line for each row of the answer.
+/// Returns a line for each row of the answer.
 std::string plan_summary(const Report& report);
 
 }  // namespace outrider

@@ -44,7 +44,7 @@ bool takes_polygons(const PlanScenario& scenario, MapKind kind) {
   return !scenario.compare && kind == MapKind::world && planner && planner->models.empty();
 }
 
-/// What a trace needs to be shown.
+/// Checks that the task fits a trace, if one is asked for: a trace shows one search on a grid.
 Status check_trace(const PlanTask& task) {
   if (!task.settled.trace) return {};
   if (task.ground.as_polygons)
@@ -54,7 +54,7 @@ Status check_trace(const PlanTask& task) {
   return {};
 }
 
-/// What an index file needs.
+/// Checks that the task fits an index file, if one is named: it keeps the index of one planner.
 Status check_index(const PlanTask& task) {
   if (task.settled.index.empty()) return {};
   if (task.planners.size() != 1)

@@ -55,7 +55,7 @@ bool is_caught(const PursuitProblem& problem, const PursuitState& state) {
   return state.caught && now_s > 0 && state.paths[state.duty][now_s] == problem.target[now_s];
 }
 
-/// What went wrong, to be put behind a reason.
+/// Returns the faults that occurred, as text to append to a reason.
 std::string faults_text(const TeamFaultCounts& faults) {
   std::string text;
   const auto add = [&](int count, std::string_view what) {
@@ -70,7 +70,7 @@ std::string faults_text(const TeamFaultCounts& faults) {
   return text;
 }
 
-/// What faults add to the metrics.
+/// Adds the metrics of a pursuit with faults.
 void add_metrics(std::vector<std::pair<std::string, double>>& metrics, const PursuitRun& run,
                  const TeamFaultCounts& faults, bool false_catch) {
   const std::vector<std::pair<std::string, double>> more = {

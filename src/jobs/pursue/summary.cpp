@@ -11,7 +11,7 @@
 namespace outrider {
 namespace {
 
-/// How good the cost is.
+/// Returns a phrase about the quality of the cost.
 std::string verdict(const Report& report) {
   const double cost = metric(report, "cost"), bound = metric(report, "lower_bound");
   if (metric(report, "optimal") == 1.0) return "proven: no catch costs less";
