@@ -1,4 +1,5 @@
-// What the two families of turning paths share: the question with a radius of 1 and the start at the origin.
+// The common part of the two families of turning paths: the question with a radius of 1 and the start at the
+// origin.
 #pragma once
 
 #include <span>

@@ -44,7 +44,7 @@ Guarantee cheapest_along_moves() {
                   Measure::terrain);
 }
 
-/// What searches on the medial axis promise.
+/// Returns the guarantee of searches on the medial axis.
 Guarantee along_the_axis() {
   return complete(PathClass::any_curve, unbounded,
                   "complete; no path has more clearance (to 0.1 %); costs at most 1.006 times the least "

@@ -25,7 +25,7 @@ struct Cells {
   std::vector<double> values = {};
 };
 
-/// What may differ within a kind.
+/// Properties that may differ between drawings of one kind.
 struct Details {
   std::string words = {};  ///< line of the legend, instead of that of the kind
   double share = 1.0;      ///< how dark it is, 0 to 1

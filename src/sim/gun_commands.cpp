@@ -1,4 +1,5 @@
-// What a SimulatedRobot with a WaypointBody does: drive to waypoints, aim, shoot, wait, fill its stores.
+// The commands of a SimulatedRobot with a WaypointBody: drive to waypoints, aim, shoot, wait, fill its
+// stores.
 #include <fmt/format.h>
 
 #include <algorithm>

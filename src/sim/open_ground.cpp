@@ -5,7 +5,7 @@ namespace {
 
 constexpr double farthest_m = 1.0;  ///< that gap_m() tells
 
-/// What the solids put in the way between what the wheels climb and the robot's top.
+/// Returns the obstacles that the solids form between the height that the wheels climb and the robot's top.
 std::vector<RoundedPolygon> obstacles(const World& world, const RobotModel& robot, double climbs_m) {
   return CollisionMap::of(world, robot.height_m, climbs_m, robot.max_slope_rad).obstacles();
 }

@@ -28,7 +28,8 @@ std::vector<Vec2> points_beside(const PathPiece& piece, Vec2 at_begin, Vec2 at_e
   return points;
 }
 
-/// Whether the robot may drive there. Between the points of an arc it is off by the sagitta at most.
+/// Returns true if the robot may drive there. Between the points of an arc the check is off by the sagitta at
+/// most.
 bool is_free(const PathPiece& piece, const std::vector<Vec2>& points, const PolygonGround& ground) {
   if (piece.turn_rad == 0.0)
     return ground.point_free(points[0]) && ground.segment_free({points[0], points[1]});
@@ -158,7 +159,8 @@ class Recorder {
 /// The heading of a robot that drives from a to b.
 double looks_along(Vec2 a, Vec2 b, bool backward) { return heading_of(backward ? a - b : b - a); }
 
-/// Of a curve through the points that begins and ends in these headings: between two legs the mean of theirs.
+/// Returns the headings along a curve through the points that begins and ends in these headings; between two
+/// legs, the mean of theirs.
 std::vector<double> headings_along(const std::vector<Vec2>& points, double begin_rad, double end_rad,
                                    bool backward) {
   std::vector<double> headings{begin_rad};

@@ -20,8 +20,8 @@ int tile_at(double t, int count) {
   return static_cast<int>(std::clamp(std::floor(t), 0.0, static_cast<double>(count - 1)));
 }
 
-/// Where the ray from + t * along meets the edge, t >= 0; nothing for a ray that runs along it, which meets
-/// the edges or circles beside it first.
+/// Returns the t >= 0 at which the ray from + t * along meets the edge, or infinity. A ray that runs along
+/// the edge does not count, because it meets the edges or circles beside it first.
 double meets(Vec2 from, Vec2 along, const Segment& edge) {
   const Vec2 d = edge.b - edge.a;
   const Vec2 to_a = edge.a - from;
@@ -51,7 +51,7 @@ struct Beams {
   std::int64_t count = 0;
 };
 
-/// Those from one bearing on through an angle, with one to spare on either side.
+/// Returns the beams from a bearing on through an angle, with one to spare on either side.
 Beams beams_between(double low_rad, double through_rad, double step_rad, std::int64_t all) {
   const auto first = static_cast<std::int64_t>(std::ceil(low_rad / step_rad)) - 1;
   const auto last = static_cast<std::int64_t>(std::floor((low_rad + through_rad) / step_rad)) + 1;

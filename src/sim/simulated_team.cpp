@@ -55,7 +55,7 @@ Observation SimulatedTeam::sense() {
   return seen;
 }
 
-/// What the robots see after the first second: the sighting that is due, if one is.
+/// Returns the observation after the first second, with the sighting that is due, if there is one.
 GridObservation SimulatedTeam::faulty_view() {
   GridObservation grid{robots_, {}};
   grid.blocked = blocked_;

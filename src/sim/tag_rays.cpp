@@ -17,7 +17,8 @@ bool is_behind(const Block& block, const Paper& paper) {
       corners_of(block), [&](Vec3 corner) { return paper.world_T_paper.to_local(corner).z > -hanging_m; });
 }
 
-/// Where a line enters a box around the origin, and along which axis; infinite where it does not.
+/// The parameter at which a line enters a box around the origin, infinite if it does not, and the axis along
+/// which it enters.
 struct BoxEntry {
   double at = std::numeric_limits<double>::infinity();
   std::size_t axis = 0;

@@ -1,4 +1,4 @@
-// What a camera's rays meet: the papers of tags, the boxes of the world, its floor.
+// Finds what a camera's rays meet: the papers of tags, the boxes of the world, its floor.
 #pragma once
 
 #include <array>

@@ -42,7 +42,7 @@ class CornerRays {
     upper_.swap(lower_);
     row(y + 1, lower_);
   }
-  /// Where (u, v) of the unit square lies in the pixel of this row.
+  /// Returns the ray through (u, v) of the unit square that is pixel x of this row.
   [[nodiscard]] Vec2 at(std::size_t x, double u, double v) const {
     const Vec2 above = upper_[x] + u * (upper_[x + 1] - upper_[x]);
     const Vec2 below = lower_[x] + u * (lower_[x + 1] - lower_[x]);
@@ -118,7 +118,7 @@ class BoxRenderer {
   bool everywhere_;
 };
 
-/// Where the corners of the paper appear; nothing when one is not in front of the camera.
+/// Returns the pixels at which the corners of the paper appear; nothing if one is not in front of the camera.
 std::optional<std::array<Vec2, 4>> outline(const Camera& camera, const Pose3& world_T_camera,
                                            const Paper& paper) {
   std::array<Vec2, 4> corners;

@@ -108,7 +108,7 @@ double quantile(std::span<const double> sorted, double share) {
 
 ConfidenceInterval quantile_interval(std::span<const double> sorted, double share) {
   const std::uint64_t n = sorted.size();
-  // Of n values, X lie below the quantile, X binomial. Value number k from 1 lies above it if X < k.
+  // Let X of the n values lie below the quantile; X is binomial. Value k (from 1) lies above it if X < k.
   const auto first_above = [&](double probability) {  // the first x with P(X <= x) > probability
     std::uint64_t low = 0, high = n;
     while (low < high) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t most_nodes = 14;  // of a stop, for all their orders
 
-/// Those of `goals` from that place on which the stop can serve.
+/// Returns the goals that the stop can serve, among `goals[from]` and those after it.
 GoalSet served_at(const Instance& instance, std::uint32_t stop, const std::vector<std::uint32_t>& goals,
                   std::size_t from) {
   GoalSet set = 0;

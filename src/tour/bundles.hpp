@@ -22,7 +22,7 @@ struct Bundle {
   std::vector<Way> ways;  // by stop
 };
 
-/// By set.
+/// The bundles in the order of their sets.
 using Bundles = std::vector<Bundle>;
 
 class VisitTimes {

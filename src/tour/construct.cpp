@@ -5,7 +5,7 @@
 namespace outrider::tour {
 namespace {
 
-/// How many of the goals each stop could serve.
+/// Returns the number of the goals that each stop could serve.
 std::vector<std::uint32_t> count_company(const Instance& instance, const std::vector<std::uint32_t>& goals) {
   std::vector<std::uint32_t> company(instance.stops, 0);
   for (const std::uint32_t goal : goals) {

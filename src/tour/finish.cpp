@@ -24,7 +24,7 @@ struct LoggedVisit {
   std::vector<std::uint32_t> nodes;
 };
 
-/// What a visit may serve.
+/// A set of goals that a visit may serve.
 struct Choice {
   GoalSet set = 0;
   double least_time = 0.0;

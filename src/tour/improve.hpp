@@ -15,7 +15,7 @@ struct Improvement {
 
 inline double cost_of(const Route& route) { return route.cost; }
 
-/// What a route is worth, when that is not its cost.
+/// Returns the value of a route, if that is not its cost.
 using Price = std::function<double(const Route&)>;
 
 /// Receives each route that is better than all before it.

@@ -68,7 +68,7 @@ inline double aim_time(const Instance& instance, double yaw_a, double pitch_a, d
                   std::abs(pitch_a - pitch_b) / instance.pitch_rate);
 }
 
-/// Where the robot stands and its gun points.
+/// The stop and heading of the robot, and the direction of its gun.
 struct State {
   std::uint32_t stop = 0;
   double heading = 0.0;

@@ -56,7 +56,7 @@ std::vector<std::uint32_t> spread(const Instance& instance, const Route& known) 
   return order;
 }
 
-/// How many goals each sweep looks at. The exact end takes in the last sixth at once.
+/// Returns the number of goals that each sweep looks at. The exact end takes in the last sixth at once.
 std::vector<std::size_t> plan_sweeps(std::size_t goals) {
   const std::size_t most = std::min(goals - goals / 6, most_goals);
   std::vector<std::size_t> sizes;

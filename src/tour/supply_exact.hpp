@@ -21,8 +21,8 @@ bool exact_is_possible(const Supplied& supplied);
 /// two labels with the same goals served at the same stop, A dominates B when A can do all that B does, after
 /// it has made up for its heading and its gun, which takes `slack` at most and passes before B's next fill:
 ///     time(A) + slack <= time(B),  water(A) >= water(B),  charge(A) - per_second slack >= charge(B).
-/// Where a depot stands at the stop itself, A might have to turn only after that fill: then the headings must
-/// be the same.
+/// If a depot stands at the stop itself, A might have to turn only after that fill; then the headings must be
+/// the same.
 SupplyExact search_exactly(const Supplied& supplied, double known_cost, std::uint64_t expansions,
                            BudgetMeter& meter);
 

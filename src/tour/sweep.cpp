@@ -86,7 +86,7 @@ const SweepRow* Sweeping::opposite(GoalSet set) const {
   return found == before_.rows.end() ? nullptr : &found->second;
 }
 
-/// What neither this sweep nor the opposite one has counted when they meet.
+/// Returns the time that neither this sweep nor the opposite one has counted when they meet.
 double Sweeping::rest(GoalSet set) const {
   double time = result_.outside;
   for (std::size_t bit = before_.goals.size(); bit < result_.goals.size(); ++bit) {

@@ -13,8 +13,8 @@
 //    g(target); so each has g >= rhs, and the next one a smaller g. They lead to the root.
 //  - No path costs less. On a cheaper path take the first vertex v with g(v) larger than its cost so far. All
 //    before v have g at most that, so v has rhs at most that, is lowered, and has f < g(target).
-// By the same argument a lowered vertex has its final g when it is expanded, so a repair expands each vertex
-// at most twice.
+// The same argument shows that a lowered vertex has its final g when it is expanded, so a repair expands each
+// vertex at most twice.
 #pragma once
 
 #include <bit>

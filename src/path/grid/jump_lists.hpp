@@ -1,8 +1,8 @@
 // The jump points next to those that searches have expanded, kept for the next searches on the same ground.
 //
-// What lies next to a jump point does not depend on start or goal, so it is scanned once, when it is first
-// asked for. Kept are 44 bytes for each jump point met, and 4 bytes for each that lies next to an expanded
-// one.
+// The jump points next to another one do not depend on start or goal, so they are scanned once, when they are
+// first asked for. Memory: 44 bytes for each jump point met, and 4 bytes for each that lies next to an
+// expanded one.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ struct TurnRuns {
   std::int32_t diagonal = 0;  ///< legal steps
 };
 
-/// What follows a jump point that is reached in a straight direction.
+/// The successors of a jump point that is reached in a straight direction.
 struct JumpList {
   std::int32_t ahead = 0;                  ///< free cells ahead
   std::array<TurnRuns, 2> turns;           ///< to the lower and to the higher side; 0 where none is forced

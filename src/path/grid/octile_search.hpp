@@ -16,7 +16,7 @@ Outcome<Plan> octile_search(const Problem& problem, double weight, const Budget&
 
 enum class Heuristic : std::uint8_t { octile, euclidean, chebyshev };
 
-/// How A* is led to the goal.
+/// Settings that guide A* to the goal.
 struct Guide {
   double weight = 1.0;
   Heuristic heuristic = Heuristic::octile;

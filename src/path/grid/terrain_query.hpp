@@ -1,4 +1,4 @@
-// What the planners on ground with costs have in common: their question, and their plan.
+// The common parts of the planners on ground with costs: their query and their plan.
 #pragma once
 
 #include <string_view>

@@ -37,7 +37,7 @@ inline constexpr std::size_t most_landmarks = 32;
 
 template <class Metric>
 struct GuidedGraph {
-  /// By landmark; none() beyond the last one.
+  /// A length for each landmark; none() beyond the last one.
   using Lengths = std::array<typename Metric::Stored, most_landmarks>;
 
   StoredArray<Cell> at;              ///< by turn
@@ -105,7 +105,7 @@ GuidedGraph<Metric> with_landmarks(const TurnGraph& graph, std::vector<Cell> at)
   return guided;
 }
 
-/// Where a path from a landmark goes first: to a turn, along a leg.
+/// The first leg of a path from a landmark, which leads to a turn.
 template <class Metric>
 struct FirstLeg {
   std::uint32_t turn = 0;

@@ -1,4 +1,4 @@
-// What both indices of hubs have in common.
+// The common parts of the two indices of hubs.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace outrider::hub_labelling {
 
-/// What an index knows about a path that turns.
+/// The answer of an index to a query for a path that turns.
 enum class Found { way, no_path, out_of_budget };
 
 /// The kind of an index, as it is stored.

@@ -1,4 +1,5 @@
-// What the workspace keeps of an index of hub labels, and queries that it answers as far as it proves them.
+// The memory of an index of hub labels in the workspace, and the queries that it answers as far as it proves
+// the answers.
 //
 // The index of the first ground answers on grounds that differ in few cells where hub_kept.hpp proves its
 // answer. It is rebuilt if more than one cell in 32 differs, or when the searches on changed grounds have

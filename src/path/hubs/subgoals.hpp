@@ -23,7 +23,7 @@ inline constexpr int longest_side_of_runs = 32767;
 
 /// The lengths of runs, to tell whether a leg is free. 8 bytes per cell.
 struct OctileRuns {
-  /// By index of the map: the number of legal moves to the east, north, north-east and north-west.
+  /// For each index of the map, the number of legal moves to the east, north, north-east and north-west.
   std::vector<std::array<std::int16_t, 4>> free;
   std::uint32_t stride = 0;  ///< that of the map
 
@@ -48,7 +48,8 @@ struct Subgoals {
   static constexpr std::uint32_t none = 0xFFFFFFFF;
   std::vector<Cell> cells;            ///< in the order of GridMap::index()
   std::vector<std::uint32_t> number;  ///< by index of the map: index of `cells`, or none
-  /// By index of the map and straight move: moves to the next subgoal; 0 if a blocked cell comes first.
+  /// For each index of the map and straight move, the number of moves to the next subgoal; 0 if a blocked
+  /// cell comes first.
   std::vector<std::array<std::int16_t, 4>> ahead;
 };
 Subgoals subgoals_of(const GridMap& ground, const std::stop_token& stop = {});

@@ -1,11 +1,10 @@
 // Lower bounds of the length to the goal by one landmark: a turn from which the lengths of the shortest paths
 // to all turns are known.
 //
-// By the triangle inequality the length from a turn to the goal is at least the difference of their lengths
-// from the landmark. A block of a single side is a gate: all paths between its two sides lead through it.
-// Towards the last gate before the blocks of start and goal meet, the landmark tells nearly the whole length,
-// since it lies beyond; from that gate to the goal, the gaps between the gates and the landmark tell the
-// rest.
+// The length from a turn to the goal is at least the difference of their lengths from the landmark (triangle
+// inequality). A block of a single side is a gate: all paths between its two sides lead through it. Towards
+// the last gate before the blocks of start and goal meet, the landmark tells nearly the whole length, since
+// it lies beyond; from that gate to the goal, the gaps between the gates and the landmark tell the rest.
 //
 // The lengths take 8 bytes a turn and one sweep over the taut legs of the mesh, about as long as making it.
 // Sources: landmarks, Goldberg and Harrelson, Computing the shortest path: A* search meets graph theory

@@ -1,14 +1,13 @@
-// What a corner sees of the polygons of a mesh in a cone of directions, one polygon at a time.
+// Finds the sides and turns of a mesh that a corner sees in a cone of directions, one polygon at a time.
 //
-// The functions tell it to a viewer. Both ends of the cone belong to it. Directions lead to corners, so all
-// decisions are exact in integers. A viewer has three functions:
+// The functions report them to a viewer. Both ends of the cone belong to it. Directions lead to corners, so
+// all decisions are exact in integers. A viewer has three functions:
 //
-// - `bool opens(const Side&)`: whether to look through a side at all.
+// - `bool opens(const Side&)`: returns true if the search is to look through a side at all.
 // - `void see(const Side& turn, Arrow way, uint32_t block)`: a turn is in sight, in the direction `way`, at a
 //   side of that block. The side given begins at the turn, and so knows the blocked cell there.
 // - `void pass(const Side&, Arrow from, Arrow to, Arrow right, Arrow left)`: a side is in sight. It leads
-// from
-//   `from` to `to`; `right` and `left` bound the part of the cone in which it lies.
+//   from `from` to `to`; `right` and `left` bound the part of the cone in which it lies.
 #pragma once
 
 #include <cstdint>

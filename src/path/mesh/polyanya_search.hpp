@@ -19,7 +19,7 @@
 
 namespace outrider::polyanya_search {
 
-/// What a query knows of a block.
+/// The state of a block in a query.
 struct BlockMark {
   std::uint32_t query = 0;                       ///< the last query that crosses the block
   std::uint32_t exit = LandmarkBounds::no_exit;  ///< as in LandmarkBounds, in that query
@@ -31,7 +31,7 @@ struct Memory {
   NavigationMesh mesh;
   ForcedTurns forced;
   TautLegs legs;
-  bool keeps_legs = false;  ///< whether the query reads and finds them
+  bool keeps_legs = false;  ///< true if the query reads and finds them
   Landmark landmark;
   LandmarkBounds bounds;                                 ///< of the query
   Labels<double> roots;                                  ///< by turn; the start last
@@ -68,7 +68,7 @@ class Search {
 
   std::uint64_t generated = 0;
 
-  // As a viewer of the node that is expanded:
+  // Functions of the viewer (mesh_sight.hpp) of the node that is expanded:
   [[nodiscard]] bool opens(const NavigationMesh::Side& side) const {
     return side.polygon != NavigationMesh::none && enters(side.block);
   }

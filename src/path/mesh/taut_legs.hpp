@@ -83,7 +83,7 @@ class TautSweep {
   /// Returns the turns found, in no particular order, some of them several times.
   [[nodiscard]] std::vector<SeenTurn>& seen() { return seen_; }
 
-  // As a viewer:
+  // Functions of a viewer (mesh_sight.hpp):
   static bool opens(const NavigationMesh::Side& side) { return side.polygon != NavigationMesh::none; }
   void see(const NavigationMesh::Side& turn, Arrow way, std::uint32_t block) {
     bool level = false;
@@ -162,7 +162,7 @@ class TautLegs {
   bool add(const NavigationMesh& mesh, Departure departure, std::size_t most_sides);
   void store(std::vector<TautSweep::SeenTurn>& seen, bool to_left);
 
-  // By departure: number of expansions, or its place in words_ + most_tries.
+  // For each departure, its number of expansions, or its place in words_ + most_tries.
   std::vector<std::uint32_t> lists_;
   // A list: number of blocks; of each the block and the number of legs up to its last; the departures at
   // the ends of the legs.

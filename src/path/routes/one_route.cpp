@@ -20,7 +20,7 @@ struct Label {
   std::uint32_t next_settled = none;  // next settled label of the same node
 };
 
-/// What waits in the queue: a label to settle, or a leg that is still to be tested.
+/// An entry of the queue: a label to settle, or a leg that is still to be tested.
 struct Waiting {
   enum class Kind : std::uint8_t { label, from_start, to_goal };
 

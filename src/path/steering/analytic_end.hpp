@@ -19,13 +19,13 @@ struct AnalyticEnd {
   double cost = 0.0;
 };
 
-/// Where a way is to end; without a heading with any.
+/// The goal of a path. Without `heading_rad`, the path may end in any heading.
 struct AnalyticGoal {
   Vec2 position;
   std::optional<double> heading_rad;
 };
 
-/// Returns the cheapest way to the goal among the words of Reeds and Shepp or of Dubins, or for a goal
+/// Returns the cheapest path to the goal among the words of Reeds and Shepp or of Dubins, or for a goal
 /// without a heading among arcs with a tangent, that touches nothing and costs less than `most`.
 std::optional<AnalyticEnd> analytic_end(const SteeringQuery& query, const Pose2& pose, int direction,
                                         const AnalyticGoal& goal, double most);

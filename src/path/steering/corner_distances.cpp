@@ -14,8 +14,9 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 const double most_ratio = 1.0 / std::cos(std::numbers::pi / 8.0);
 
-/// By which of the cells north-east, north-west, south-west and south-east of a corner are free, bits 0 to 3:
-/// the moves in the order of grid_moves. A pinch has none: no path passes it.
+/// The legal moves at a corner, a bit for each in the order of grid_moves. The index has a bit for each free
+/// cell: 0 north-east, 1 north-west, 2 south-west, 3 south-east of the corner. A pinch has none: no path
+/// passes it.
 constexpr std::array<std::uint8_t, 16> moves_by_free_cells = [] {
   std::array<std::uint8_t, 16> moves{};
   for (unsigned free = 0; free < 16; ++free) {

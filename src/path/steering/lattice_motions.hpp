@@ -20,7 +20,7 @@ struct LatticeMotion {
   std::vector<std::int32_t> touched;  ///< those cells, as differences of GridMap::index()
 };
 
-/// What motions depend on.
+/// The parameters that determine the motions.
 struct LatticeForm {
   std::uint32_t headings = 16;
   std::uint32_t turns = 2;
