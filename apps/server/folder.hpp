@@ -3,7 +3,7 @@
 //
 // A path consists of names between slashes. Names that begin with a dot, are empty, or contain a backslash, a
 // control character or invalid UTF-8 are refused without touching the disk. All others are looked up beneath
-// the open folder by the kernel (open_folder.hpp), which follows no link. What a file holds is read in a
+// the open folder by the kernel (open_folder.hpp), which follows no link. The content of a file is read in a
 // confined process (reading.hpp). Thread rule: any thread may call.
 #pragma once
 

@@ -153,7 +153,7 @@ Response Runs::start(const RunRequest& request, const std::stop_token& stop) {
   return json_response(run->json(), 202);
 }
 
-/// Returns a run of an earlier server. Who watches it is told how it ended.
+/// Returns a run of an earlier server. Clients that watch it are told how it ended.
 Runs::RunPtr Runs::restored(KeptRun kept) const {
   auto run = std::make_shared<Run>();
   run->id = std::move(kept.id);

@@ -120,8 +120,8 @@ void WebConnection::read_head() {
                           });
 }
 
-/// Reads on until all headers are there. Those that go on in a second line, which RFC 9112 has servers
-/// refuse, are seen here only: the parser joins them.
+/// Reads on until all headers are there. Headers that go on in a second line, which RFC 9112 has servers
+/// refuse, are visible only here: the parser joins the lines.
 void WebConnection::on_head_part(ErrorCode error) {
   const std::string_view bytes(static_cast<const char*>(buffer_.data().data()), buffer_.size());
   const std::string_view head = bytes.substr(0, bytes.find("\r\n\r\n"));

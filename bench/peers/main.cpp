@@ -1,6 +1,7 @@
 // Measures planners and solvers of Outrider beside libraries that Debian has, on the same problems in one
-// process: Boost.Graph and LEMON on grids, OMPL among polygons, CBC on tours. What a library is not installed
-// for is left out. Preparing maps and graphs is in no time. Answers of Outrider are checked.
+// process: Boost.Graph and LEMON on grids, OMPL among polygons, CBC on tours. Problems whose library is not
+// installed are left out. The times do not include the preparation of maps and graphs. Answers of Outrider
+// are checked.
 //
 //   bench_peers [--json]
 //

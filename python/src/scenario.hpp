@@ -23,7 +23,7 @@ inline void change_task(JobTask& task, std::optional<std::int64_t> seed, const p
   require(change(task, changes));
 }
 
-/// Reads and loads a scenario of that job. What was repaired becomes a RuntimeWarning.
+/// Reads and loads a scenario of that job. Repairs of the input become a RuntimeWarning.
 template <class Task>
 std::unique_ptr<Task> load_task_of(const pybind11::handle& path, std::optional<std::int64_t> seed,
                                    const pybind11::dict& set) {

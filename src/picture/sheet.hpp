@@ -34,8 +34,8 @@ struct Details {
 
 class Sheet {
  public:
-  /// Shows what is in `box`. What is smaller than `detail_px` is left out, and what looks the same drawn
-  /// once.
+  /// Shows what is in `box`. Things smaller than `detail_px` are left out, and things that look the same are
+  /// drawn once.
   Sheet(const Box2& box, double px_per_m, double detail_px)
       : box_(box), px_per_m_(px_per_m), detail_px_(detail_px) {}
 

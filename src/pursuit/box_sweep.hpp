@@ -1,9 +1,10 @@
 // BoxSweep: dynamic programming from second to second over the boxes of a pursuit, from the start on.
 //
 // It needs neither a flood nor a bound, and reads no cell outside the boxes. So it is the quickest where the
-// boxes hold few cells. What is paid on leaving a cell at second t is its own cost plus the least that was
-// paid on leaving it or a neighbour at t - 1; a catch costs that least. All layers are kept, 4 bytes for each
-// cell of a box, and the cheapest way is read from them. O(sum of the boxes), 32 bytes of a row at once.
+// boxes hold few cells. The cost paid on leaving a cell at second t is the cell's own cost plus the least
+// cost paid on leaving it or a neighbour at t - 1; a catch costs that least. All layers are kept, 4 bytes for
+// each cell of a box, and the cheapest path is read from them. O(sum of the boxes), 32 bytes of a row at
+// once.
 #pragma once
 
 #include <optional>

@@ -70,7 +70,7 @@ struct RosNode::Participant {
   std::optional<RosWriter> announcements = {};
 };
 
-/// The end of a topic. What it stands on is deleted after it.
+/// The end of a topic. The participant and the topic that it depends on are deleted after it.
 struct RosEnd {
   std::shared_ptr<void> participant;
   Entity topic;

@@ -123,7 +123,8 @@ void Ascent::approach(std::uint32_t place, Ticks distance) {
   open_.push({distance, place});
 }
 
-/// Dijkstra's search backward from the goal. How far it may grow: a step, or until it gets to where it ends.
+/// Runs Dijkstra's search backward from the goal. Returns the distance to which it may grow: a step, or less
+/// if it reaches its end before.
 Ticks Ascent::reach(std::uint32_t goal, End& end) {
   for (const std::uint32_t node : instance_.nodes_of[goal]) approach(stops_ + node, service_[node]);
   while (!open_.empty()) {

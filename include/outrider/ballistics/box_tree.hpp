@@ -35,8 +35,8 @@ class BoxTree {
     return found;
   }
 
-  /// Returns the least `distance_to(index)`, infinite if there are no boxes. What has an index must lie in
-  /// its box. Nodes are left out that are farther away than the least distance so far.
+  /// Returns the least `distance_to(index)`, infinite if there are no boxes. The object with an index must
+  /// lie in its box. Nodes are left out that are farther away than the least distance so far.
   template <class DistanceTo>
   [[nodiscard]] double least_distance(Vec3 p, const DistanceTo& distance_to) const {
     double least = std::numeric_limits<double>::infinity();

@@ -22,7 +22,7 @@ std::string printable(std::string_view text, std::string_view kept = {});
 std::string excerpt(std::string_view text, std::size_t most = 80);
 
 /// Returns a number for use in a sentence: with nine significant digits, or thousandths if they are more, and
-/// without the zeros at its end. What is below 10^-12, as rounding leaves it, is 0; there is no -0.
+/// without the zeros at its end. Sizes below 10^-12, as rounding leaves them, are 0; there is no -0.
 std::string short_number(double value);
 
 /// Returns a place for use in a sentence: "(1.5, -2)".

@@ -20,7 +20,7 @@
 
 namespace outrider {
 
-/// Standard deviations. Those of odometry grow with the square root of the distance and of the angle turned.
+/// Standard deviations. For odometry they grow with the square root of the distance and of the angle turned.
 struct LogNoise {
   double distance = 0.01;                       ///< error of the position, m per sqrt(m)
   double turn_per_distance_rad = radians(6.0);  ///< error of the heading, rad per sqrt(m)

@@ -1,5 +1,5 @@
-// Clocks. Those that measure computing time are only displayed: no result depends on them. The time of day is
-// for nodes that exchange messages with others.
+// Clocks. Computing times are only displayed: no result depends on them. The time of day is for nodes that
+// exchange messages with others.
 #pragma once
 
 namespace outrider {

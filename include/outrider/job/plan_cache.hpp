@@ -1,5 +1,5 @@
 // PlanCache: the plans that runs with the same inputs share, such as the runs of a sweep that differ in their
-// seeds and faults. What that saves is measured in docs/sweep.md.
+// seeds and faults. For measurements of the time saved see docs/sweep.md.
 //
 //   PlanCache plans;
 //   for (...) run_task(job, task, {.plans = &plans});

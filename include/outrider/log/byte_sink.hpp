@@ -26,8 +26,8 @@ class ByteSink {
   ByteSink() = default;
 };
 
-/// Makes or empties a file. What was written is the system's at once: it stays when the process is killed.
-/// Fault: cannot_write with the path.
+/// Makes or empties a file. Written bytes are handed to the operating system at once, so they survive when
+/// the process is killed. Fault: cannot_write with the path.
 Outcome<std::unique_ptr<ByteSink>> make_file_sink(const std::string& path);
 
 /// Writes to an open descriptor, such as a pipe, and waits while the pipe is full. The sink has a duplicate

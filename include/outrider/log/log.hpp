@@ -4,9 +4,9 @@
 //   log.append("/pose", 1.5, pose_stamped);
 //   for (const auto& [time_ns, shot] : log.messages<outrider_msgs::Shot>("/shots")) ...
 //
-// A channel holds messages of one type. What stands still is a message at time 0. What changes is a newer
-// message on the same channel: the latest message at or before a time holds at that time. The times of a
-// channel never decrease; different channels may be appended to in any order.
+// A channel holds messages of one type. Constant data are a message at time 0. A change is a newer message on
+// the same channel: the latest message at or before a time holds at that time. The times of a channel never
+// decrease; different channels may be appended to in any order.
 //
 // A sink receives each message, encoded, as it is appended: a file (McapSink), or somebody who watches the
 // run. Messages are encoded only if there is a sink, and once for all sinks. Thread rule: one thread at a

@@ -5,9 +5,9 @@
 //   /tf, /tf_static                      /tf   map -> odom, at each tick
 //
 // The map begins where the odometry says that the robot is at the first scan; its load time is that of this
-// scan, so that others notice when a mapper is started anew and places on the map before hold no more. Where
-// the laser stands on the robot comes from /tf and /tf_static; the scans wait for it, and for the odometry of
-// their time. While no scan comes, map -> odom is not sent, so that others notice.
+// scan, so that others notice when a mapper is started anew and places on the map before hold no more. The
+// pose of the laser on the robot comes from /tf and /tf_static; the scans wait for it, and for the odometry
+// of their time. While no scan comes, map -> odom is not sent, so that others notice.
 //
 // Each time the robot stands after it drove, and when the scans have become half as many again, the mapper
 // asks whether its map can be believed (jobs/explore/map_doubt.hpp); as long as it cannot, its status is
@@ -16,8 +16,8 @@
 // With `keep` the map is kept in files, and a mapper that is started anew goes on with it, with the same load
 // time, if its first scan fits where the odometry says that the robot is (nodes/kept_map.hpp): so if the
 // robot and its odometry went on meanwhile. Otherwise it begins another map and says so. It maps the scans
-// that were kept once more, so loops close between what was mapped before and after. What other scans showed
-// before stays as it is where nothing new is seen, until a loop moves the map.
+// that were kept once more, so loops close between what was mapped before and after. Areas that only other
+// scans showed before stay as they are where nothing new is seen, until a loop moves the map.
 #pragma once
 
 #include <deque>

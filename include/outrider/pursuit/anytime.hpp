@@ -43,8 +43,8 @@ class AnytimePursuit {
 
   /// Fixes the path of best() up to that second of the problem, for a robot that goes on along it while the
   /// search works. All later answers begin with that part, and lower_bound() and proven() are about such
-  /// catches. What the search knows is kept. Returns false, and does nothing, if there is no best() or it has
-  /// caught the target by then.
+  /// catches. The search keeps its knowledge. Returns false, and does nothing, if there is no best() or it
+  /// has caught the target by then.
   bool keep_to(int second);
 
   /// Returns the cheapest catch so far with the current bound.

@@ -1,5 +1,5 @@
-// Report: the result of a run: status, metrics, tables and settings. run.json is its text. What happened in
-// the run is in its log.
+// Report: the result of a run: status, metrics, tables and settings. run.json is its text. The events of the
+// run are in its log.
 #pragma once
 
 #include <algorithm>

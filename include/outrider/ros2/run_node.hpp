@@ -3,7 +3,7 @@
 // Topics get the names that ROS 2 gives them: in the namespace, after renaming. The node is announced on
 // ros_discovery_info. The clock is that of the system; that of a simulation, from /clock; or its own, for a
 // node that is the simulation: then it runs `rate` times as fast as time passes, or slower if the node does
-// not keep up. What a node tells is handed to `hear`.
+// not keep up. The reports of a node are passed to `hear`.
 #pragma once
 
 #include <functional>

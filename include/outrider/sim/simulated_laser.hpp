@@ -15,8 +15,8 @@ class SimulatedLaser {
                  const ExplorerFaults& faults = {}, const LinkFaults& link = {});
 
   /// Measures a scan from the given pose if the next scan is due at `time_s`. The first scan is due at time
-  /// 0. Returns the scan that arrives now, if any: that one, or with latency an older one. What walks in is
-  /// seen too.
+  /// 0. Returns the scan that arrives now, if any: that one, or with latency an older one. The scan also
+  /// shows `walk_ins`, if given.
   std::optional<LaserScan> look(const Pose2& world_T_robot, double time_s, const WalkIns* walk_ins = nullptr);
   [[nodiscard]] const RangeFinder& finder() const { return finder_; }
 

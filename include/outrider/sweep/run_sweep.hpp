@@ -7,7 +7,8 @@
 //
 // A chunk is a pure function of the manifest: any process may compute any chunk, in any order, with any
 // number of threads, and again. Several processes may compute one sweep in one folder: each takes the chunks
-// that are missing and that no other process has locked. What a killed process had not finished is missing.
+// that are missing and that no other process has locked. Chunks that a killed process had not finished are
+// missing.
 #pragma once
 
 #include <cstdint>

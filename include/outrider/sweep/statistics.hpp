@@ -1,6 +1,6 @@
 // Statistics of samples: rates, quantiles and means with their intervals, and tests of paired differences.
 //
-// All intervals have a confidence of 95 %. Those of quantiles hold for every distribution.
+// All intervals have a confidence of 95 %. Intervals of quantiles hold for every distribution.
 #pragma once
 
 #include <cstdint>

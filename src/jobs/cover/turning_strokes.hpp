@@ -11,8 +11,9 @@ namespace outrider::cover {
 inline constexpr int all_laps = 1 << 20;
 
 /// Returns the strokes with that number of laps along every border. Lanes begin and end where a turn leads to
-/// the headland; they are shortened as far as that takes. What laps and lanes leave is driven along walls and
-/// swept, where that covers enough. Nothing says that all can be reached, nor that all is covered.
+/// the headland; they are shortened as far as that takes. The area that laps and lanes leave is covered by
+/// strokes along walls and sweeps, where these cover enough. There is no guarantee that all strokes can be
+/// reached, nor that all is covered.
 Outcome<std::vector<Stroke>> turning_strokes(const CoverProblem& problem, const CoverField& field,
                                              double arc_m, std::int64_t directions, int laps,
                                              const FreeRoom& room, const std::stop_token& stop);

@@ -146,7 +146,8 @@ void end_if_no_nearer_to_home(ExploreMission& mission) {
 }
 
 /// Returns the obstacles around the robot: by the map; by the last scans in a narrow place; by the newest
-/// scan if the map encloses the robot. What was touched is there too, but beside the trail that leads home.
+/// scan if the map encloses the robot. Touched obstacles are added too, except beside the trail that leads
+/// home.
 Nearby surroundings(const ExploreMission& mission) {
   constexpr std::int64_t often = 3;
   constexpr double beam_m = 0.01;

@@ -45,7 +45,7 @@ EndLengths<Metric> lengths_over(const GuidedGraph<Metric>& graph, const GuidedEn
   return lengths;
 }
 
-/// Memory of searches in one graph. What holds for a query has its number.
+/// Memory of searches in one graph. A value that holds for one query carries the number of that query.
 template <class Metric>
 struct GuidedMemory {
   struct OfTurn {

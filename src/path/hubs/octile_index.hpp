@@ -21,7 +21,8 @@
 
 namespace outrider::hub_labelling {
 
-/// Lengths along the moves, exact. Those of equal paths are equal, and so are sums of a length and a bound.
+/// Lengths along the moves, exact. Equal paths have equal lengths, and the same holds for sums of a length
+/// and a bound.
 struct OctileMetric {
   struct Cost {
     Octile moves;  ///< negative parts in a difference

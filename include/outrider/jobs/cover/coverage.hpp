@@ -10,11 +10,11 @@
 // The ends of capsules are chords that turn by 7.5 degrees, inside the true disk. So nothing counts as
 // covered that is not, and the error is at most 0.3 % of the disk at each end of the path.
 //
-// A bar is a rectangle that is fixed to the robot, as a mower deck or a spray boom. What it covers depends on
-// the headings, so its paths are poses. Between two poses of one heading the robot moves straight; between
-// others it rotates about one centre by the difference of the headings, as in a turn in place or along an
-// arc. Straight sweeps are exact. Those of rotations are made of steps of 2 degrees, each inside of the true
-// sweep: so for a bar, too, nothing counts as covered that is not.
+// A bar is a rectangle that is fixed to the robot, as a mower deck or a spray boom. The area that it covers
+// depends on the headings, so its paths are poses. Between two poses of one heading the robot moves straight;
+// between others it rotates about one centre by the difference of the headings, as in a turn in place or
+// along an arc. Straight sweeps are exact. Sweeps of rotations consist of steps of 2 degrees, each inside the
+// true sweep; so for a bar, too, nothing counts as covered that is not.
 #pragma once
 
 #include <stop_token>

@@ -1,6 +1,6 @@
 // ExploreLog: logs what the mission of an exploration does and believes, while it goes on: the map and its
-// updates, poses and beliefs, decisions with goal and path, events, and what is left over. What the robot
-// measures and what stands in its world is logged by whoever knows them.
+// updates, poses and beliefs, decisions with goal and path, events, and what is left over. The measurements
+// of the robot and the solids of its world are logged by the code that knows them.
 #pragma once
 
 #include <cstddef>

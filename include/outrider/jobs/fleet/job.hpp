@@ -6,7 +6,7 @@
 //   goals: "9.5,0.5 0.5,0.5"
 //   planner: cbs
 //
-// Or `agents: hall.scen`, a scenario of MovingAI with a robot in each row. What a plan is stands at
+// Or `agents: hall.scen`, a scenario of MovingAI with a robot in each row. For the definition of a plan see
 // path/fleet/fleet.hpp. Every plan is verified by check() before it is returned; one that fails is a bug and
 // throws std::logic_error.
 #pragma once

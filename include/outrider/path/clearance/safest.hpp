@@ -2,8 +2,8 @@
 // possible.
 //
 // Among polygons this is the question that medial_axis() answers, with the same `weight` and `kept`: its
-// guarantees, its lower bound for every path of the disk, and its faults hold (medial_axis.hpp). What follows
-// is about grids.
+// guarantees, its lower bound for every path of the disk, and its faults hold (medial_axis.hpp). The rest of
+// this text is about grids.
 //
 // The clearance of a point is its distance to the nearest blocked cell (a closed square; everything outside
 // the grid is blocked). On a grid made for a disk it is the tracking error that the robot can have before it

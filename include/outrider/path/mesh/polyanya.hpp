@@ -18,8 +18,8 @@
 // of a new workspace (the cost to a relative 1e-12) if the budget suffices for the expansions. The number of
 // expansions, and the choice among paths of equal length, depend on earlier queries in the workspace.
 //
-// A query takes O(n log n) time and 64 bytes per node for the n nodes whose f is at most the optimum. Kept
-// are 28 bytes per turn, and the legs: at most 2 bytes per cell, from 16 MiB to 64, beyond one query. Faults:
+// A query takes O(n log n) time and 64 bytes per node for the n nodes whose f is at most the optimum. Beyond
+// one query it keeps 28 bytes per turn, and the legs: at most 2 bytes per cell, from 16 MiB to 64. Faults:
 // those of grid_query(); bad_input for the model `cells`; no_path (proven at this resolution);
 // budget_exhausted; cancelled.
 // Sources: Cui, Harabor and Grastien, Compromise-free pathfinding on a navigation mesh (2017); turns by the

@@ -4,9 +4,9 @@
 // robot can, backwards. Poses are exact; the search keeps one of those that fall into the same cell of
 // `cell_m` and the same of `headings` headings, the first that it expands. From some of the poses, more often
 // near the goal, it tries the turning paths of Reeds and Shepp (of Dubins without reversing) that lead
-// straight to the goal pose; to a goal without a heading it tries an arc and a tangent. What is cheapest of
-// all that it met by the time that the goal leaves the queue is the plan. It is led by the larger of two
-// estimates: the shortest turning path in an empty plane, from a table, and the way to the goal of a point
+// straight to the goal pose; to a goal without a heading it tries an arc and a tangent. The plan is the
+// cheapest path that it met by the time that the goal leaves the queue. It is led by the larger of two
+// estimates: the shortest turning path in an empty plane, from a table, and the path to the goal of a point
 // that need not turn, found backwards over the cells as far as it is asked.
 //
 // A start without a heading is tried with many. The path begins and ends exactly at the given points, its
