@@ -26,7 +26,7 @@ MISSIONS ?= 1000
 TIMES ?= 10
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build build-times tool-and-page serve pictures test research asan tsan docs site soak cancel loops replays totality growth flaky writes load hostile fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build build-times tool-and-page serve pictures test research asan sanitized tsan docs site soak cancel loops replays totality growth flaky writes load hostile fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 }' Makefile
@@ -80,6 +80,13 @@ asan:  ## run the test programs, costly tests in part, under the address and und
 	@ninja -C build-asan -j $(JOBS) $(or $(UNITS:%=unit_%),test_programs)
 	@OUTRIDER_CASES=0.1 ctest --preset asan -j $(JOBS) -R '$(call tests_of,$(UNITS))' && echo "Every test passed under the sanitizers." || \
 	  { echo "Some tests failed under the sanitizers; the list above names them."; exit 1; }
+
+sanitized:  ## run the tests of the layers that read the files of others under these sanitizers, beside the release; a third of the time of asan
+	$(INSTALL) build test
+	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
+	@ninja -C build -j $(JOBS) sanitized
+	@for unit in world log io; do for part in 0 1 2 3; do echo $$unit $$part; done; done | \
+	  OUTRIDER_CASES=0.1 GTEST_TOTAL_SHARDS=4 xargs -P $(JOBS) -n 2 scripts/run-part && echo "Every test passed under the sanitizers."
 
 check-python-asan:  ## run the tests of the Python package, and the tool beside it, under the sanitizers
 	$(INSTALL) build test cbc python
@@ -220,15 +227,14 @@ lint: check-format  ## static analysis and formatting
 tidy:  ## static analysis of the lines of the library and the tool that differ from the commit BASE, HEAD~1 unless given
 	$(INSTALL) build test lint
 	$(CONFIGURE) tidy build-tidy -DOUTRIDER_BUILD_TESTS=ON
-	@[ -z "$$(scripts/changed-sources $(BASE))" ] || git diff -M -U0 $(or $(BASE),HEAD~1) -- src apps | \
+	@[ -z "$$(scripts/changed-sources $(or $(BASE),HEAD~1))" ] || git diff -M -U0 $(or $(BASE),HEAD~1) -- src apps | \
 	  clang-tidy-diff-19.py -clang-tidy-binary clang-tidy-19 -p1 -path build-tidy -iregex '.*[.]cpp' -j $(JOBS) -quiet
 
-# Checks everything except the tests with clang++-19, as the build joins it, and of the tests only the changed files.
+# Checks what changed lately with clang++-19, as the build joins it; lint checks everything.
 check-clang:
 	$(INSTALL) build test lint
 	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
-	@scripts/check-clang build src/ apps/ bench/ examples/ \
-	  $$(scripts/changed-sources $(BASE) | grep '^tests/.*[.]cpp$$')
+	@scripts/check-clang build --changed
 
 check-format:
 	$(INSTALL) format
