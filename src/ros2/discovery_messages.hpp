@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/log/message_fields.hpp"
+
 namespace outrider {
 
 inline constexpr std::string_view discovery_topic = "ros_discovery_info";  ///< on the wire
@@ -18,11 +20,7 @@ template <std::size_t Bytes>
 struct Gid {
   std::array<std::uint8_t, Bytes> data{};
 
-  static constexpr std::string_view type = "rmw_dds_common/msg/Gid";
-  template <class List>
-  static void describe(List& list) {
-    list.field("data", &Gid::data);
-  }
+  OUTRIDER_MESSAGE(Gid, "rmw_dds_common/msg/Gid", data)
 };
 
 template <std::size_t Bytes>
@@ -32,14 +30,8 @@ struct NodeEntitiesInfo {
   std::vector<Gid<Bytes>> reader_gid_seq;
   std::vector<Gid<Bytes>> writer_gid_seq;
 
-  static constexpr std::string_view type = "rmw_dds_common/msg/NodeEntitiesInfo";
-  template <class List>
-  static void describe(List& list) {
-    list.field("node_namespace", &NodeEntitiesInfo::node_namespace);
-    list.field("node_name", &NodeEntitiesInfo::node_name);
-    list.field("reader_gid_seq", &NodeEntitiesInfo::reader_gid_seq);
-    list.field("writer_gid_seq", &NodeEntitiesInfo::writer_gid_seq);
-  }
+  OUTRIDER_MESSAGE(NodeEntitiesInfo, "rmw_dds_common/msg/NodeEntitiesInfo", node_namespace, node_name,
+                   reader_gid_seq, writer_gid_seq)
 };
 
 template <std::size_t Bytes>
@@ -47,12 +39,8 @@ struct ParticipantEntitiesInfo {
   Gid<Bytes> gid;
   std::vector<NodeEntitiesInfo<Bytes>> node_entities_info_seq;
 
-  static constexpr std::string_view type = "rmw_dds_common/msg/ParticipantEntitiesInfo";
-  template <class List>
-  static void describe(List& list) {
-    list.field("gid", &ParticipantEntitiesInfo::gid);
-    list.field("node_entities_info_seq", &ParticipantEntitiesInfo::node_entities_info_seq);
-  }
+  OUTRIDER_MESSAGE(ParticipantEntitiesInfo, "rmw_dds_common/msg/ParticipantEntitiesInfo", gid,
+                   node_entities_info_seq)
 };
 
 }  // namespace rmw_dds_common

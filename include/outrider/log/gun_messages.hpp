@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/log/message_fields.hpp"
 #include "outrider/log/ros_messages.hpp"
 #include "outrider/log/scene_messages.hpp"
 
@@ -16,12 +17,7 @@ struct ProfilePiece {
   std::string name;
   std::vector<Point2> polygon;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/ProfilePiece";
-  template <class List>
-  static void describe(List& list) {
-    list.field("name", &ProfilePiece::name);
-    list.field("polygon", &ProfilePiece::polygon);
-  }
+  OUTRIDER_MESSAGE(ProfilePiece, "outrider_msgs/msg/ProfilePiece", name, polygon)
 };
 
 /// A shot and its flight, logged when the ball leaves the muzzle.
@@ -44,27 +40,10 @@ struct Shot {
   std::vector<geometry_msgs::Point> path;  ///< of the ball, at equal times to the contact; empty: a parabola
   std::vector<ProfilePiece> profile;       ///< the side view; the box of the target under its name
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Shot";
-  template <class List>
-  static void describe(List& list) {
-    list.field("target", &Shot::target);
-    list.field("attempt", &Shot::attempt);
-    list.field("flight", &Shot::flight, "s");
-    list.field("robot", &Shot::robot);
-    list.field("robot_heading", &Shot::robot_heading, "rad");
-    list.field("gun_yaw", &Shot::gun_yaw, "rad");
-    list.field("gun_pitch", &Shot::gun_pitch, "rad");
-    list.field("muzzle", &Shot::muzzle);
-    list.field("velocity", &Shot::velocity, "m/s");
-    list.field("platform_velocity", &Shot::platform_velocity, "m/s");
-    list.field("contact", &Shot::contact);
-    list.field("contact_point", &Shot::contact_point);
-    list.field("hit", &Shot::hit);
-    list.field("hit_by_reference_rule", &Shot::hit_by_reference_rule);
-    list.field("clearance", &Shot::clearance, "m");
-    list.field("path", &Shot::path);
-    list.field("profile", &Shot::profile);
-  }
+  OUTRIDER_MESSAGE(Shot, "outrider_msgs/msg/Shot", target, attempt, (flight, "s"), robot,
+                   (robot_heading, "rad"), (gun_yaw, "rad"), (gun_pitch, "rad"), muzzle, (velocity, "m/s"),
+                   (platform_velocity, "m/s"), contact, contact_point, hit, hit_by_reference_rule,
+                   (clearance, "m"), path, profile)
 };
 
 /// A target and what became of it. The newest message of each name holds.
@@ -77,17 +56,8 @@ struct Target {
   std::uint32_t shots = 0;  ///< so far
   std::string entrance;     ///< through which it came; empty: it was there from the beginning
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Target";
-  template <class List>
-  static void describe(List& list) {
-    list.field("name", &Target::name);
-    list.field("status", &Target::status);
-    list.field("reason", &Target::reason);
-    list.field("size", &Target::size, "m");
-    list.field("yaw", &Target::yaw, "rad");
-    list.field("shots", &Target::shots);
-    list.field("entrance", &Target::entrance);
-  }
+  OUTRIDER_MESSAGE(Target, "outrider_msgs/msg/Target", name, status, reason, (size, "m"), (yaw, "rad"), shots,
+                   entrance)
 };
 
 /// The position of a target. Between two messages of its name the target moves along a straight line.
@@ -96,13 +66,7 @@ struct TargetPosition {
   geometry_msgs::Point centre;
   Point2 believed;  ///< where the robot takes it to be
 
-  static constexpr std::string_view type = "outrider_msgs/msg/TargetPosition";
-  template <class List>
-  static void describe(List& list) {
-    list.field("name", &TargetPosition::name);
-    list.field("centre", &TargetPosition::centre);
-    list.field("believed", &TargetPosition::believed);
-  }
+  OUTRIDER_MESSAGE(TargetPosition, "outrider_msgs/msg/TargetPosition", name, centre, believed)
 };
 
 /// From where a target can be hit. The cells of the grid have the share of the permitted error, in percent,
@@ -111,12 +75,7 @@ struct FiringRegion {
   std::string target;
   nav_msgs::OccupancyGrid grid;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/FiringRegion";
-  template <class List>
-  static void describe(List& list) {
-    list.field("target", &FiringRegion::target);
-    list.field("grid", &FiringRegion::grid);
-  }
+  OUTRIDER_MESSAGE(FiringRegion, "outrider_msgs/msg/FiringRegion", target, grid)
 };
 
 /// A stop of a tour, and who is shot at from there.
@@ -124,12 +83,7 @@ struct TourStop {
   Point2 position;
   std::vector<std::string> targets;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/TourStop";
-  template <class List>
-  static void describe(List& list) {
-    list.field("position", &TourStop::position);
-    list.field("targets", &TourStop::targets);
-  }
+  OUTRIDER_MESSAGE(TourStop, "outrider_msgs/msg/TourStop", position, targets)
 };
 
 /// A tour that is planned. The newest message holds: while the robot plans, tours become faster; then the
@@ -140,14 +94,7 @@ struct Tour {
   double cost = 0.0;         ///< time that it takes
   double lower_bound = 0.0;  ///< no tour over the stops looked at takes less, as far as that is proven
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Tour";
-  template <class List>
-  static void describe(List& list) {
-    list.field("stops", &Tour::stops);
-    list.field("way", &Tour::way);
-    list.field("cost", &Tour::cost, "s");
-    list.field("lower_bound", &Tour::lower_bound, "s");
-  }
+  OUTRIDER_MESSAGE(Tour, "outrider_msgs/msg/Tour", stops, way, (cost, "s"), (lower_bound, "s"))
 };
 
 /// A station that refills the tank or charges the battery.
@@ -157,14 +104,7 @@ struct Station {
   bool gives_water = false;
   bool gives_charge = false;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Station";
-  template <class List>
-  static void describe(List& list) {
-    list.field("name", &Station::name);
-    list.field("position", &Station::position);
-    list.field("gives_water", &Station::gives_water);
-    list.field("gives_charge", &Station::gives_charge);
-  }
+  OUTRIDER_MESSAGE(Station, "outrider_msgs/msg/Station", name, position, gives_water, gives_charge)
 };
 
 /// The stations, and what tank and battery hold when they are full; infinite if unlimited.
@@ -173,13 +113,7 @@ struct Supplies {
   double battery = 0.0;
   std::vector<Station> stations;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Supplies";
-  template <class List>
-  static void describe(List& list) {
-    list.field("tank", &Supplies::tank, "shots");
-    list.field("battery", &Supplies::battery, "J");
-    list.field("stations", &Supplies::stations);
-  }
+  OUTRIDER_MESSAGE(Supplies, "outrider_msgs/msg/Supplies", (tank, "shots"), (battery, "J"), stations)
 };
 
 /// The levels of tank and battery. They are linear between two messages.
@@ -187,12 +121,7 @@ struct StoreLevels {
   double water = 0.0;
   double charge = 0.0;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/StoreLevels";
-  template <class List>
-  static void describe(List& list) {
-    list.field("water", &StoreLevels::water, "shots");
-    list.field("charge", &StoreLevels::charge, "J");
-  }
+  OUTRIDER_MESSAGE(StoreLevels, "outrider_msgs/msg/StoreLevels", (water, "shots"), (charge, "J"))
 };
 
 }  // namespace outrider::outrider_msgs

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/log/message_fields.hpp"
 #include "outrider/log/scene_messages.hpp"
 
 namespace outrider::outrider_msgs {
@@ -20,40 +21,22 @@ struct Landmark {
   std::uint32_t sightings = 0;
   Point2 truth;  ///< true position in the frame of the map; NaN: not known
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Landmark";
-  template <class List>
-  static void describe(List& list) {
-    list.field("id", &Landmark::id);
-    list.field("first_seen", &Landmark::first_seen, "s");
-    list.field("position", &Landmark::position);
-    list.field("sigma_x", &Landmark::sigma_x, "m");
-    list.field("sigma_y", &Landmark::sigma_y, "m");
-    list.field("correlation", &Landmark::correlation);
-    list.field("sightings", &Landmark::sightings);
-    list.field("truth", &Landmark::truth);
-  }
+  OUTRIDER_MESSAGE(Landmark, "outrider_msgs/msg/Landmark", id, (first_seen, "s"), position, (sigma_x, "m"),
+                   (sigma_y, "m"), correlation, sightings, truth)
 };
 
 /// The whole map of landmarks. The newest message holds.
 struct Landmarks {
   std::vector<Landmark> landmarks;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Landmarks";
-  template <class List>
-  static void describe(List& list) {
-    list.field("landmarks", &Landmarks::landmarks);
-  }
+  OUTRIDER_MESSAGE(Landmarks, "outrider_msgs/msg/Landmarks", landmarks)
 };
 
 /// The landmarks that were seen at this time, in the frame of the robot.
 struct Sightings {
   std::vector<Point2> points;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Sightings";
-  template <class List>
-  static void describe(List& list) {
-    list.field("points", &Sightings::points);
-  }
+  OUTRIDER_MESSAGE(Sightings, "outrider_msgs/msg/Sightings", points)
 };
 
 /// Two poses that were joined because a place was recognised, at their present estimates.
@@ -62,24 +45,14 @@ struct Loop {
   Point2 from;
   Point2 to;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Loop";
-  template <class List>
-  static void describe(List& list) {
-    list.field("closed", &Loop::closed, "s");
-    list.field("from", &Loop::from);
-    list.field("to", &Loop::to);
-  }
+  OUTRIDER_MESSAGE(Loop, "outrider_msgs/msg/Loop", (closed, "s"), from, to)
 };
 
 /// All loops. The newest message holds.
 struct Loops {
   std::vector<Loop> loops;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Loops";
-  template <class List>
-  static void describe(List& list) {
-    list.field("loops", &Loops::loops);
-  }
+  OUTRIDER_MESSAGE(Loops, "outrider_msgs/msg/Loops", loops)
 };
 
 }  // namespace outrider::outrider_msgs

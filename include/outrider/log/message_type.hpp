@@ -2,15 +2,8 @@
 // are made from this list (codecs.hpp).
 //
 // A message is a plain struct with the static members `type`, its ROS 2 name, and `describe()`, which lists
-// its fields in the order of the ROS definition:
-//
-//   struct Point {
-//     double x = 0.0, y = 0.0, z = 0.0;
-//     static constexpr std::string_view type = "geometry_msgs/msg/Point";
-//     template <class List> static void describe(List& list) {
-//       list.field("x", &Point::x, "m"); ...
-//     }
-//   };
+// its fields in the order of the ROS definition by list.field(name, member, unit) and its constants. The
+// macro OUTRIDER_MESSAGE writes both (message_fields.hpp).
 //
 // A field is a bool, an integer, a floating-point number, a text, a message, or a std::vector or std::array
 // of these (except bool).

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/log/message_fields.hpp"
 #include "outrider/log/ros_messages.hpp"
 #include "outrider/log/scene_messages.hpp"
 
@@ -18,24 +19,13 @@ struct Tag {
   double facing = 0.0;            ///< heading of the normal that points out of the wall
   double size = 0.0;              ///< side of the square
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Tag";
-  template <class List>
-  static void describe(List& list) {
-    list.field("id", &Tag::id);
-    list.field("position", &Tag::position);
-    list.field("facing", &Tag::facing, "rad");
-    list.field("size", &Tag::size, "m");
-  }
+  OUTRIDER_MESSAGE(Tag, "outrider_msgs/msg/Tag", id, position, (facing, "rad"), (size, "m"))
 };
 
 struct Tags {
   std::vector<Tag> tags;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Tags";
-  template <class List>
-  static void describe(List& list) {
-    list.field("tags", &Tags::tags);
-  }
+  OUTRIDER_MESSAGE(Tags, "outrider_msgs/msg/Tags", tags)
 };
 
 /// A waypoint of a drive, and how accurately the robot reached it.
@@ -47,16 +37,8 @@ struct Waypoint {
   Point2 error;          ///< of the true position at that time
   double heading_error = 0.0;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Waypoint";
-  template <class List>
-  static void describe(List& list) {
-    list.field("position", &Waypoint::position);
-    list.field("heading", &Waypoint::heading, "rad");
-    list.field("stop", &Waypoint::stop);
-    list.field("reached", &Waypoint::reached, "s");
-    list.field("error", &Waypoint::error);
-    list.field("heading_error", &Waypoint::heading_error, "rad");
-  }
+  OUTRIDER_MESSAGE(Waypoint, "outrider_msgs/msg/Waypoint", position, (heading, "rad"), stop, (reached, "s"),
+                   error, (heading_error, "rad"))
 };
 
 /// All waypoints of a drive. The newest message holds.
@@ -64,12 +46,7 @@ struct Waypoints {
   bool closed_loop = true;  ///< the robot corrects its errors by what it observes
   std::vector<Waypoint> waypoints;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Waypoints";
-  template <class List>
-  static void describe(List& list) {
-    list.field("closed_loop", &Waypoints::closed_loop);
-    list.field("waypoints", &Waypoints::waypoints);
-  }
+  OUTRIDER_MESSAGE(Waypoints, "outrider_msgs/msg/Waypoints", closed_loop, waypoints)
 };
 
 /// A place that a decision compared.
@@ -80,15 +57,8 @@ struct Candidate {
   double value = 0.0;  ///< what the strategy compares; NaN: another place counts for this one, too
   bool chosen = false;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Candidate";
-  template <class List>
-  static void describe(List& list) {
-    list.field("position", &Candidate::position);
-    list.field("cost", &Candidate::cost, "s");
-    list.field("gain", &Candidate::gain, "m2");
-    list.field("value", &Candidate::value);
-    list.field("chosen", &Candidate::chosen);
-  }
+  OUTRIDER_MESSAGE(Candidate, "outrider_msgs/msg/Candidate", position, (cost, "s"), (gain, "m2"), value,
+                   chosen)
 };
 
 /// The choice of a next goal. The goal and the path to it are on /goal_pose and /plan.
@@ -99,15 +69,8 @@ struct Decision {
   bool most_is_best = false;          ///< the largest value is the best, not the least
   std::vector<Candidate> candidates;  ///< the best of them, at most 16, the best first; none on the way home
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Decision";
-  template <class List>
-  static void describe(List& list) {
-    list.field("kind", &Decision::kind);
-    list.field("frontiers", &Decision::frontiers);
-    list.field("value_of", &Decision::value_of);
-    list.field("most_is_best", &Decision::most_is_best);
-    list.field("candidates", &Decision::candidates);
-  }
+  OUTRIDER_MESSAGE(Decision, "outrider_msgs/msg/Decision", kind, frontiers, value_of, most_is_best,
+                   candidates)
 };
 
 /// A frontier that was not explored, and why.
@@ -115,12 +78,7 @@ struct Refusal {
   Point2 position;
   std::string reason;  ///< one sentence
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Refusal";
-  template <class List>
-  static void describe(List& list) {
-    list.field("position", &Refusal::position);
-    list.field("reason", &Refusal::reason);
-  }
+  OUTRIDER_MESSAGE(Refusal, "outrider_msgs/msg/Refusal", position, reason)
 };
 
 /// The area to cover, and what was left out. The newest message holds.
@@ -131,15 +89,7 @@ struct CoverageArea {
   std::vector<Outline> overlap;  ///< the part of the reach that was covered more than once
   std::vector<Point2> planned;   ///< track
 
-  static constexpr std::string_view type = "outrider_msgs/msg/CoverageArea";
-  template <class List>
-  static void describe(List& list) {
-    list.field("area", &CoverageArea::area);
-    list.field("reach", &CoverageArea::reach);
-    list.field("missed", &CoverageArea::missed);
-    list.field("overlap", &CoverageArea::overlap);
-    list.field("planned", &CoverageArea::planned);
-  }
+  OUTRIDER_MESSAGE(CoverageArea, "outrider_msgs/msg/CoverageArea", area, reach, missed, overlap, planned)
 };
 
 /// The areas that the robot has covered so far on its path over an area. They are about linear between two
@@ -148,23 +98,14 @@ struct Coverage {
   double covered = 0.0;  ///< at least once
   double overlap = 0.0;  ///< more than once
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Coverage";
-  template <class List>
-  static void describe(List& list) {
-    list.field("covered", &Coverage::covered, "m2");
-    list.field("overlap", &Coverage::overlap, "m2");
-  }
+  OUTRIDER_MESSAGE(Coverage, "outrider_msgs/msg/Coverage", (covered, "m2"), (overlap, "m2"))
 };
 
 /// The section of a path over an area that begins now. It goes on until the next one, or until the end.
 struct CoveragePass {
   std::string role;  ///< lap, lane or move
 
-  static constexpr std::string_view type = "outrider_msgs/msg/CoveragePass";
-  template <class List>
-  static void describe(List& list) {
-    list.field("role", &CoveragePass::role);
-  }
+  OUTRIDER_MESSAGE(CoveragePass, "outrider_msgs/msg/CoveragePass", role)
 };
 
 /// The cost of each cell, row by row from the lowest corner. A large map is logged coarser.
@@ -175,26 +116,15 @@ struct CostGrid {
   std::uint32_t height = 0;
   std::vector<double> costs;  ///< -1: wall
 
-  static constexpr std::string_view type = "outrider_msgs/msg/CostGrid";
-  template <class List>
-  static void describe(List& list) {
-    list.field("origin", &CostGrid::origin);
-    list.field("resolution", &CostGrid::resolution, "m");
-    list.field("width", &CostGrid::width, "cells");
-    list.field("height", &CostGrid::height, "cells");
-    list.field("costs", &CostGrid::costs);
-  }
+  OUTRIDER_MESSAGE(CostGrid, "outrider_msgs/msg/CostGrid", origin, (resolution, "m"), (width, "cells"),
+                   (height, "cells"), costs)
 };
 
 /// The cost that all robots have paid together.
 struct PaidCost {
   double paid = 0.0;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/PaidCost";
-  template <class List>
-  static void describe(List& list) {
-    list.field("paid", &PaidCost::paid);
-  }
+  OUTRIDER_MESSAGE(PaidCost, "outrider_msgs/msg/PaidCost", paid)
 };
 
 /// The known costs and bounds of a pursuit. Costs are those of the whole mission.
@@ -203,13 +133,7 @@ struct CostBound {
   double cost = 0.0;         ///< of the best known catch; NaN: none
   double lower_bound = 0.0;  ///< proven lower bound of the cost; 0: none
 
-  static constexpr std::string_view type = "outrider_msgs/msg/CostBound";
-  template <class List>
-  static void describe(List& list) {
-    list.field("expansions", &CostBound::expansions);
-    list.field("cost", &CostBound::cost);
-    list.field("lower_bound", &CostBound::lower_bound);
-  }
+  OUTRIDER_MESSAGE(CostBound, "outrider_msgs/msg/CostBound", expansions, cost, lower_bound)
 };
 
 }  // namespace outrider::outrider_msgs

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/log/message_fields.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
 
 namespace outrider {
@@ -17,12 +18,7 @@ struct Duration {
   std::int32_t sec = 0;
   std::uint32_t nanosec = 0;
 
-  static constexpr std::string_view type = "builtin_interfaces/msg/Duration";
-  template <class List>
-  static void describe(List& list) {
-    list.field("sec", &Duration::sec, "s");
-    list.field("nanosec", &Duration::nanosec, "ns");
-  }
+  OUTRIDER_MESSAGE(Duration, "builtin_interfaces/msg/Duration", (sec, "s"), (nanosec, "ns"))
 };
 
 }  // namespace builtin_interfaces
@@ -36,14 +32,7 @@ struct ColorRGBA {
   float b = 0.0F;
   float a = 1.0F;
 
-  static constexpr std::string_view type = "std_msgs/msg/ColorRGBA";
-  template <class List>
-  static void describe(List& list) {
-    list.field("r", &ColorRGBA::r);
-    list.field("g", &ColorRGBA::g);
-    list.field("b", &ColorRGBA::b);
-    list.field("a", &ColorRGBA::a);
-  }
+  OUTRIDER_MESSAGE(ColorRGBA, "std_msgs/msg/ColorRGBA", r, g, b, a)
 };
 
 }  // namespace std_msgs
@@ -54,24 +43,14 @@ struct UVCoordinate {
   float u = 0.0F;
   float v = 0.0F;
 
-  static constexpr std::string_view type = "visualization_msgs/msg/UVCoordinate";
-  template <class List>
-  static void describe(List& list) {
-    list.field("u", &UVCoordinate::u);
-    list.field("v", &UVCoordinate::v);
-  }
+  OUTRIDER_MESSAGE(UVCoordinate, "visualization_msgs/msg/UVCoordinate", u, v)
 };
 
 struct MeshFile {
   std::string filename;
   std::vector<std::uint8_t> data;
 
-  static constexpr std::string_view type = "visualization_msgs/msg/MeshFile";
-  template <class List>
-  static void describe(List& list) {
-    list.field("filename", &MeshFile::filename);
-    list.field("data", &MeshFile::data);
-  }
+  OUTRIDER_MESSAGE(MeshFile, "visualization_msgs/msg/MeshFile", filename, data)
 };
 
 /// A shape, or a list of points, lines or triangles, in the frame of the header.
@@ -135,11 +114,7 @@ struct Marker {
 struct MarkerArray {
   std::vector<Marker> markers;
 
-  static constexpr std::string_view type = "visualization_msgs/msg/MarkerArray";
-  template <class List>
-  static void describe(List& list) {
-    list.field("markers", &MarkerArray::markers);
-  }
+  OUTRIDER_MESSAGE(MarkerArray, "visualization_msgs/msg/MarkerArray", markers)
 };
 
 }  // namespace visualization_msgs

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/log/message_fields.hpp"
+
 namespace outrider {
 
 namespace builtin_interfaces {
@@ -17,12 +19,7 @@ struct Time {
   std::int32_t sec = 0;
   std::uint32_t nanosec = 0;  ///< 0 to 999,999,999
 
-  static constexpr std::string_view type = "builtin_interfaces/msg/Time";
-  template <class List>
-  static void describe(List& list) {
-    list.field("sec", &Time::sec, "s");
-    list.field("nanosec", &Time::nanosec, "ns");
-  }
+  OUTRIDER_MESSAGE(Time, "builtin_interfaces/msg/Time", (sec, "s"), (nanosec, "ns"))
 };
 
 }  // namespace builtin_interfaces
@@ -33,12 +30,7 @@ struct Header {
   builtin_interfaces::Time stamp;
   std::string frame_id;
 
-  static constexpr std::string_view type = "std_msgs/msg/Header";
-  template <class List>
-  static void describe(List& list) {
-    list.field("stamp", &Header::stamp);
-    list.field("frame_id", &Header::frame_id);
-  }
+  OUTRIDER_MESSAGE(Header, "std_msgs/msg/Header", stamp, frame_id)
 };
 
 }  // namespace std_msgs
@@ -50,13 +42,7 @@ struct Vector3 {
   double y = 0.0;
   double z = 0.0;
 
-  static constexpr std::string_view type = "geometry_msgs/msg/Vector3";
-  template <class List>
-  static void describe(List& list) {
-    list.field("x", &Vector3::x);
-    list.field("y", &Vector3::y);
-    list.field("z", &Vector3::z);
-  }
+  OUTRIDER_MESSAGE(Vector3, "geometry_msgs/msg/Vector3", x, y, z)
 };
 
 struct Point {
@@ -64,13 +50,7 @@ struct Point {
   double y = 0.0;
   double z = 0.0;
 
-  static constexpr std::string_view type = "geometry_msgs/msg/Point";
-  template <class List>
-  static void describe(List& list) {
-    list.field("x", &Point::x, "m");
-    list.field("y", &Point::y, "m");
-    list.field("z", &Point::z, "m");
-  }
+  OUTRIDER_MESSAGE(Point, "geometry_msgs/msg/Point", (x, "m"), (y, "m"), (z, "m"))
 };
 
 struct Quaternion {
@@ -93,24 +73,14 @@ struct Pose {
   Point position;
   Quaternion orientation;
 
-  static constexpr std::string_view type = "geometry_msgs/msg/Pose";
-  template <class List>
-  static void describe(List& list) {
-    list.field("position", &Pose::position);
-    list.field("orientation", &Pose::orientation);
-  }
+  OUTRIDER_MESSAGE(Pose, "geometry_msgs/msg/Pose", position, orientation)
 };
 
 struct PoseStamped {
   std_msgs::Header header;
   Pose pose;
 
-  static constexpr std::string_view type = "geometry_msgs/msg/PoseStamped";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &PoseStamped::header);
-    list.field("pose", &PoseStamped::pose);
-  }
+  OUTRIDER_MESSAGE(PoseStamped, "geometry_msgs/msg/PoseStamped", header, pose)
 };
 
 /// A pose with the covariance of x, y, z and the rotations about the axes x, y, z, row by row.
@@ -118,36 +88,21 @@ struct PoseWithCovariance {
   Pose pose;
   std::array<double, 36> covariance{};
 
-  static constexpr std::string_view type = "geometry_msgs/msg/PoseWithCovariance";
-  template <class List>
-  static void describe(List& list) {
-    list.field("pose", &PoseWithCovariance::pose);
-    list.field("covariance", &PoseWithCovariance::covariance);
-  }
+  OUTRIDER_MESSAGE(PoseWithCovariance, "geometry_msgs/msg/PoseWithCovariance", pose, covariance)
 };
 
 struct PoseWithCovarianceStamped {
   std_msgs::Header header;
   PoseWithCovariance pose;
 
-  static constexpr std::string_view type = "geometry_msgs/msg/PoseWithCovarianceStamped";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &PoseWithCovarianceStamped::header);
-    list.field("pose", &PoseWithCovarianceStamped::pose);
-  }
+  OUTRIDER_MESSAGE(PoseWithCovarianceStamped, "geometry_msgs/msg/PoseWithCovarianceStamped", header, pose)
 };
 
 struct Transform {
   Vector3 translation;  ///< m
   Quaternion rotation;
 
-  static constexpr std::string_view type = "geometry_msgs/msg/Transform";
-  template <class List>
-  static void describe(List& list) {
-    list.field("translation", &Transform::translation, "m");
-    list.field("rotation", &Transform::rotation);
-  }
+  OUTRIDER_MESSAGE(Transform, "geometry_msgs/msg/Transform", (translation, "m"), rotation)
 };
 
 /// The pose of the frame `child_frame_id` in the frame of the header.
@@ -156,37 +111,21 @@ struct TransformStamped {
   std::string child_frame_id;
   Transform transform;
 
-  static constexpr std::string_view type = "geometry_msgs/msg/TransformStamped";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &TransformStamped::header);
-    list.field("child_frame_id", &TransformStamped::child_frame_id);
-    list.field("transform", &TransformStamped::transform);
-  }
+  OUTRIDER_MESSAGE(TransformStamped, "geometry_msgs/msg/TransformStamped", header, child_frame_id, transform)
 };
 
 struct Twist {
   Vector3 linear;   ///< m/s
   Vector3 angular;  ///< rad/s
 
-  static constexpr std::string_view type = "geometry_msgs/msg/Twist";
-  template <class List>
-  static void describe(List& list) {
-    list.field("linear", &Twist::linear, "m/s");
-    list.field("angular", &Twist::angular, "rad/s");
-  }
+  OUTRIDER_MESSAGE(Twist, "geometry_msgs/msg/Twist", (linear, "m/s"), (angular, "rad/s"))
 };
 
 struct TwistWithCovariance {
   Twist twist;
   std::array<double, 36> covariance{};
 
-  static constexpr std::string_view type = "geometry_msgs/msg/TwistWithCovariance";
-  template <class List>
-  static void describe(List& list) {
-    list.field("twist", &TwistWithCovariance::twist);
-    list.field("covariance", &TwistWithCovariance::covariance);
-  }
+  OUTRIDER_MESSAGE(TwistWithCovariance, "geometry_msgs/msg/TwistWithCovariance", twist, covariance)
 };
 
 }  // namespace geometry_msgs
@@ -196,11 +135,7 @@ namespace tf2_msgs {
 struct TFMessage {
   std::vector<geometry_msgs::TransformStamped> transforms;
 
-  static constexpr std::string_view type = "tf2_msgs/msg/TFMessage";
-  template <class List>
-  static void describe(List& list) {
-    list.field("transforms", &TFMessage::transforms);
-  }
+  OUTRIDER_MESSAGE(TFMessage, "tf2_msgs/msg/TFMessage", transforms)
 };
 
 }  // namespace tf2_msgs
@@ -214,26 +149,14 @@ struct Odometry {
   geometry_msgs::PoseWithCovariance pose;
   geometry_msgs::TwistWithCovariance twist;
 
-  static constexpr std::string_view type = "nav_msgs/msg/Odometry";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &Odometry::header);
-    list.field("child_frame_id", &Odometry::child_frame_id);
-    list.field("pose", &Odometry::pose);
-    list.field("twist", &Odometry::twist);
-  }
+  OUTRIDER_MESSAGE(Odometry, "nav_msgs/msg/Odometry", header, child_frame_id, pose, twist)
 };
 
 struct Path {
   std_msgs::Header header;
   std::vector<geometry_msgs::PoseStamped> poses;
 
-  static constexpr std::string_view type = "nav_msgs/msg/Path";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &Path::header);
-    list.field("poses", &Path::poses);
-  }
+  OUTRIDER_MESSAGE(Path, "nav_msgs/msg/Path", header, poses)
 };
 
 struct MapMetaData {
@@ -243,15 +166,8 @@ struct MapMetaData {
   std::uint32_t height = 0;
   geometry_msgs::Pose origin;  ///< of the lowest corner of the first cell
 
-  static constexpr std::string_view type = "nav_msgs/msg/MapMetaData";
-  template <class List>
-  static void describe(List& list) {
-    list.field("map_load_time", &MapMetaData::map_load_time);
-    list.field("resolution", &MapMetaData::resolution, "m");
-    list.field("width", &MapMetaData::width, "cells");
-    list.field("height", &MapMetaData::height, "cells");
-    list.field("origin", &MapMetaData::origin);
-  }
+  OUTRIDER_MESSAGE(MapMetaData, "nav_msgs/msg/MapMetaData", map_load_time, (resolution, "m"),
+                   (width, "cells"), (height, "cells"), origin)
 };
 
 /// Probabilities of occupancy in percent, row by row from the lowest; -1 is unknown.
@@ -260,13 +176,7 @@ struct OccupancyGrid {
   MapMetaData info;
   std::vector<std::int8_t> data;
 
-  static constexpr std::string_view type = "nav_msgs/msg/OccupancyGrid";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &OccupancyGrid::header);
-    list.field("info", &OccupancyGrid::info);
-    list.field("data", &OccupancyGrid::data, "%");
-  }
+  OUTRIDER_MESSAGE(OccupancyGrid, "nav_msgs/msg/OccupancyGrid", header, info, (data, "%"))
 };
 
 }  // namespace nav_msgs
@@ -282,16 +192,8 @@ struct OccupancyGridUpdate {
   std::uint32_t height = 0;
   std::vector<std::int8_t> data;
 
-  static constexpr std::string_view type = "map_msgs/msg/OccupancyGridUpdate";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &OccupancyGridUpdate::header);
-    list.field("x", &OccupancyGridUpdate::x, "cells");
-    list.field("y", &OccupancyGridUpdate::y, "cells");
-    list.field("width", &OccupancyGridUpdate::width, "cells");
-    list.field("height", &OccupancyGridUpdate::height, "cells");
-    list.field("data", &OccupancyGridUpdate::data, "%");
-  }
+  OUTRIDER_MESSAGE(OccupancyGridUpdate, "map_msgs/msg/OccupancyGridUpdate", header, (x, "cells"),
+                   (y, "cells"), (width, "cells"), (height, "cells"), (data, "%"))
 };
 
 }  // namespace map_msgs

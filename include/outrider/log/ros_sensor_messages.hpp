@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/log/message_fields.hpp"
 #include "outrider/log/ros_messages.hpp"
 
 namespace outrider::sensor_msgs {
@@ -25,20 +26,9 @@ struct LaserScan {
   std::vector<float> ranges;  ///< a range outside [range_min, range_max] is no measurement
   std::vector<float> intensities;
 
-  static constexpr std::string_view type = "sensor_msgs/msg/LaserScan";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &LaserScan::header);
-    list.field("angle_min", &LaserScan::angle_min, "rad");
-    list.field("angle_max", &LaserScan::angle_max, "rad");
-    list.field("angle_increment", &LaserScan::angle_increment, "rad");
-    list.field("time_increment", &LaserScan::time_increment, "s");
-    list.field("scan_time", &LaserScan::scan_time, "s");
-    list.field("range_min", &LaserScan::range_min, "m");
-    list.field("range_max", &LaserScan::range_max, "m");
-    list.field("ranges", &LaserScan::ranges, "m");
-    list.field("intensities", &LaserScan::intensities);
-  }
+  OUTRIDER_MESSAGE(LaserScan, "sensor_msgs/msg/LaserScan", header, (angle_min, "rad"), (angle_max, "rad"),
+                   (angle_increment, "rad"), (time_increment, "s"), (scan_time, "s"), (range_min, "m"),
+                   (range_max, "m"), (ranges, "m"), intensities)
 };
 
 /// The state of joints, by name.
@@ -49,15 +39,7 @@ struct JointState {
   std::vector<double> velocity;
   std::vector<double> effort;
 
-  static constexpr std::string_view type = "sensor_msgs/msg/JointState";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &JointState::header);
-    list.field("name", &JointState::name);
-    list.field("position", &JointState::position);
-    list.field("velocity", &JointState::velocity);
-    list.field("effort", &JointState::effort);
-  }
+  OUTRIDER_MESSAGE(JointState, "sensor_msgs/msg/JointState", header, name, position, velocity, effort)
 };
 
 struct RegionOfInterest {
@@ -67,15 +49,8 @@ struct RegionOfInterest {
   std::uint32_t width = 0;
   bool do_rectify = false;
 
-  static constexpr std::string_view type = "sensor_msgs/msg/RegionOfInterest";
-  template <class List>
-  static void describe(List& list) {
-    list.field("x_offset", &RegionOfInterest::x_offset, "px");
-    list.field("y_offset", &RegionOfInterest::y_offset, "px");
-    list.field("height", &RegionOfInterest::height, "px");
-    list.field("width", &RegionOfInterest::width, "px");
-    list.field("do_rectify", &RegionOfInterest::do_rectify);
-  }
+  OUTRIDER_MESSAGE(RegionOfInterest, "sensor_msgs/msg/RegionOfInterest", (x_offset, "px"), (y_offset, "px"),
+                   (height, "px"), (width, "px"), do_rectify)
 };
 
 /// The intrinsic parameters of a camera. `k`, `r` and `p` are matrices row by row.
@@ -92,21 +67,8 @@ struct CameraInfo {
   std::uint32_t binning_y = 0;
   RegionOfInterest roi;
 
-  static constexpr std::string_view type = "sensor_msgs/msg/CameraInfo";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &CameraInfo::header);
-    list.field("height", &CameraInfo::height, "px");
-    list.field("width", &CameraInfo::width, "px");
-    list.field("distortion_model", &CameraInfo::distortion_model);
-    list.field("d", &CameraInfo::d);
-    list.field("k", &CameraInfo::k);
-    list.field("r", &CameraInfo::r);
-    list.field("p", &CameraInfo::p);
-    list.field("binning_x", &CameraInfo::binning_x);
-    list.field("binning_y", &CameraInfo::binning_y);
-    list.field("roi", &CameraInfo::roi);
-  }
+  OUTRIDER_MESSAGE(CameraInfo, "sensor_msgs/msg/CameraInfo", header, (height, "px"), (width, "px"),
+                   distortion_model, d, k, r, p, binning_x, binning_y, roi)
 };
 
 /// The pixels of a camera, row by row from the top.
@@ -119,17 +81,8 @@ struct Image {
   std::uint32_t step = 0;  ///< length of a row
   std::vector<std::uint8_t> data;
 
-  static constexpr std::string_view type = "sensor_msgs/msg/Image";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &Image::header);
-    list.field("height", &Image::height, "px");
-    list.field("width", &Image::width, "px");
-    list.field("encoding", &Image::encoding);
-    list.field("is_bigendian", &Image::is_bigendian);
-    list.field("step", &Image::step, "bytes");
-    list.field("data", &Image::data);
-  }
+  OUTRIDER_MESSAGE(Image, "sensor_msgs/msg/Image", header, (height, "px"), (width, "px"), encoding,
+                   is_bigendian, (step, "bytes"), data)
 };
 
 /// An image as a JPEG or PNG file.
@@ -138,13 +91,7 @@ struct CompressedImage {
   std::string format;
   std::vector<std::uint8_t> data;
 
-  static constexpr std::string_view type = "sensor_msgs/msg/CompressedImage";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &CompressedImage::header);
-    list.field("format", &CompressedImage::format);
-    list.field("data", &CompressedImage::data);
-  }
+  OUTRIDER_MESSAGE(CompressedImage, "sensor_msgs/msg/CompressedImage", header, format, data)
 };
 
 }  // namespace outrider::sensor_msgs

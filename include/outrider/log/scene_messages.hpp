@@ -7,40 +7,29 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/log/message_fields.hpp"
+
 namespace outrider::outrider_msgs {
 
 struct Point2 {
   double x = 0.0;
   double y = 0.0;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Point2";
-  template <class List>
-  static void describe(List& list) {
-    list.field("x", &Point2::x, "m");
-    list.field("y", &Point2::y, "m");
-  }
+  OUTRIDER_MESSAGE(Point2, "outrider_msgs/msg/Point2", (x, "m"), (y, "m"))
 };
 
 /// A closed line: counter-clockwise around an area, clockwise around a hole in one.
 struct Outline {
   std::vector<Point2> points;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Outline";
-  template <class List>
-  static void describe(List& list) {
-    list.field("points", &Outline::points);
-  }
+  OUTRIDER_MESSAGE(Outline, "outrider_msgs/msg/Outline", points)
 };
 
 /// Named outlines, such as the walls that a laser can hit.
 struct Outlines {
   std::vector<Outline> outlines;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Outlines";
-  template <class List>
-  static void describe(List& list) {
-    list.field("outlines", &Outlines::outlines);
-  }
+  OUTRIDER_MESSAGE(Outlines, "outrider_msgs/msg/Outlines", outlines)
 };
 
 /// A convex polygon that is grown by a radius on all sides. One point and a radius make a disk.
@@ -48,12 +37,7 @@ struct RoundedPolygon {
   std::vector<Point2> points;
   double radius = 0.0;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/RoundedPolygon";
-  template <class List>
-  static void describe(List& list) {
-    list.field("points", &RoundedPolygon::points);
-    list.field("radius", &RoundedPolygon::radius, "m");
-  }
+  OUTRIDER_MESSAGE(RoundedPolygon, "outrider_msgs/msg/RoundedPolygon", points, (radius, "m"))
 };
 
 /// The job that is run, its world and its robot.
@@ -75,26 +59,9 @@ struct RunInfo {
   double coverage_length = 0.0;   ///< of a bar that covers, along the heading; 0: a disk covers
   double coverage_forward = 0.0;  ///< of the middle of the bar, ahead of the robot
 
-  static constexpr std::string_view type = "outrider_msgs/msg/RunInfo";
-  template <class List>
-  static void describe(List& list) {
-    list.field("job", &RunInfo::job);
-    list.field("sim", &RunInfo::sim);
-    list.field("engine", &RunInfo::engine);
-    list.field("seeded", &RunInfo::seeded);
-    list.field("seed", &RunInfo::seed);
-    list.field("world", &RunInfo::world);
-    list.field("low", &RunInfo::low);
-    list.field("high", &RunInfo::high);
-    list.field("gravity", &RunInfo::gravity, "m/s2");
-    list.field("robot_radius", &RunInfo::robot_radius, "m");
-    list.field("gun_length", &RunInfo::gun_length, "m");
-    list.field("ball_radius", &RunInfo::ball_radius, "m");
-    list.field("margin", &RunInfo::margin, "m");
-    list.field("coverage_width", &RunInfo::coverage_width, "m");
-    list.field("coverage_length", &RunInfo::coverage_length, "m");
-    list.field("coverage_forward", &RunInfo::coverage_forward, "m");
-  }
+  OUTRIDER_MESSAGE(RunInfo, "outrider_msgs/msg/RunInfo", job, sim, engine, seeded, seed, world, low, high,
+                   (gravity, "m/s2"), (robot_radius, "m"), (gun_length, "m"), (ball_radius, "m"),
+                   (margin, "m"), (coverage_width, "m"), (coverage_length, "m"), (coverage_forward, "m"))
 };
 
 /// A solid of the world.
@@ -106,26 +73,14 @@ struct Solid {
   double high_z = 0.0;
   bool blocks_driving = false;  ///< some part of it is an obstacle for the robot
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Solid";
-  template <class List>
-  static void describe(List& list) {
-    list.field("name", &Solid::name);
-    list.field("kind", &Solid::kind);
-    list.field("footprint", &Solid::footprint);
-    list.field("low_z", &Solid::low_z, "m");
-    list.field("high_z", &Solid::high_z, "m");
-    list.field("blocks_driving", &Solid::blocks_driving);
-  }
+  OUTRIDER_MESSAGE(Solid, "outrider_msgs/msg/Solid", name, kind, footprint, (low_z, "m"), (high_z, "m"),
+                   blocks_driving)
 };
 
 struct Solids {
   std::vector<Solid> solids;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Solids";
-  template <class List>
-  static void describe(List& list) {
-    list.field("solids", &Solids::solids);
-  }
+  OUTRIDER_MESSAGE(Solids, "outrider_msgs/msg/Solids", solids)
 };
 
 /// A contour line. A closed one repeats its first point at the end.
@@ -133,12 +88,7 @@ struct Contour {
   double height = 0.0;
   std::vector<Point2> points;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Contour";
-  template <class List>
-  static void describe(List& list) {
-    list.field("height", &Contour::height, "m");
-    list.field("points", &Contour::points);
-  }
+  OUTRIDER_MESSAGE(Contour, "outrider_msgs/msg/Contour", (height, "m"), points)
 };
 
 /// Ground that is not level. The heights form a lattice, row by row from the lowest corner; each of its cells
@@ -152,17 +102,8 @@ struct Terrain {
   std::uint32_t rows = 0;
   std::vector<double> heights;
 
-  static constexpr std::string_view type = "outrider_msgs/msg/Terrain";
-  template <class List>
-  static void describe(List& list) {
-    list.field("contours", &Terrain::contours);
-    list.field("steep", &Terrain::steep);
-    list.field("origin", &Terrain::origin);
-    list.field("spacing", &Terrain::spacing);
-    list.field("columns", &Terrain::columns);
-    list.field("rows", &Terrain::rows);
-    list.field("heights", &Terrain::heights, "m");
-  }
+  OUTRIDER_MESSAGE(Terrain, "outrider_msgs/msg/Terrain", contours, steep, origin, spacing, columns, rows,
+                   (heights, "m"))
 };
 
 }  // namespace outrider::outrider_msgs

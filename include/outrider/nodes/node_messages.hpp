@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/log/message_fields.hpp"
 #include "outrider/log/ros_messages.hpp"
 
 namespace outrider {
@@ -16,21 +17,13 @@ namespace std_msgs {
 struct Float64 {
   double data = 0.0;
 
-  static constexpr std::string_view type = "std_msgs/msg/Float64";
-  template <class List>
-  static void describe(List& list) {
-    list.field("data", &Float64::data);
-  }
+  OUTRIDER_MESSAGE(Float64, "std_msgs/msg/Float64", data)
 };
 
 struct String {
   std::string data;
 
-  static constexpr std::string_view type = "std_msgs/msg/String";
-  template <class List>
-  static void describe(List& list) {
-    list.field("data", &String::data);
-  }
+  OUTRIDER_MESSAGE(String, "std_msgs/msg/String", data)
 };
 
 }  // namespace std_msgs
@@ -41,11 +34,7 @@ namespace rosgraph_msgs {
 struct Clock {
   builtin_interfaces::Time clock;
 
-  static constexpr std::string_view type = "rosgraph_msgs/msg/Clock";
-  template <class List>
-  static void describe(List& list) {
-    list.field("clock", &Clock::clock);
-  }
+  OUTRIDER_MESSAGE(Clock, "rosgraph_msgs/msg/Clock", clock)
 };
 
 }  // namespace rosgraph_msgs
@@ -56,12 +45,7 @@ struct TwistStamped {
   std_msgs::Header header;
   Twist twist;
 
-  static constexpr std::string_view type = "geometry_msgs/msg/TwistStamped";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &TwistStamped::header);
-    list.field("twist", &TwistStamped::twist);
-  }
+  OUTRIDER_MESSAGE(TwistStamped, "geometry_msgs/msg/TwistStamped", header, twist)
 };
 
 struct Point32 {
@@ -69,35 +53,20 @@ struct Point32 {
   float y = 0.0F;
   float z = 0.0F;
 
-  static constexpr std::string_view type = "geometry_msgs/msg/Point32";
-  template <class List>
-  static void describe(List& list) {
-    list.field("x", &Point32::x, "m");
-    list.field("y", &Point32::y, "m");
-    list.field("z", &Point32::z, "m");
-  }
+  OUTRIDER_MESSAGE(Point32, "geometry_msgs/msg/Point32", (x, "m"), (y, "m"), (z, "m"))
 };
 
 struct Polygon {
   std::vector<Point32> points;
 
-  static constexpr std::string_view type = "geometry_msgs/msg/Polygon";
-  template <class List>
-  static void describe(List& list) {
-    list.field("points", &Polygon::points);
-  }
+  OUTRIDER_MESSAGE(Polygon, "geometry_msgs/msg/Polygon", points)
 };
 
 struct PolygonStamped {
   std_msgs::Header header;
   Polygon polygon;
 
-  static constexpr std::string_view type = "geometry_msgs/msg/PolygonStamped";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &PolygonStamped::header);
-    list.field("polygon", &PolygonStamped::polygon);
-  }
+  OUTRIDER_MESSAGE(PolygonStamped, "geometry_msgs/msg/PolygonStamped", header, polygon)
 };
 
 }  // namespace geometry_msgs
@@ -108,12 +77,7 @@ struct KeyValue {
   std::string key;
   std::string value;
 
-  static constexpr std::string_view type = "diagnostic_msgs/msg/KeyValue";
-  template <class List>
-  static void describe(List& list) {
-    list.field("key", &KeyValue::key);
-    list.field("value", &KeyValue::value);
-  }
+  OUTRIDER_MESSAGE(KeyValue, "diagnostic_msgs/msg/KeyValue", key, value)
 };
 
 struct DiagnosticStatus {

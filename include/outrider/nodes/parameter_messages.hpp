@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/log/message_fields.hpp"
+
 namespace outrider::rcl_interfaces {
 
 /// Types of a parameter, as ParameterType has them.
@@ -45,12 +47,7 @@ struct Parameter {
   std::string name;
   ParameterValue value;
 
-  static constexpr std::string_view type = "rcl_interfaces/msg/Parameter";
-  template <class List>
-  static void describe(List& list) {
-    list.field("name", &Parameter::name);
-    list.field("value", &Parameter::value);
-  }
+  OUTRIDER_MESSAGE(Parameter, "rcl_interfaces/msg/Parameter", name, value)
 };
 
 struct FloatingPointRange {
@@ -58,13 +55,7 @@ struct FloatingPointRange {
   double to_value = 0.0;
   double step = 0.0;
 
-  static constexpr std::string_view type = "rcl_interfaces/msg/FloatingPointRange";
-  template <class List>
-  static void describe(List& list) {
-    list.field("from_value", &FloatingPointRange::from_value);
-    list.field("to_value", &FloatingPointRange::to_value);
-    list.field("step", &FloatingPointRange::step);
-  }
+  OUTRIDER_MESSAGE(FloatingPointRange, "rcl_interfaces/msg/FloatingPointRange", from_value, to_value, step)
 };
 
 struct IntegerRange {
@@ -72,13 +63,7 @@ struct IntegerRange {
   std::int64_t to_value = 0;
   std::uint64_t step = 0;
 
-  static constexpr std::string_view type = "rcl_interfaces/msg/IntegerRange";
-  template <class List>
-  static void describe(List& list) {
-    list.field("from_value", &IntegerRange::from_value);
-    list.field("to_value", &IntegerRange::to_value);
-    list.field("step", &IntegerRange::step);
-  }
+  OUTRIDER_MESSAGE(IntegerRange, "rcl_interfaces/msg/IntegerRange", from_value, to_value, step)
 };
 
 struct ParameterDescriptor {
@@ -109,146 +94,89 @@ struct ListParametersResult {
   std::vector<std::string> names;
   std::vector<std::string> prefixes;
 
-  static constexpr std::string_view type = "rcl_interfaces/msg/ListParametersResult";
-  template <class List>
-  static void describe(List& list) {
-    list.field("names", &ListParametersResult::names);
-    list.field("prefixes", &ListParametersResult::prefixes);
-  }
+  OUTRIDER_MESSAGE(ListParametersResult, "rcl_interfaces/msg/ListParametersResult", names, prefixes)
 };
 
 struct SetParametersResult {
   bool successful = false;
   std::string reason;
 
-  static constexpr std::string_view type = "rcl_interfaces/msg/SetParametersResult";
-  template <class List>
-  static void describe(List& list) {
-    list.field("successful", &SetParametersResult::successful);
-    list.field("reason", &SetParametersResult::reason);
-  }
+  OUTRIDER_MESSAGE(SetParametersResult, "rcl_interfaces/msg/SetParametersResult", successful, reason)
 };
 
 struct ListParametersRequest {
   std::vector<std::string> prefixes;
   std::uint64_t depth = 0;
 
-  static constexpr std::string_view type = "rcl_interfaces/srv/ListParameters_Request";
-  template <class List>
-  static void describe(List& list) {
-    list.field("prefixes", &ListParametersRequest::prefixes);
-    list.field("depth", &ListParametersRequest::depth);
-  }
+  OUTRIDER_MESSAGE(ListParametersRequest, "rcl_interfaces/srv/ListParameters_Request", prefixes, depth)
 };
 
 struct ListParametersResponse {
   ListParametersResult result;
 
-  static constexpr std::string_view type = "rcl_interfaces/srv/ListParameters_Response";
-  template <class List>
-  static void describe(List& list) {
-    list.field("result", &ListParametersResponse::result);
-  }
+  OUTRIDER_MESSAGE(ListParametersResponse, "rcl_interfaces/srv/ListParameters_Response", result)
 };
 
 struct GetParametersRequest {
   std::vector<std::string> names;
 
-  static constexpr std::string_view type = "rcl_interfaces/srv/GetParameters_Request";
-  template <class List>
-  static void describe(List& list) {
-    list.field("names", &GetParametersRequest::names);
-  }
+  OUTRIDER_MESSAGE(GetParametersRequest, "rcl_interfaces/srv/GetParameters_Request", names)
 };
 
 struct GetParametersResponse {
   std::vector<ParameterValue> values;
 
-  static constexpr std::string_view type = "rcl_interfaces/srv/GetParameters_Response";
-  template <class List>
-  static void describe(List& list) {
-    list.field("values", &GetParametersResponse::values);
-  }
+  OUTRIDER_MESSAGE(GetParametersResponse, "rcl_interfaces/srv/GetParameters_Response", values)
 };
 
 struct GetParameterTypesRequest {
   std::vector<std::string> names;
 
-  static constexpr std::string_view type = "rcl_interfaces/srv/GetParameterTypes_Request";
-  template <class List>
-  static void describe(List& list) {
-    list.field("names", &GetParameterTypesRequest::names);
-  }
+  OUTRIDER_MESSAGE(GetParameterTypesRequest, "rcl_interfaces/srv/GetParameterTypes_Request", names)
 };
 
 struct GetParameterTypesResponse {
   std::vector<std::uint8_t> types;
 
-  static constexpr std::string_view type = "rcl_interfaces/srv/GetParameterTypes_Response";
-  template <class List>
-  static void describe(List& list) {
-    list.field("types", &GetParameterTypesResponse::types);
-  }
+  OUTRIDER_MESSAGE(GetParameterTypesResponse, "rcl_interfaces/srv/GetParameterTypes_Response", types)
 };
 
 struct DescribeParametersRequest {
   std::vector<std::string> names;
 
-  static constexpr std::string_view type = "rcl_interfaces/srv/DescribeParameters_Request";
-  template <class List>
-  static void describe(List& list) {
-    list.field("names", &DescribeParametersRequest::names);
-  }
+  OUTRIDER_MESSAGE(DescribeParametersRequest, "rcl_interfaces/srv/DescribeParameters_Request", names)
 };
 
 struct DescribeParametersResponse {
   std::vector<ParameterDescriptor> descriptors;
 
-  static constexpr std::string_view type = "rcl_interfaces/srv/DescribeParameters_Response";
-  template <class List>
-  static void describe(List& list) {
-    list.field("descriptors", &DescribeParametersResponse::descriptors);
-  }
+  OUTRIDER_MESSAGE(DescribeParametersResponse, "rcl_interfaces/srv/DescribeParameters_Response", descriptors)
 };
 
 struct SetParametersRequest {
   std::vector<Parameter> parameters;
 
-  static constexpr std::string_view type = "rcl_interfaces/srv/SetParameters_Request";
-  template <class List>
-  static void describe(List& list) {
-    list.field("parameters", &SetParametersRequest::parameters);
-  }
+  OUTRIDER_MESSAGE(SetParametersRequest, "rcl_interfaces/srv/SetParameters_Request", parameters)
 };
 
 struct SetParametersResponse {
   std::vector<SetParametersResult> results;
 
-  static constexpr std::string_view type = "rcl_interfaces/srv/SetParameters_Response";
-  template <class List>
-  static void describe(List& list) {
-    list.field("results", &SetParametersResponse::results);
-  }
+  OUTRIDER_MESSAGE(SetParametersResponse, "rcl_interfaces/srv/SetParameters_Response", results)
 };
 
 struct SetParametersAtomicallyRequest {
   std::vector<Parameter> parameters;
 
-  static constexpr std::string_view type = "rcl_interfaces/srv/SetParametersAtomically_Request";
-  template <class List>
-  static void describe(List& list) {
-    list.field("parameters", &SetParametersAtomicallyRequest::parameters);
-  }
+  OUTRIDER_MESSAGE(SetParametersAtomicallyRequest, "rcl_interfaces/srv/SetParametersAtomically_Request",
+                   parameters)
 };
 
 struct SetParametersAtomicallyResponse {
   SetParametersResult result;
 
-  static constexpr std::string_view type = "rcl_interfaces/srv/SetParametersAtomically_Response";
-  template <class List>
-  static void describe(List& list) {
-    list.field("result", &SetParametersAtomicallyResponse::result);
-  }
+  OUTRIDER_MESSAGE(SetParametersAtomicallyResponse, "rcl_interfaces/srv/SetParametersAtomically_Response",
+                   result)
 };
 
 }  // namespace outrider::rcl_interfaces

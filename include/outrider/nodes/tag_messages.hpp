@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/log/message_fields.hpp"
 #include "outrider/log/ros_messages.hpp"
 
 namespace outrider::apriltag_msgs {
@@ -22,30 +23,15 @@ struct AprilTagDetection {
   std::array<double, 8> corners{};  ///< x, y of each, in the order of libapriltag (estimate/tag.hpp)
   std::array<double, 9> homography{};
 
-  static constexpr std::string_view type = "apriltag_msgs/msg/AprilTagDetection";
-  template <class List>
-  static void describe(List& list) {
-    list.field("family", &AprilTagDetection::family);
-    list.field("id", &AprilTagDetection::id);
-    list.field("hamming", &AprilTagDetection::hamming);
-    list.field("goodness", &AprilTagDetection::goodness);
-    list.field("decision_margin", &AprilTagDetection::decision_margin);
-    list.field("centre", &AprilTagDetection::centre, "px");
-    list.field("corners", &AprilTagDetection::corners, "px");
-    list.field("homography", &AprilTagDetection::homography);
-  }
+  OUTRIDER_MESSAGE(AprilTagDetection, "apriltag_msgs/msg/AprilTagDetection", family, id, hamming, goodness,
+                   decision_margin, (centre, "px"), (corners, "px"), homography)
 };
 
 struct AprilTagDetectionArray {
   std_msgs::Header header;
   std::vector<AprilTagDetection> detections;
 
-  static constexpr std::string_view type = "apriltag_msgs/msg/AprilTagDetectionArray";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &AprilTagDetectionArray::header);
-    list.field("detections", &AprilTagDetectionArray::detections);
-  }
+  OUTRIDER_MESSAGE(AprilTagDetectionArray, "apriltag_msgs/msg/AprilTagDetectionArray", header, detections)
 };
 
 }  // namespace outrider::apriltag_msgs
