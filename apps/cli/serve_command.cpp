@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "flags.hpp"
 #include "output.hpp"
+#include "outrider/core/text.hpp"
 #include "outrider/io/files.hpp"
 #include "reading.hpp"
 #include "temporary_folder.hpp"
@@ -90,7 +91,7 @@ Status check_token(const ServeCommand& command) {
     return bad_input(
         fmt::format("{} can be reached from other machines; give --token with 16 letters or more, as "
                     "'openssl rand -hex 16' prints",
-                    command.listen),
+                    excerpt(command.listen)),
         "--listen");
   }
   if (command.token.size() >= shortest_token &&

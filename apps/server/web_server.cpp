@@ -1,4 +1,5 @@
 #include "web_server.hpp"
+#include "outrider/core/text.hpp"
 
 #include <fmt/format.h>
 #include <malloc.h>
@@ -60,7 +61,7 @@ class BeastServer : public WebServer {
     const auto address = asio::ip::make_address(listen.address, error);
     if (error) {
       return bad_input(fmt::format("'{}' is no address; give one of this machine, such as 0.0.0.0 for all",
-                                   listen.address),
+                                   excerpt(listen.address)),
                        "--listen");
     }
     const tcp::endpoint place(address, static_cast<std::uint16_t>(listen.port));

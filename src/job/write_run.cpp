@@ -11,7 +11,12 @@ namespace outrider {
 
 std::string result_text(const Run& run) {
   using Json = nlohmann::ordered_json;
-  Json object = run_json<Json>(without_machine_times(run.report));
+  Json object = run_json<Json>(run.report);
+  for (const auto& [name, seconds] : run.report.machine_times) object["metrics"].erase(name);
+  for (const Table& table : run.report.tables) {
+    for (const std::string& column : table.machine_times)
+      for (Json& row : object[table.name]) row[column] = nullptr;
+  }
   object.erase("files");
   object["settings"] = Json::object();
   for (const auto& [key, value] : run.report.settings) object["settings"][key] = value;

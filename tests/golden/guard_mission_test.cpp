@@ -114,7 +114,7 @@ Run run_of_two_robots() {
   Run run;
   const auto done = job.run(run, {});
   EXPECT_TRUE(done.has_value()) << to_string(done.error());
-  run.report = without_machine_times(std::move(run.report));
+  run.report = test::without_machine_times(std::move(run.report));
   return run;
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -53,6 +55,18 @@ class LogRecorder final : public LogSink {
   std::string without_;
   std::map<std::size_t, std::size_t> numbers_;  ///< channel of the log -> channel of the file
 };
+
+/// Returns the report without its processing times, so that the same task has the same report.
+inline Report without_machine_times(Report report) {
+  report.machine_times.clear();
+  for (Table& table : report.tables) {
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      if (std::ranges::count(table.machine_times, table.columns[i]) == 0) continue;
+      for (auto& row : table.rows) row[i] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  return report;
+}
 
 /// The log of a run as an MCAP file, as a LogRecorder has it.
 inline std::string bytes_of_log(Log& log, std::string without = "") {

@@ -2,7 +2,6 @@
 // run are in its log.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -37,18 +36,6 @@ inline double metric(const Report& report, std::string_view name,
     }
   }
   return otherwise;
-}
-
-/// Returns the report without its processing times, so that the same task has the same report.
-inline Report without_machine_times(Report report) {
-  report.machine_times.clear();
-  for (Table& table : report.tables) {
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      if (std::ranges::count(table.machine_times, table.columns[i]) == 0) continue;
-      for (auto& row : table.rows) row[i] = std::numeric_limits<double>::quiet_NaN();
-    }
-  }
-  return report;
 }
 
 /// Returns the value of a setting as text; empty if the report has none of that name.
