@@ -9,7 +9,7 @@
 #include "explore_bound.hpp"
 #include "explore_strategies.hpp"
 #include "outrider/job/run_job.hpp"
-#include "outrider/jobs/explore/catalog.hpp"
+#include "outrider/jobs/explore/choose/catalog.hpp"
 #include "outrider/jobs/explore/job.hpp"
 #include "outrider/jobs/explore/run.hpp"
 #include "rows.hpp"

@@ -9,10 +9,10 @@
 #include <queue>
 #include <utility>
 
+#include "choose/round_trip.hpp"
+#include "map/rays.hpp"
 #include "outrider/path/grid/from_occupancy.hpp"
 #include "outrider/path/problem.hpp"
-#include "rays.hpp"
-#include "round_trip.hpp"
 #include "tour_bound.hpp"
 
 namespace outrider {

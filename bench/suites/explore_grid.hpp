@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "outrider/jobs/explore/decide.hpp"
+#include "outrider/jobs/explore/choose/decide.hpp"
 #include "outrider/motion/robot_model.hpp"
 #include "outrider/world/grid.hpp"
 

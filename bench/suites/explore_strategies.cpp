@@ -10,7 +10,7 @@
 #include "explore_grid.hpp"
 #include "explore_maps.hpp"
 #include "outrider/core/rng.hpp"
-#include "outrider/jobs/explore/task.hpp"
+#include "outrider/jobs/explore/mission/task.hpp"
 #include "rows.hpp"
 
 namespace outrider::bench {

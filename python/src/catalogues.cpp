@@ -9,7 +9,7 @@
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/catalog.hpp"
 #include "outrider/jobs/cover/plan.hpp"
-#include "outrider/jobs/explore/catalog.hpp"
+#include "outrider/jobs/explore/choose/catalog.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/pursuit/catalog.hpp"

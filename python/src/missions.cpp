@@ -20,7 +20,7 @@
 #include "outrider/jobs/cover/plan.hpp"
 #include "outrider/jobs/drive/job.hpp"
 #include "outrider/jobs/drive/mission.hpp"
-#include "outrider/jobs/explore/mission.hpp"
+#include "outrider/jobs/explore/mission/mission.hpp"
 #include "outrider/jobs/pursue/scenario.hpp"
 #include "outrider/jobs/pursue/wall_watch.hpp"
 #include "scenario.hpp"
@@ -311,12 +311,12 @@ void bind_exploring(py::module_& module) {
   py::class_<Exploration>(module, "ExploreMission", options_text(Exploration::options(task)).c_str())
       .def(py::init<const py::handle&, const py::kwargs&>(), py::arg("start") = py::make_tuple(0.0, 0.0, 0.0))
       .def("step", &Exploration::step, py::arg("observation"))
-      .def_property_readonly("pose", get([](const ExploreMission& m) { return array_of(m.pose); }))
-      .def_property_readonly("stop_reason", get([](const ExploreMission& m) { return m.stop_reason; }))
-      .def_property_readonly("reason", get([](const ExploreMission& m) { return m.reason; }))
-      .def_property_readonly("home", get([](const ExploreMission& m) { return m.home; }))
+      .def_property_readonly("pose", get([](const ExploreMission& m) { return array_of(m.where().pose()); }))
+      .def_property_readonly("stop_reason", get([](const ExploreMission& m) { return m.stop_reason(); }))
+      .def_property_readonly("reason", get([](const ExploreMission& m) { return m.reason(); }))
+      .def_property_readonly("home", get([](const ExploreMission& m) { return m.is_home(); }))
       .def_property_readonly("map", get([](const ExploreMission& m) {
-                               return std::make_shared<Grid<std::uint8_t>>(explored_map(m));
+                               return std::make_shared<Grid<std::uint8_t>>(m.explored_map());
                              }));
 }
 

@@ -15,7 +15,7 @@
 #include "faults.hpp"
 #include "mapper.hpp"
 #include "options.hpp"
-#include "outrider/jobs/explore/frontier.hpp"
+#include "outrider/jobs/explore/map/frontier.hpp"
 #include "outrider/path/grid/grid_map.hpp"
 #include "outrider/world/occupancy.hpp"
 

@@ -72,7 +72,7 @@ void ExploreMissionNode::perceive_at(double time_s, std::optional<LaserScan> sca
   seen.time_s = std::max(0.0, time_s - began_s());
   seen.odometry = *odometry;
   seen.scan = std::move(scan);
-  perceive(*mission_, seen);
+  mission_->perceive(seen);
   seen_s_ = time_s;
   if (seen.scan) run_log_->note_map(*mission_);
 }
@@ -100,38 +100,40 @@ std::string ExploreMissionNode::why_to_stop() const {
 
 void ExploreMissionNode::drive() {
   if (*odometry_s() > seen_s_) perceive_at(*odometry_s(), std::nullopt);
-  const std::optional<Command> next = respond(*mission_);
-  run_log_->note(*mission_, mission_->pose);
+  const std::optional<Command> next = mission_->respond();
+  run_log_->note(*mission_, mission_->where().pose());
   if (!next) {
     finish();
     return;
   }
   const auto* twist = std::get_if<DriveTwist>(&*next);
   command(twist != nullptr ? twist->twist : Twist2{});
-  set_status(NodeLevel::info, "exploring", mission_->decision.sentence);
+  set_status(NodeLevel::info, "exploring", mission_->decision().sentence);
 }
 
 void ExploreMissionNode::finish() {
   run_log_->finish(*mission_);
-  const Box2 box = seen_box(mission_->slam.map().occupancy());
+  const Box2 box = seen_box(mission_->where().slam().map().occupancy());
   info_.low = point_of(box.low);
   info_.high = point_of(box.high);
-  log().append(topic::run, mission_->time_s, info_);
-  const bool good = mission_->stop_reason == "complete" && (mission_->home || !task_.rules.return_home);
-  end(good ? NodeLevel::info : NodeLevel::error, mission_->stop_reason,
-      mission_->home ? mission_->reason + "; the robot is home" : mission_->reason);
+  log().append(topic::run, mission_->where().time_s(), info_);
+  const bool good =
+      mission_->stop_reason() == "complete" && (mission_->is_home() || !task_.rules.return_home);
+  end(good ? NodeLevel::info : NodeLevel::error, mission_->stop_reason(),
+      mission_->is_home() ? mission_->reason() + "; the robot is home" : mission_->reason());
 }
 
 void ExploreMissionNode::publish() {
   tf2_msgs::TFMessage transforms;
-  const Pose2 map_T_odom = wrap_heading(compose(mission_->pose, inverse(mission_->odometry)));
+  const Pose2 map_T_odom =
+      wrap_heading(compose(mission_->where().pose(), inverse(mission_->where().odometry())));
   transforms.transforms.push_back(
       transform_of(now_s(), map_T_odom, options().frames.map, options().frames.odom));
   send(transform_output_, transforms);
   const auto output = output_of(topic::map);
   if (!output || is_over() || now_s() - map_sent_s_ < map_period_s_) return;
   map_sent_s_ = now_s();
-  send(*output, map_message(explored_map(*mission_), now_s(), options().frames.map));
+  send(*output, map_message(mission_->explored_map(), now_s(), options().frames.map));
 }
 
 void ExploreMissionNode::act() {

@@ -7,7 +7,7 @@
 
 #include "outrider/core/text.hpp"
 #include "outrider/io/values.hpp"
-#include "outrider/jobs/explore/task.hpp"
+#include "outrider/jobs/explore/mission/task.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/ros_marker_messages.hpp"
 

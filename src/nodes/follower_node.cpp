@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "outrider/core/text.hpp"
-#include "outrider/jobs/explore/task.hpp"
+#include "outrider/jobs/explore/mission/task.hpp"
 #include "outrider/log/conversions.hpp"
 
 namespace outrider {

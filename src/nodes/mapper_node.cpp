@@ -7,8 +7,8 @@
 
 #include "outrider/core/text.hpp"
 #include "outrider/io/scan_mount.hpp"
-#include "outrider/jobs/explore/map_doubt.hpp"
-#include "outrider/jobs/explore/task.hpp"
+#include "outrider/jobs/explore/map/map_doubt.hpp"
+#include "outrider/jobs/explore/mission/task.hpp"
 #include "outrider/log/conversions.hpp"
 
 namespace outrider {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "outrider/core/text.hpp"
-#include "outrider/jobs/explore/task.hpp"
+#include "outrider/jobs/explore/mission/task.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"

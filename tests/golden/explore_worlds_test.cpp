@@ -9,8 +9,8 @@
 #include "outrider/io/slices.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/explore/job.hpp"
-#include "outrider/jobs/explore/reference.hpp"
-#include "outrider/jobs/explore/task.hpp"
+#include "outrider/jobs/explore/map/reference.hpp"
+#include "outrider/jobs/explore/mission/task.hpp"
 #include "support/data.hpp"
 
 namespace outrider {

@@ -9,7 +9,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/core/units.hpp"
-#include "outrider/jobs/explore/decide.hpp"
+#include "outrider/jobs/explore/choose/decide.hpp"
 
 namespace outrider::testing {
 

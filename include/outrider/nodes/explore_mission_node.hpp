@@ -1,5 +1,5 @@
-// ExploreMissionNode: the whole mission of the job explore (jobs/explore/mission.hpp) as one node, with its
-// robot on the other side of topics.
+// ExploreMissionNode: the whole mission of the job explore (jobs/explore/mission/mission.hpp) as one node,
+// with its robot on the other side of topics.
 //
 //   scan  sensor_msgs/LaserScan    ->   cmd_vel         geometry_msgs/TwistStamped, or Twist
 //   odom  nav_msgs/Odometry             /tf             map -> odom
@@ -16,7 +16,7 @@
 
 #include <optional>
 
-#include "outrider/jobs/explore/explore_log.hpp"
+#include "outrider/jobs/explore/mission/explore_log.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
 #include "outrider/log/scene_messages.hpp"
 #include "outrider/nodes/mission_node.hpp"

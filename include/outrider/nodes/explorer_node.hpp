@@ -5,26 +5,26 @@
 //   /tf, /tf_static                                explore/status  what it does, and why it ended
 //   mapper/status   diagnostic_msgs/DiagnosticStatus
 //
-// Goals are those of jobs/explore/decide.hpp, chosen again with every map. A goal at which the robot stood
-// without seeing what it was to see there, or to which it makes no way for `patience`, is left alone for a
-// while. Narrow ways on which the robot may fit, as far as the map tells, are looked at from near, since the
-// noise of the scans makes many; the robot does not pass them. If scans come, their width is measured there
-// (gap_measure.hpp).
+// Goals are those of jobs/explore/choose/decide.hpp, chosen again with every map. A goal at which the robot
+// stood without seeing what it was to see there, or to which it makes no way for `patience`, is left alone
+// for a while. Narrow ways on which the robot may fit, as far as the map tells, are looked at from near,
+// since the noise of the scans makes many; the robot does not pass them. If scans come, their width is
+// measured there (gap_measure.hpp).
 //
-// The exploration is complete if nothing is left over (jobs/explore/left_over.hpp) but what the robot sees
-// from nowhere: it lies behind gaps that were measured to be too narrow for the robot with its clearance, the
-// radius and `explore.margin` on each side, or that are so on the map though its walls may be drawn too
-// thick. Without scans no gap is measured. It is not called complete if the mapper doubts its map, for which
-// it is asked in the end; the sentence says if no mapper answers. States: exploring, going_home, asking,
-// complete, left_over, lost, leak, stuck, map_lost. The sentence of an end says what is left over or out of
-// sight, or why. A goal is sent again every second, since messages get lost.
+// The exploration is complete if nothing is left over (jobs/explore/choose/left_over.hpp) but what the robot
+// sees from nowhere: it lies behind gaps that were measured to be too narrow for the robot with its
+// clearance, the radius and `explore.margin` on each side, or that are so on the map though its walls may be
+// drawn too thick. Without scans no gap is measured. It is not called complete if the mapper doubts its map,
+// for which it is asked in the end; the sentence says if no mapper answers. States: exploring, going_home,
+// asking, complete, left_over, lost, leak, stuck, map_lost. The sentence of an end says what is left over or
+// out of sight, or why. A goal is sent again every second, since messages get lost.
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "outrider/jobs/explore/decide.hpp"
-#include "outrider/jobs/explore/left_over.hpp"
+#include "outrider/jobs/explore/choose/decide.hpp"
+#include "outrider/jobs/explore/choose/left_over.hpp"
 #include "outrider/nodes/checked.hpp"
 #include "outrider/nodes/gap_measure.hpp"
 #include "outrider/nodes/node.hpp"

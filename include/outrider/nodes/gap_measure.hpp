@@ -1,14 +1,14 @@
 // GapMeasure: how wide a gap is before which a robot stands, finer than the cells of its map.
 //
-// Surfaces are those of jobs/explore/close_range.hpp. Each scan gives a width; the gap has their median, once
-// there are enough. For gaps about as wide as the robot its error is up to about a centimetre.
+// Surfaces are those of jobs/explore/map/close_range.hpp. Each scan gives a width; the gap has their median,
+// once there are enough. For gaps about as wide as the robot its error is up to about a centimetre.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "outrider/jobs/explore/close_range.hpp"
-#include "outrider/jobs/explore/left_over.hpp"
+#include "outrider/jobs/explore/choose/left_over.hpp"
+#include "outrider/jobs/explore/map/close_range.hpp"
 #include "outrider/nodes/robot_frames.hpp"
 #include "outrider/nodes/scan_points.hpp"
 

@@ -10,7 +10,7 @@
 // of their time. While no scan comes, map -> odom is not sent, so that others notice.
 //
 // Each time the robot stands after it drove, and when the scans have become half as many again, the mapper
-// asks whether its map can be believed (jobs/explore/map_doubt.hpp); as long as it cannot, its status is
+// asks whether its map can be believed (jobs/explore/map/map_doubt.hpp); as long as it cannot, its status is
 // doubtful.
 //
 // With `keep` the map is kept in files, and a mapper that is started anew goes on with it, with the same load

@@ -4,7 +4,7 @@
 //   goal_pose  geometry_msgs/PoseStamped       planner/status  done, or the fault of the planner
 //   /tf, /tf_static
 //
-// The robot is a disk that keeps to known free cells (jobs/explore/traversability_grid.hpp). A start or a
+// The robot is a disk that keeps to known free cells (jobs/explore/map/traversability_grid.hpp). A start or a
 // goal that is nearer to an obstacle is moved by up to 0.5 m. The plan is made again once in `period`, for
 // the map and the pose of that time, until there is another goal. A plan that `check` (path/check.hpp)
 // refuses is not sent. When the map is begun anew, the goal holds no more, and an empty path is sent.
@@ -12,7 +12,7 @@
 
 #include <optional>
 
-#include "outrider/jobs/explore/traversability_grid.hpp"
+#include "outrider/jobs/explore/map/traversability_grid.hpp"
 #include "outrider/nodes/checked.hpp"
 #include "outrider/nodes/node.hpp"
 #include "outrider/nodes/robot_frames.hpp"

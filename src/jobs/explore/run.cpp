@@ -9,7 +9,7 @@
 #include "outrider/job/scene.hpp"
 #include "outrider/job/scene_markers.hpp"
 #include "outrider/job/sensor_log.hpp"
-#include "outrider/jobs/explore/explore_log.hpp"
+#include "outrider/jobs/explore/mission/explore_log.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
@@ -61,13 +61,13 @@ ExploreTask bounded(ExploreTask task, const ExplorationReference& truth, const R
 struct TimedMission {
   std::optional<Command> step(const Observation& shown) {
     const Observation seen = time.steady(shown);
-    const std::int64_t decisions = mission.decisions;
+    const std::int64_t decisions = mission.decisions();
     const double began_s = processor_s();
-    perceive(mission, seen);
+    mission.perceive(seen);
     const double perceived_s = processor_s();
-    auto command = respond(mission);
+    auto command = mission.respond();
     const double responded_s = processor_s();
-    if (command && mission.decisions > decisions)
+    if (command && mission.decisions() > decisions)
       max_decision_s = std::max(max_decision_s, responded_s - perceived_s);
     max_step_s = std::max(max_step_s, responded_s - began_s);
     return command ? std::optional(time.on_clock(std::move(*command))) : std::nullopt;
@@ -152,20 +152,20 @@ void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& rob
   const ExploreMission& mission = timed.mission;
   const TwistBody& body = robot.body<TwistBody>();
   Report& report = run.report;
-  const bool home = distance(robot.pose().position, mission.task.start.position) <= home_m;
-  const bool back = home || !mission.task.rules.return_home;
-  const bool complete = mission.stop_reason == "complete";
+  const bool home = distance(robot.pose().position, mission.task().start.position) <= home_m;
+  const bool back = home || !mission.task().rules.return_home;
+  const bool complete = mission.stop_reason() == "complete";
   const MapQuality quality = map_quality(truth, at_end.finder, run.map);
   const std::string wrong = why_wrong(quality);
-  const bool claims_done = complete && (mission.home || !mission.task.rules.return_home);
+  const bool claims_done = complete && (mission.is_home() || !mission.task().rules.return_home);
   report.status = complete && back && visible_contacts == 0 && wrong.empty() ? "done" : "not_done";
-  if (mission.stop_reason == "leak" && truth.leaks) {
+  if (mission.stop_reason() == "leak" && truth.leaks) {
     report.reason = fmt::format(
         "{}. The robot can leave the box of all that stands at about {:.2f},{:.2f}; close the gap on the way "
         "there, for instance with the key walls",
-        mission.reason, truth.leaks_at.x, truth.leaks_at.y);
+        mission.reason(), truth.leaks_at.x, truth.leaks_at.y);
   } else if (!complete) {
-    report.reason = mission.reason;
+    report.reason = mission.reason();
   } else if (!back) {
     report.reason = "it is not home";
   } else if (visible_contacts > 0) {
@@ -173,34 +173,34 @@ void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& rob
   } else {
     report.reason = wrong;
   }
-  report.tables = {left_over_table(mission.left)};
-  run.stop_reason = mission.stop_reason;
+  report.tables = {left_over_table(mission.left())};
+  run.stop_reason = mission.stop_reason();
   const auto number = [](auto value) { return static_cast<double>(value); };
   report.metrics = {
       {"explored_fraction", quality.explored_fraction},
       {"time_s", robot.time_s()},
       {"distance_m", body.driven_m()},
       {"turned_rad", body.turned_rad()},
-      {"decisions", number(mission.decisions)},
+      {"decisions", number(mission.decisions())},
       {"map_error_m", quality.map_error_m},
       {"mapped_free_m2", quality.mapped_free_m2},
       {"seeable_m2", truth.seeable_m2},
       {"reachable_m2", truth.reachable_m2},
-      {"left_over_m2", mission.left.area_m2()},
-      {"left_narrow", count(mission.left, LeftReason::narrow)},
-      {"left_touched", count(mission.left, LeftReason::touched)},
-      {"left_other", number(mission.left.places.size()) - count(mission.left, LeftReason::narrow) -
-                         count(mission.left, LeftReason::touched)},
+      {"left_over_m2", mission.left().area_m2()},
+      {"left_narrow", count(mission.left(), LeftReason::narrow)},
+      {"left_touched", count(mission.left(), LeftReason::touched)},
+      {"left_other", number(mission.left().places.size()) - count(mission.left(), LeftReason::narrow) -
+                         count(mission.left(), LeftReason::touched)},
       {"contacts", number(body.contacts())},
       {"visible_contacts", number(visible_contacts)},
       {"returned_home", home ? 1.0 : 0.0},
-      {"home_error_m", distance(robot.pose().position, mission.task.start.position)},
+      {"home_error_m", distance(robot.pose().position, mission.task().start.position)},
       {"false_complete", claims_done && !(back && wrong.empty()) ? 1.0 : 0.0},
-      {"pose_error_m", distance(robot.pose().position, mission.pose.position)},
-      {"stuck", number(mission.stuck)},
-      {"bad_scans", number(mission.bad_scans)},
-      {"loops", number(mission.loops)},
-      {"home_contradiction", mission.home_contradiction},
+      {"pose_error_m", distance(robot.pose().position, mission.where().pose().position)},
+      {"stuck", number(mission.stuck())},
+      {"bad_scans", number(mission.where().bad_scans())},
+      {"loops", number(mission.loops())},
+      {"home_contradiction", mission.home_contradiction()},
       {"blocked_s", body.walk_ins().blocked_s().value_or(-1.0)}};
   report.machine_times = {{"max_decision_s", timed.max_decision_s}, {"max_step_s", timed.max_step_s}};
 }
@@ -214,37 +214,36 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
   const auto reference = exploration_reference(robot.devices().laser->finder(),
                                                robot.body<TwistBody>().ground(), given.start.position);
   if (!reference) return pass_on(reference);
-  auto begun = begin(bounded(given, *reference, params.laser));
+  auto begun = begin(bounded(given, *reference, params.laser), params.faults.planner);
   if (!begun) return pass_on(begun);
   TimedMission timed{std::move(*begun)};
-  timed.mission.outage = params.faults.planner;
   const ExploreMission& mission = timed.mission;
-  log_start(log, world, mission.task, params.laser, seed);
-  ExploreLog recorder(log, mission.task.start);
+  log_start(log, world, mission.task(), params.laser, seed);
+  ExploreLog recorder(log, mission.task().start);
   ContactJudge contacts;
   const auto note = [&](const Observation& seen, const Command*) {
     if (seen.scan) {
-      log_scan(log, mission.time_s, *seen.scan);
-      log_odometry(log, mission.time_s, seen.odometry);
+      log_scan(log, mission.where().time_s(), *seen.scan);
+      log_odometry(log, mission.where().time_s(), seen.odometry);
       recorder.note_map(mission);
     }
     recorder.note(mission, robot.pose());
     contacts.note(robot);
     if (seen.scan && scanned) scanned(seen, mission, robot);
-    if (seen.scan && mission.scans % 25 == 0)
-      watch.part(std::min(1.0, mapped_free_m2(mission.slam.map()) / reference->seeable_m2));
+    if (seen.scan && mission.where().scans() % 25 == 0)
+      watch.part(std::min(1.0, mapped_free_m2(mission.where().slam().map()) / reference->seeable_m2));
   };
   const bool finished = run_mission(timed, robot, watch.stop, note);
   recorder.finish(mission);
   ExploreRun run;
-  run.map = explored_map(mission);
-  run.track = mission.slam.trajectory();
-  run.pose = mission.pose;
+  run.map = mission.explored_map();
+  run.track = mission.where().slam().trajectory();
+  run.pose = mission.where().pose();
   run.true_pose = robot.pose();
   run.report.world_name = world.name;
-  close(run, timed, robot, truth_at_end(world, *reference, robot.body<TwistBody>(), mission.task, params),
+  close(run, timed, robot, truth_at_end(world, *reference, robot.body<TwistBody>(), mission.task(), params),
         contacts.visible());
-  run.touched = mission.touched;
+  run.touched = mission.touched();
   if (!finished) mark_cancelled(run.report, log, robot.time_s());
   return run;
 }

@@ -30,9 +30,9 @@ class TargetDetector {
       if (!robot.devices().laser->finder().sees(truth.position, place)) continue;
       const Vec2 ahead = truth.to_local(place);
       const Vec2 error = options_.sight_error_m * Vec2{rng_.normal(), rng_.normal()};
-      const Vec2 believed = mission.pose * ahead + error;
+      const Vec2 believed = mission.where().pose() * ahead + error;
       if (!seen[i]) seen[i].emplace();
-      seen[i]->add(believed, mission.time_s);
+      seen[i]->add(believed, mission.where().time_s());
     }
   }
 
@@ -180,7 +180,7 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
   auto run = run_explore(truth.world, explore, task.sensors, seed, log, watch,
                          [&](const Observation&, const ExploreMission& mission, const SimulatedRobot& robot) {
                            detector.look(mission, robot);
-                           stood.push_back(mission.pose.position);
+                           stood.push_back(mission.where().pose().position);
                          });
   if (!run) return pass_on(run);
   if (run->report.status == "cancelled") return ScoutedYard{std::move(*run), std::move(detector.seen), {}};

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "round_trip.hpp"
+#include "choose/round_trip.hpp"
 #include "support/grid_explorer.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_rooms.hpp"

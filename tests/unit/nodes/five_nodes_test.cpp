@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "outrider/jobs/explore/reference.hpp"
+#include "outrider/jobs/explore/map/reference.hpp"
 #include "outrider/jobs/explore/scenario.hpp"
 #include "outrider/nodes/checked.hpp"
 #include "outrider/nodes/explore_mission_node.hpp"

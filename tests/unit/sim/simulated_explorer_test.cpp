@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "outrider/jobs/explore/task.hpp"
+#include "outrider/jobs/explore/mission/task.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {

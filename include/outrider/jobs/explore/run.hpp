@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "outrider/job/watch.hpp"
-#include "outrider/jobs/explore/mission.hpp"
-#include "outrider/jobs/explore/reference.hpp"
+#include "outrider/jobs/explore/map/reference.hpp"
+#include "outrider/jobs/explore/mission/mission.hpp"
 #include "outrider/sim/simulated_robot.hpp"
 
 namespace outrider {

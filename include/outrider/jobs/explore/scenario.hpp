@@ -16,7 +16,7 @@
 #include "outrider/core/options.hpp"
 #include "outrider/io/explore_world.hpp"
 #include "outrider/io/robot_file.hpp"
-#include "outrider/jobs/explore/task.hpp"
+#include "outrider/jobs/explore/mission/task.hpp"
 #include "outrider/sim/explorer_sim_params.hpp"
 
 namespace outrider {
