@@ -22,8 +22,7 @@ int main() {
   const auto plan = plan_guard(problem, *firing_map, options, {});
   if (!plan) return 1;
   Log log;
-  const auto run = run_guard(
-      {.problem = problem, .firing_map = *firing_map, .plan = *plan, .options = options, .seed = 1}, log);
+  const auto run = run_guard({.mission = {problem, *firing_map, *plan}, .options = options, .seed = 1}, log);
   if (!run) return 1;
 
   fmt::print("{}: {} stops\n", run->status, plan->stops.size());

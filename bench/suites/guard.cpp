@@ -139,7 +139,8 @@ Status measure_yard(const GuardRequest& request, const GuardScenario& yard,
     for (std::int64_t seed = 1; seed <= request.seeds; ++seed) {
       const auto number = static_cast<std::uint64_t>(seed);
       Log log;
-      const Report report = run_guard({yard.problem, *firing_map, *plan, yard.options, number}, log).value();
+      const Report report =
+          run_guard({{yard.problem, *firing_map, *plan}, yard.options, number}, log).value();
       rows.push_back(row_of(yard, planner, report, log, number, planning_s));
     }
   }

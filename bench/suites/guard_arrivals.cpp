@@ -69,10 +69,8 @@ Sample sample_of(const Yard& yard, std::size_t i, const ReplanPolicy& policy, Ar
                          objective,
                          static_cast<std::size_t>(arrivals.group),
                          static_cast<std::size_t>(arrivals.beam)};
-  const GuardPlan none;
   Log log;
-  const Report report =
-      run_guard({watch.problem, watch.firing_map, none, yard.scenario.options, i + 1, plan}, log).value();
+  const Report report = run_guard({GuardMission(plan), yard.scenario.options, i + 1}, log).value();
   const double inside = metric(report, "intruder_seconds");
   const double makespan = metric(report, "makespan_s");
   const double count = metric(report, "targets") - metric(report, "unreachable");

@@ -29,7 +29,7 @@ std::unique_ptr<PreparedGuard> prepared(const py::handle& path, std::optional<st
                                         const py::dict& set) {
   auto task = load_task_of<GuardJob>(path, seed, set);
   return value_of(interruptible([&](const std::stop_token& stop) {
-    return prepare_guard(std::move(task->scenario), budget_of({}, stop));
+    return prepare_guard(std::move(task->scenario), RunWatch{.stop = stop});
   }));
 }
 
@@ -147,7 +147,8 @@ py::list stations_of(const PreparedGuard& guard) {
 
 py::array_t<double> stops_of(const PreparedGuard& guard) {
   std::vector<Vec2> stops;
-  for (const PlannedStop& stop : guard.plan.stops) stops.push_back(stop.position);
+  if (!guard.plan->tour) return array_of(stops);
+  for (const PlannedStop& stop : guard.plan->tour->stops) stops.push_back(stop.position);
   return array_of(stops);
 }
 
@@ -164,9 +165,12 @@ void bind_guard(py::module_& module) {
       .def_property_readonly(
           "start", get([](const PreparedGuard& guard) { return array_of(guard.scenario.problem.start); }))
       .def_property_readonly("stops", get(stops_of))
-      .def_property_readonly("cost", get([](const PreparedGuard& guard) { return guard.plan.cost_s; }))
-      .def_property_readonly("lower_bound",
-                             get([](const PreparedGuard& guard) { return guard.plan.lower_bound_s; }))
+      .def_property_readonly("cost", get([](const PreparedGuard& guard) {
+                               return guard.plan->tour ? guard.plan->tour->cost_s : 0.0;
+                             }))
+      .def_property_readonly("lower_bound", get([](const PreparedGuard& guard) {
+                               return guard.plan->tour ? guard.plan->tour->lower_bound_s : 0.0;
+                             }))
       .def_property_readonly("targets", get(targets_of))
       .def_property_readonly("intruders", get(intruders_of))
       .def_property_readonly("stations", get(stations_of));

@@ -35,12 +35,6 @@ Pace pace_of(const RobotModel& robot) {
   return pace;
 }
 
-/// Returns the mission of what was prepared for one that is simulated.
-GuardMission* mission_of(PreparedGuard& guard) {
-  auto& mission = guard.mission;
-  return mission ? &*mission : nullptr;
-}
-
 }  // namespace
 
 std::vector<OptionGroup> describe(GuardMissionNodeOptions& options) {
@@ -54,8 +48,7 @@ std::vector<OptionGroup> describe(GuardMissionNodeOptions& options) {
 }
 
 Outcome<std::unique_ptr<PreparedGuard>> GuardMissionNode::prepare(GuardScenario scenario,
-                                                                  const GuardMissionNodeOptions& options,
-                                                                  const Budget& budget) {
+                                                                  const GuardMissionNodeOptions& options) {
   if (!scenario.has_still_targets()) {
     return bad_input(
         "no topic tells where intruders are; give a scenario whose targets stand still and leave when they "
@@ -68,14 +61,14 @@ Outcome<std::unique_ptr<PreparedGuard>> GuardMissionNode::prepare(GuardScenario 
     return bad_input("the robot behind topics drives on flat ground; leave it out", "terrain");
   scenario.options.shoot_on_the_move = false;
   scenario.problem.robot.radius_m += options.clearance_m;
-  return prepare_guard(std::move(scenario), budget);
+  return prepare_guard(std::move(scenario));
 }
 
 GuardMissionNode::GuardMissionNode(GuardMissionNodeOptions options, std::unique_ptr<PreparedGuard> guard)
     : MissionNode("guard", options.node),
       options_(std::move(options)),
       guard_(std::move(guard)),
-      mission_(mission_of(*guard_)),
+      mission_(&guard_->mission.value()),
       gun_(guard_->scenario.problem.targets),
       solids_(footprints_above_floor(guard_->scenario.problem.world), RangeFinderModel()),
       driver_(pace_of(guard_->scenario.problem.robot), true) {
@@ -205,7 +198,7 @@ bool GuardMissionNode::may_drive(const Twist2& twist, const Pose2& pose) {
 /// Returns true once the gun is aimed.
 bool GuardMissionNode::aim(const AimGun& aim, const Pose2& pose) {
   command({});
-  const Stance stance = stance_at(guard_->firing_map.rules, pose.position);
+  const Stance stance = stance_at(guard_->plan->firing_map.rules, pose.position);
   const GunState goal =
       SimulatedGun::joints_towards({aim.yaw_rad, aim.pitch_rad, 0.0}, stance, pose.heading_rad);
   send(aim_output_, joints_message(goal, now_s()));

@@ -47,8 +47,7 @@ class GuardMissionNode final : public MissionNode {
   /// Prepares the mission of a scenario that load_problem() has read. Faults: bad_input for a yard that
   /// targets enter, leave or walk about in, for limited supplies and for terrain; those of prepare_guard().
   static Outcome<std::unique_ptr<PreparedGuard>> prepare(GuardScenario scenario,
-                                                         const GuardMissionNodeOptions& options,
-                                                         const Budget& budget = {});
+                                                         const GuardMissionNodeOptions& options);
   GuardMissionNode(GuardMissionNodeOptions options, std::unique_ptr<PreparedGuard> guard);
   [[nodiscard]] const GuardMission& mission() const { return *mission_; }
 

@@ -12,8 +12,9 @@
 namespace outrider {
 
 /// The yard as it really is.
-const GuardProblem& true_problem(const GuardRun& run);
-const FiringMap& true_map(const GuardRun& run);
+inline const GuardProblem& true_problem(const GuardRun& run) {
+  return run.truth != nullptr ? run.truth->problem : run.mission.problem();
+}
 /// Returns the intruders that the simulation lets come, survive or walk.
 TargetSimParams target_params(const GuardRun& run);
 
@@ -28,6 +29,8 @@ class TargetLog {
   /// Logs the targets as they are at first. What is known before its time, such as when intruders come in, is
   /// put into the queue. The references must outlive this object.
   TargetLog(Log& log, LogQueue& queue, const GuardRun& run);
+  /// Logs targets that stand still.
+  TargetLog(Log& log, LogQueue& queue, const std::vector<Target>& targets);
   /// Logs what has changed. Call it after each step of the mission.
   void note(const GuardMission& mission, double time_s);
   /// Logs what has changed in the records of targets that do not walk.
@@ -36,16 +39,17 @@ class TargetLog {
   void finish(const GuardMission& mission, double time_s);
 
  private:
+  void begin(const std::string& name, const Target& target, const Intruder* comes);
+  [[nodiscard]] bool walks() const { return run_ != nullptr && run_->mission.walkers() != nullptr; }
   void place(double time_s, std::size_t who, Vec2 at, Vec2 believed);
   void note_walker(const GuardMission& mission, std::size_t who);
   void note_record(const TargetRecord& record, std::size_t who, double time_s);
   /// Logs where a walker was when it was hit, or in the end.
   void place_last(double time_s, std::size_t who);
-  [[nodiscard]] std::size_t targets() const { return told_.size(); }
 
   Log& log_;
-  const GuardRun& run_;
   LogQueue& queue_;
+  const GuardRun* run_ = nullptr;            ///< unset if targets stand still
   std::vector<outrider_msgs::Target> told_;  ///< by target: its newest message
   std::vector<double> heights_m_;            ///< by target: of its centre
   std::vector<std::size_t> seen_;            ///< by walker: number of observations that are logged
@@ -69,7 +73,7 @@ std::vector<TableValue> unshot_row(const std::string& name, const std::string& s
 std::vector<std::string> names_of(const GuardRun& run);
 
 /// Returns what the mission came to. `expected_hits` is the sum of the chances of all shots at walkers.
-Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,
-              double end_s, double expected_hits);
+Report judge(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,
+             double end_s, double expected_hits);
 
 }  // namespace outrider

@@ -39,7 +39,8 @@ Tally tally_of(const GuardRun& run, const std::vector<TargetRecord>& records, do
     const bool reached = records[i].status == TargetStatus::reached;
     if (reached) tally.reached += 1.0;
     if (records[i].status == TargetStatus::failed) tally.failed += 1.0;
-    const double enters_s = run.arrivals ? run.arrivals->yard.intruders[i].enters_s : 0.0;
+    const ArrivalPlan* const arrivals = run.mission.arrivals();
+    const double enters_s = arrivals != nullptr ? arrivals->yard.intruders[i].enters_s : 0.0;
     const double leaves_s = reached ? records[i].done_s : end_s;
     tally.inside_s += std::max(0.0, leaves_s - enters_s);  // it may not have come before the end
     tally.longest_s = std::max(tally.longest_s, leaves_s - enters_s);
@@ -89,8 +90,9 @@ Metrics still_metrics(const GuardPlan& plan, const Tally& tally, const SimRecord
 
 Metrics arrival_metrics(const GuardRun& run, const GuardMission& mission, const Tally& tally,
                         const SimRecord& record, double end_s) {
-  const ArrivalBound bound = arrival_bound(run.arrivals->yard, run.arrivals->stops.on_the_move);
-  const bool makespan = run.arrivals->objective == ArrivalObjective::makespan;
+  const ArrivalPlan& plan = *mission.arrivals();
+  const ArrivalBound bound = arrival_bound(plan.yard, plan.stops.on_the_move);
+  const bool makespan = plan.objective == ArrivalObjective::makespan;
   Metrics metrics = {{"targets", tally.targets},
                      {"reached", tally.reached},
                      {"failed", tally.failed},
@@ -170,8 +172,9 @@ Metrics rigid_metrics(const RigidRecord& rigid) {
 /// Why not every target was reached; empty where all were.
 std::string reason_of(const GuardRun& run, const Tally& tally) {
   if (tally.reached == tally.targets) return {};
-  if (run.walkers) return fmt::format("{} of {} intruders hit", tally.reached, tally.targets);
-  if (run.arrivals) {
+  if (run.mission.walkers() != nullptr)
+    return fmt::format("{} of {} intruders hit", tally.reached, tally.targets);
+  if (run.mission.arrivals() != nullptr) {
     return fmt::format("{} of {} intruders reached, {} failed, no shot found at {}", tally.reached,
                        tally.targets, tally.failed, tally.unreachable);
   }
@@ -261,25 +264,26 @@ std::string why_stranded(const Log& log) {
 
 std::vector<std::string> names_of(const GuardRun& run) {
   std::vector<std::string> names;
-  if (run.arrivals) {
-    for (const Intruder& intruder : run.arrivals->yard.intruders) names.push_back(intruder.name);
+  if (const ArrivalPlan* const arrivals = run.mission.arrivals()) {
+    for (const Intruder& intruder : arrivals->yard.intruders) names.push_back(intruder.name);
   } else {
     for (const Target& target : true_problem(run).targets) names.push_back(target.name);
   }
   return names;
 }
 
-Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,
-              double end_s, double expected_hits) {
+Report judge(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,
+             double end_s, double expected_hits) {
   const std::vector<std::string> names = names_of(run);
   Report report;
   report.world_name = true_problem(run).world.name;
   const auto& records = mission.tasks.records;
   const Tally tally = tally_of(run, records, end_s);
-  report.metrics = run.arrivals ? arrival_metrics(run, mission, tally, record, end_s)
-                   : run.walkers
-                       ? walker_metrics(records, tally, record, end_s, expected_hits)
-                       : still_metrics(run.plan, tally, record, reached_by_reference_rule(log, names), end_s);
+  report.metrics =
+      mission.arrivals() != nullptr ? arrival_metrics(run, mission, tally, record, end_s)
+      : mission.walkers() != nullptr
+          ? walker_metrics(records, tally, record, end_s, expected_hits)
+          : still_metrics(*run.mission.tour(), tally, record, reached_by_reference_rule(log, names), end_s);
   const auto add = [&](const Metrics& more) {
     report.metrics.insert(report.metrics.end(), more.begin(), more.end());
   };

@@ -13,7 +13,7 @@ bool shoots(const Command& command) {
 }  // namespace
 
 GuardMission::GuardMission(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan)
-    : tasks(tasks_of(problem, plan)), problem_(&problem), firing_map_(&firing_map) {}
+    : tasks(tasks_of(problem, plan)), problem_(&problem), firing_map_(&firing_map), tour_(&plan) {}
 
 GuardMission::GuardMission(const ArrivalPlan& plan)
     : tasks(tasks_of(plan)),
@@ -41,9 +41,9 @@ std::optional<Command> GuardMission::propose(const Observation& seen) {
   return next_command(tasks, seen, *problem_, *firing_map_);
 }
 
-std::optional<Command> GuardMission::step(const Observation& seen) {
+std::optional<Command> GuardMission::step(const Observation& seen, const Budget& budget) {
   note(seen);
-  tasks.budget = tasks.outage.budget(seen.time_s);
+  tasks.budget = budget;
   if (auto wait = give_up_silent_gun(tasks, seen)) return wait;
   if (!tasks.given_up.empty()) return std::nullopt;
   if (!problem_->supplies.any()) return propose(seen);

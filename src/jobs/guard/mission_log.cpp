@@ -6,14 +6,8 @@
 namespace outrider {
 
 struct GuardMissionLog::Parts {
-  Parts(Log& log, const PreparedGuard& guard)
-      : run{.problem = guard.scenario.problem,
-            .firing_map = guard.firing_map,
-            .plan = guard.plan,
-            .options = guard.scenario.options},
-        targets(log, queue, run) {}
+  Parts(Log& log, const PreparedGuard& guard) : targets(log, queue, guard.scenario.problem.targets) {}
 
-  GuardRun run;
   LogQueue queue;
   TargetLog targets;
 };
@@ -21,9 +15,9 @@ struct GuardMissionLog::Parts {
 GuardMissionLog::GuardMissionLog(Log& log, const PreparedGuard& guard) {
   const GuardProblem& problem = guard.scenario.problem;
   log_yard(log, problem, guard.scenario.options, static_cast<std::uint64_t>(guard.scenario.seed), false);
-  log_firing_map(log, guard.firing_map);
-  log_blocked_flights(log, problem, guard.firing_map);
-  log_tour(log, problem, draft_of(problem, guard.plan));
+  log_firing_map(log, guard.plan->firing_map);
+  log_blocked_flights(log, problem, guard.plan->firing_map);
+  log_tour(log, problem, draft_of(problem, *guard.plan->tour));
   parts_ = std::make_unique<Parts>(log, guard);
 }
 

@@ -7,6 +7,8 @@
 #include "guard_log.hpp"
 #include "outrider/jobs/guard/physics_robot.hpp"
 #include "outrider/log/append.hpp"
+#include "team_log.hpp"
+#include "team_report.hpp"
 
 namespace outrider {
 namespace {
@@ -20,12 +22,6 @@ double settled_part(const GuardMission& mission) {
   if (records.empty()) return 1.0;
   const auto waiting = std::ranges::count(records, TargetStatus::waiting, &TargetRecord::status);
   return 1.0 - static_cast<double>(waiting) / static_cast<double>(records.size());
-}
-
-GuardMission mission_of(const GuardRun& run, const GuardProblem& problem) {
-  if (run.walkers) return GuardMission(run.walkers->plan);
-  if (run.arrivals) return GuardMission(*run.arrivals);
-  return {problem, run.firing_map, run.plan};
 }
 
 void log_aim(Log& log, double time_s, const MovingTargets& targets, const GuardProblem& problem) {
@@ -58,28 +54,36 @@ void doubt_proofs(StopTasks& tasks) {
 
 /// Notes when intruders come in.
 void note_entrances(LogQueue& queue, const GuardRun& run) {
-  if (!run.arrivals) return;
-  for (const Intruder& intruder : run.arrivals->yard.intruders) {
+  if (run.mission.arrivals() == nullptr) return;
+  for (const Intruder& intruder : run.mission.arrivals()->yard.intruders) {
     if (intruder.entrance.empty()) continue;
     queue.note_event(intruder.enters_s, "enter",
                      fmt::format("{} comes in by {}", intruder.name, intruder.entrance));
   }
 }
 
+/// A mission whose path planner may be without a budget at times, which is a fault to try out.
+struct WithOutage {
+  GuardMission& mission;
+  PlannerOutage outage;
+  std::optional<Command> step(const Observation& seen) {
+    return mission.step(seen, outage.budget(seen.time_s));
+  }
+};
+
 /// `robot` logs what it does; `record` is its record.
-Report carry_out(const GuardRun& run, const GuardProblem& known, Robot& robot, const SimRecord& record,
-                 TargetLog& targets, Log& log, const RunWatch& watch) {
-  GuardMission mission = mission_of(run, known);
+Report simulate(const GuardRun& run, GuardMission mission, Robot& robot, const SimRecord& record,
+                TargetLog& targets, Log& log, const RunWatch& watch) {
   mission.tasks.stop = watch.stop;
-  mission.tasks.outage = run.faults.planner;
-  if (run.truth) doubt_proofs(mission.tasks);
+  if (run.truth != nullptr) doubt_proofs(mission.tasks);
+  WithOutage stepped{mission, run.faults.planner};
   double expected_hits = 0.0, now_s = 0.0;
   const bool ended =
-      run_mission(mission, robot, watch.stop, [&](const Observation& seen, const Command* command) {
+      run_mission(stepped, robot, watch.stop, [&](const Observation& seen, const Command* command) {
         now_s = seen.time_s;
         watch.part(settled_part(mission));
-        if (run.walkers && command != nullptr && std::holds_alternative<AimGun>(*command)) {
-          log_aim(log, now_s, mission.moving, run.problem);
+        if (mission.walkers() != nullptr && command != nullptr && std::holds_alternative<AimGun>(*command)) {
+          log_aim(log, now_s, mission.moving, mission.problem());
           expected_hits += mission.moving.chance;
         }
         targets.note(mission, now_s);
@@ -87,36 +91,76 @@ Report carry_out(const GuardRun& run, const GuardProblem& known, Robot& robot, c
   if (record.rigid) add_misses(mission.tasks, *record.rigid);
   targets.finish(mission, now_s);
   if (mission.stores.stranded) log_event(log, now_s, "stranded", mission.stores.reason);
-  Report report = judged(run, mission, record, log, now_s, expected_hits);
+  Report report = judge(run, mission, record, log, now_s, expected_hits);
   if (!ended || watch.stopped()) mark_cancelled(report, log, now_s);
+  return report;
+}
+
+Outcome<Report> simulate_bodies(const GuardRun& run, Log& log, const RunWatch& watch) {
+  const GuardProblem& problem = run.mission.problem();
+  const FiringMap& firing_map = run.mission.firing_map();
+  auto bodies = make_rigid_world(problem);
+  if (!bodies) return pass_on(bodies);
+  log_yard(log, problem, run.options, run.seed, true);
+  LogQueue queue;
+  TargetLog targets(log, queue, run);
+  GuardProblem yielding = problem;
+  yielding.robot.radius_m *= way_radius;
+  PhysicsGuard robot(problem, firing_map, **bodies, log, run.seed);
+  auto report =
+      simulate(run, {yielding, firing_map, *run.mission.tour()}, robot, robot.record, targets, log, watch);
+  robot.log_landed();
+  return report;
+}
+
+constexpr double longest_walk_s = 7200.0;  // walkers stay at their last place then
+
+Report run_team(const PreparedGuard& guard, Log& log, const RunWatch& watch) {
+  const GuardScenario& scenario = guard.scenario;
+  const auto& [firing_map, tour, drafts, starts, plan] = *guard.plan;
+  const TeamRun team = run_team(scenario.problem, firing_map, *plan,
+                                static_cast<std::uint64_t>(scenario.seed), watch, scenario.faults);
+  append_team(log, team);
+  Report report = judge_team(scenario, firing_map, *plan, team, log);
+  if (team.ended_early || watch.stopped()) mark_cancelled(report, log, team.mission_s);
   return report;
 }
 
 }  // namespace
 
 Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch) {
-  std::unique_ptr<RigidWorld> bodies;
-  if (run.rigid) {
-    auto made = make_rigid_world(run.problem);
-    if (!made) return pass_on(made);
-    bodies = std::move(*made);
-  }
-  log_yard(log, true_problem(run), run.options, run.seed, run.rigid);
-  if (bodies) {
-    LogQueue queue;
-    TargetLog targets(log, queue, run);
-    GuardProblem yielding = run.problem;
-    yielding.robot.radius_m *= way_radius;
-    PhysicsGuard robot(run.problem, run.firing_map, *bodies, log, run.seed);
-    auto report = carry_out(run, yielding, robot, robot.record, targets, log, watch);
-    robot.log_landed();
-    return report;
-  }
-  SimulatedRobot robot = simulated_guard(true_problem(run), true_map(run), log, run.seed, target_params(run),
-                                         run.truth ? run.truth->levels : StoreLevels{}, run.faults);
+  if (run.rigid) return simulate_bodies(run, log, watch);
+  log_yard(log, true_problem(run), run.options, run.seed, false);
+  SimulatedRobot robot = simulated_guard(
+      true_problem(run), run.truth ? run.truth->firing_map : run.mission.firing_map(), log, run.seed,
+      target_params(run), run.truth ? run.truth->levels : StoreLevels{}, run.faults);
   TargetLog targets(log, robot.queue(), run);
   note_entrances(robot.queue(), run);
-  return carry_out(run, run.problem, robot, robot.record, targets, log, watch);
+  return simulate(run, run.mission, robot, robot.record, targets, log, watch);
+}
+
+Outcome<Report> run_guard(const PreparedGuard& guard, Log& log, const RunWatch& watch,
+                          const TrueYard* truth) {
+  if (guard.plan->team) return run_team(guard, log, watch);
+  const GuardScenario& scenario = guard.scenario;
+  GuardRun run{.mission = *guard.mission,
+               .options = scenario.options,
+               .seed = static_cast<std::uint64_t>(scenario.seed),
+               .survival = {scenario.arrivals.leave, scenario.arrivals.walk_mps},
+               .truth = truth,
+               .rigid = scenario.sim == "physics",
+               .faults = scenario.faults};
+  if (guard.walkers) {
+    auto walks = draw_walks(scenario.problem, guard.plan->firing_map, scenario.preferences, scenario.wander,
+                            run.seed, longest_walk_s, watch.budget());
+    if (!walks) return pass_on(walks);
+    run.walks = std::move(*walks);
+  }
+  auto report = run_guard(run, log, watch);
+  if (!report || !guard.expected) return report;
+  report->metrics.emplace_back("expected_s", guard.expected->mean_s);
+  report->metrics.emplace_back("expected_error_s", guard.expected->error_s);
+  return report;
 }
 
 }  // namespace outrider

@@ -76,21 +76,17 @@ outrider_msgs::Supplies supplies_entry(const Supplies& supplies) {
 
 }  // namespace
 
-const GuardProblem& true_problem(const GuardRun& run) { return run.truth ? run.truth->problem : run.problem; }
-
-const FiringMap& true_map(const GuardRun& run) { return run.truth ? run.truth->firing_map : run.firing_map; }
-
 TargetSimParams target_params(const GuardRun& run) {
   TargetSimParams params;
   params.survival = run.survival;
-  if (run.arrivals) {
-    params.intruders = run.arrivals->yard.intruders;
-    params.foreseen = run.arrivals->policy.foresees;
+  if (const ArrivalPlan* const arrivals = run.mission.arrivals()) {
+    params.intruders = arrivals->yard.intruders;
+    params.foreseen = arrivals->policy.foresees;
   }
-  if (run.walkers) {
-    params.walks = run.walkers->walks;
-    params.look_s = run.walkers->plan.options.look_s;
-    params.sight_m = run.walkers->plan.options.sight_m;
+  if (const MovingPlan* const walkers = run.mission.walkers()) {
+    params.walks = run.walks;
+    params.look_s = walkers->options.look_s;
+    params.sight_m = walkers->options.sight_m;
   }
   return params;
 }

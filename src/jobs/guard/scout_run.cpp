@@ -229,43 +229,32 @@ Report unguarded(const GuardProblem& truth, const ScoutedYard& yard, const std::
   return report;
 }
 
-Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& yard,
-                                 const FiringMap& firing_map, const GuardPlan& plan,
-                                 const GuardOptions& options, std::uint64_t seed, Log& log,
-                                 const RunWatch& watch, const GuardSimParams& faults) {
-  const GuardProblem& found = yard.found.problem;
-  const GuardProblem really = true_yard(truth, yard.found, found.start);
-  GuardOptions coarse = options;
-  coarse.resolution_m = coarse_m;
-  const auto true_map = build_firing_map(really, coarse, watch.budget(), RegionSearch::none);
-  if (!true_map) return tl::unexpected<Fault>(true_map.error());
-  const Report& explored = yard.run.report;
-  const double explore_s = metric(explored, "time_s");
-  log.begin_at(explore_s);
+Outcome<TrueYard> begin_on_map(const GuardProblem& truth, const ScoutedYard& yard, GuardOptions options,
+                               const Budget& budget, Log& log) {
+  GuardProblem really = true_yard(truth, yard.found, yard.found.problem.start);
+  options.resolution_m = coarse_m;
+  auto map = build_firing_map(really, options, budget, RegionSearch::none);
+  if (!map) return pass_on(map);
+  log.begin_at(metric(yard.run.report, "time_s"));
   log_sightings(log, truth, yard);
   log_other_targets(log, truth, yard);
-  auto report = run_guard({.problem = found,
-                           .firing_map = firing_map,
-                           .plan = plan,
-                           .options = options,
-                           .seed = seed,
-                           .truth = TrueYard{really, *true_map, levels_after(explored, truth.supplies)},
-                           .faults = faults},
-                          log, watch);
-  if (!report) return report;
-  report->tables = {all_targets(*report, truth, yard, explore_s)};
+  return TrueYard{std::move(really), std::move(*map), levels_after(yard.run.report, truth.supplies)};
+}
+
+void add_exploring(Report& report, const GuardProblem& truth, const ScoutedYard& yard, const TrueYard& really,
+                   const Log& log) {
+  const Report& explored = yard.run.report;
+  const double explore_s = metric(explored, "time_s");
+  report.tables = {all_targets(report, truth, yard, explore_s)};
   const double touches =
-      metric(explored, "contacts") + contacts(log, explore_s, true_map->ground, truth.robot.radius_m);
+      metric(explored, "contacts") + contacts(log, explore_s, really.firing_map.ground, truth.robot.radius_m);
   const auto seen = static_cast<std::size_t>(
       std::ranges::count_if(yard.seen, [](const auto& target) { return target.has_value(); }));
-  const bool cancelled = report->status == "cancelled";
-  const std::string why = report->reason;
-  conclude(*report, explored, log, touches, seen);
-  if (cancelled) {
-    report->status = "cancelled";
-    report->reason = why;
-  }
-  return report;
+  const std::string status = report.status, why = report.reason;
+  conclude(report, explored, log, touches, seen);
+  if (status != "cancelled") return;
+  report.status = status;
+  report.reason = why;
 }
 
 }  // namespace outrider

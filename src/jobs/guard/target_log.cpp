@@ -21,29 +21,39 @@ Vec2 believed_at(const Track& track, std::size_t look, const WanderOptions& opti
 
 }  // namespace
 
-TargetLog::TargetLog(Log& log, LogQueue& queue, const GuardRun& run) : log_(log), run_(run), queue_(queue) {
-  const auto& targets = true_problem(run).targets;
-  const std::size_t count = run.arrivals ? run.arrivals->yard.intruders.size() : targets.size();
-  seen_.assign(count, 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Intruder* const intruder = run.arrivals ? &run.arrivals->yard.intruders[i] : nullptr;
-    const Target& target = intruder != nullptr ? run.arrivals->yard.problem.targets[i] : targets[i];
-    const bool comes = intruder != nullptr && !intruder->entrance.empty();
-    heights_m_.push_back(target.centre().z);
-    told_.push_back({intruder != nullptr ? intruder->name : target.name, comes ? "outside" : "waiting", "",
-                     vector_of(target.size), target.yaw_rad, 0, comes ? intruder->entrance : ""});
-    log.append(topic::targets, 0.0, told_[i]);
-    const Vec2 settled = xy(target.base);
-    if (!comes) {
-      place(0.0, i, run.walkers ? run.walkers->walks[i].at(0.0) : settled, settled);
-      continue;
-    }
-    told_[i].status = "waiting";
-    queue_.note(intruder->enters_s, topic::targets, told_[i]);
-    place(intruder->enters_s, i, intruder->from, intruder->from);
-    place(intruder->settles_s, i, settled, settled);
+TargetLog::TargetLog(Log& log, LogQueue& queue, const GuardRun& run) : log_(log), queue_(queue), run_(&run) {
+  if (const ArrivalPlan* const arrivals = run.mission.arrivals()) {
+    const auto& [problem, firing_map, intruders] = arrivals->yard;
+    for (std::size_t i = 0; i < intruders.size(); ++i)
+      begin(intruders[i].name, problem.targets[i], intruders[i].entrance.empty() ? nullptr : &intruders[i]);
+  } else {
+    for (const Target& target : true_problem(run).targets) begin(target.name, target, nullptr);
   }
   queue_.flush(log, 0.0);
+}
+
+TargetLog::TargetLog(Log& log, LogQueue& queue, const std::vector<Target>& targets)
+    : log_(log), queue_(queue) {
+  for (const Target& target : targets) begin(target.name, target, nullptr);
+  queue_.flush(log, 0.0);
+}
+
+void TargetLog::begin(const std::string& name, const Target& target, const Intruder* comes) {
+  const std::size_t who = told_.size();
+  seen_.push_back(0);
+  heights_m_.push_back(target.centre().z);
+  told_.push_back({name, comes != nullptr ? "outside" : "waiting", "", vector_of(target.size), target.yaw_rad,
+                   0, comes != nullptr ? comes->entrance : ""});
+  log_.append(topic::targets, 0.0, told_[who]);
+  const Vec2 settled = xy(target.base);
+  if (comes == nullptr) {
+    place(0.0, who, walks() ? run_->walks[who].at(0.0) : settled, settled);
+    return;
+  }
+  told_[who].status = "waiting";
+  queue_.note(comes->enters_s, topic::targets, told_[who]);
+  place(comes->enters_s, who, comes->from, comes->from);
+  place(comes->settles_s, who, settled, settled);
 }
 
 void TargetLog::place(double time_s, std::size_t who, Vec2 at, Vec2 believed) {
@@ -55,14 +65,14 @@ void TargetLog::place(double time_s, std::size_t who, Vec2 at, Vec2 believed) {
 void TargetLog::note_walker(const GuardMission& mission, std::size_t who) {
   const Track& track = mission.moving.tracks[who];
   for (std::size_t& look = seen_[who]; look < track.size(); ++look) {
-    place(track[look].time_s, who, run_.walkers->walks[who].at(track[look].time_s),
-          believed_at(track, look, run_.walkers->plan.options));
+    place(track[look].time_s, who, run_->walks[who].at(track[look].time_s),
+          believed_at(track, look, mission.walkers()->options));
   }
 }
 
 void TargetLog::place_last(double time_s, std::size_t who) {
-  if (!run_.walkers) return;
-  const Vec2 at = run_.walkers->walks[who].at(time_s);
+  if (!walks()) return;
+  const Vec2 at = run_->walks[who].at(time_s);
   place(time_s, who, at, at);
 }
 
@@ -83,7 +93,7 @@ void TargetLog::note_record(const TargetRecord& record, std::size_t who, double 
 
 void TargetLog::note(const GuardMission& mission, double time_s) {
   for (std::size_t i = 0; i < told_.size(); ++i) {
-    if (run_.walkers && told_[i].status == "waiting") note_walker(mission, i);
+    if (walks() && told_[i].status == "waiting") note_walker(mission, i);
     note_record(mission.tasks.records[i], i, time_s);
   }
   noted_s_ = time_s;

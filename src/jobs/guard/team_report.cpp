@@ -4,7 +4,8 @@
 
 #include "guard_log.hpp"
 #include "outrider/core/units.hpp"
-#include "team_job.hpp"
+#include "outrider/jobs/guard/run.hpp"
+#include "team_report.hpp"
 
 namespace outrider {
 namespace {
@@ -80,19 +81,14 @@ void add_metrics(Report& report, const TeamPlan& plan, const TeamRun& team,
 
 }  // namespace
 
-Report judged_team(const GuardScenario& scenario, const FiringMap& firing_map, const TeamPlan& plan,
-                   const TeamRun& team, const Log& log) {
+Report judge_team(const GuardScenario& scenario, const FiringMap& firing_map, const TeamPlan& plan,
+                  const TeamRun& team, const Log& log) {
   const GuardProblem& problem = scenario.problem;
   const GuardPlan whole = whole_plan(plan, firing_map);
   GuardMission mission(problem, firing_map, whole);
   mission.tasks.records = team.records;
-  const GuardRun as_run{.problem = problem,
-                        .firing_map = firing_map,
-                        .plan = whole,
-                        .options = scenario.options,
-                        .seed = static_cast<std::uint64_t>(scenario.seed),
-                        .faults = scenario.faults};
-  Report report = judged(as_run, mission, sum_of(team.robots), log, team.mission_s, 0.0);
+  const GuardRun run{.mission = mission, .options = scenario.options, .faults = scenario.faults};
+  Report report = judge(run, mission, sum_of(team.robots), log, team.mission_s, 0.0);
 
   Table& targets = report.tables.front();
   targets.columns.emplace_back("robot");

@@ -13,12 +13,13 @@ namespace outrider {
 
 /// A robot of the team with its mission. It is made in place and never moved.
 struct TeamRobot {
-  TeamRobot(const GuardRun& team, const TeamPart& part, std::size_t number, std::uint64_t seed)
-      : problem(started_at(team.problem, part.start)),
+  TeamRobot(const GuardProblem& team, const FiringMap& firing_map, const GuardSimParams& faults,
+            const TeamPart& part, std::size_t number, std::uint64_t seed)
+      : problem(started_at(team, part.start)),
         index(number),
         tasks(tasks_of(problem, part.plan)),
-        targets(run.targets, queue, team),
-        robot(simulated_guard(problem, team.firing_map, run.log, seed, {}, {}, team.faults)),
+        targets(run.targets, queue, team.targets),
+        robot(simulated_guard(problem, firing_map, run.log, seed, {}, {}, faults)),
         present{standing(part.start.position, 0.0)} {
     run.driven.start = part.start;
   }

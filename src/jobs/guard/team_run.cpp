@@ -22,18 +22,11 @@ class TeamRunner {
  public:
   TeamRunner(const GuardProblem& problem, const FiringMap& firing_map, const TeamPlan& plan,
              std::uint64_t seed, const GuardSimParams& faults)
-      : problem_(problem),
-        firing_map_(firing_map),
-        order_(plan, simulated_gap_m(problem)),
-        as_run_{.problem = problem,
-                .firing_map = firing_map,
-                .plan = no_plan_,
-                .options = no_options_,
-                .faults = faults} {
+      : problem_(problem), firing_map_(firing_map), order_(plan, simulated_gap_m(problem)) {
     const Rng streams = Rng(seed).child("robot");
     for (std::size_t r = 0; r < plan.parts.size(); ++r) {
-      auto& member = *team_.emplace_back(
-          std::make_unique<TeamRobot>(as_run_, plan.parts[r], r, streams.child(r).bits()));
+      auto& member = *team_.emplace_back(std::make_unique<TeamRobot>(
+          problem, firing_map, faults, plan.parts[r], r, streams.child(r).bits()));
       member.robot.set_ball_stops([this, r](const Flight& flight, double fired_s, double until_s) {
         return note_ball(r, {flight, fired_s, fired_s + until_s});
       });
@@ -348,9 +341,6 @@ class TeamRunner {
   const GuardProblem& problem_;
   const FiringMap& firing_map_;
   TeamOrder order_;
-  const GuardPlan no_plan_ = {};
-  const GuardOptions no_options_ = {};
-  GuardRun as_run_;
   TeamRun run_;
   std::vector<std::unique_ptr<TeamRobot>> team_;
   std::vector<std::pair<std::size_t, TeamBall>> balls_;  // with who fired them

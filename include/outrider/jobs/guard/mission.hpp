@@ -32,8 +32,16 @@ class GuardMission {
   explicit GuardMission(const MovingPlan&& plan) = delete;
 
   /// Returns the next command, or nothing when the mission is over. The observation must contain the store
-  /// levels if stores are limited, and the target report if intruders arrive or walk.
-  std::optional<Command> step(const Observation& seen);
+  /// levels if stores are limited, and the target report if intruders arrive or walk. The budget is that of
+  /// each search for a way.
+  std::optional<Command> step(const Observation& seen, const Budget& budget = {});
+
+  [[nodiscard]] const GuardProblem& problem() const { return *problem_; }
+  [[nodiscard]] const FiringMap& firing_map() const { return *firing_map_; }
+  /// Return the plan that the mission was made of; the other two are null.
+  [[nodiscard]] const GuardPlan* tour() const { return tour_; }
+  [[nodiscard]] const ArrivalPlan* arrivals() const { return arrivals_; }
+  [[nodiscard]] const MovingPlan* walkers() const { return walkers_; }
 
   StopTasks tasks;           ///< stops to make, with the record of each target
   ArrivingTargets arriving;  ///< used if intruders arrive or survive
@@ -46,6 +54,7 @@ class GuardMission {
 
   const GuardProblem* problem_;
   const FiringMap* firing_map_;
+  const GuardPlan* tour_ = nullptr;
   const ArrivalPlan* arrivals_ = nullptr;
   const MovingPlan* walkers_ = nullptr;
 };

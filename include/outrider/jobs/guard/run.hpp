@@ -1,43 +1,32 @@
 // run_guard: simulates a whole guard mission with any of its capabilities, and reports.
 #pragma once
 
-#include <optional>
+#include <cstdint>
+#include <vector>
 
 #include "outrider/job/watch.hpp"
-#include "outrider/jobs/guard/mission.hpp"
+#include "outrider/jobs/guard/prepare.hpp"
 #include "outrider/jobs/guard/robot.hpp"
-#include "outrider/jobs/guard/survivors.hpp"
 
 namespace outrider {
 
-/// Intruders that walk about, and the plan against them.
-struct WalkerRun {
-  const MovingPlan& plan;
-  const std::vector<Walk>& walks;  ///< true motion of each target
-};
-
 /// The true yard, if the robot knows the yard only from a map that it made.
 struct TrueYard {
-  const GuardProblem& problem;  ///< has the same targets as the plan, in the same order
-  const FiringMap& firing_map;
+  GuardProblem problem;  ///< has the same targets as the plan, in the same order
+  FiringMap firing_map;
   StoreLevels levels = {};  ///< levels of the stores after exploring; infinite: full
 };
 
-/// A mission: the yard as the robot knows it, the plan, and the capabilities. All references must outlive the
-/// run.
+/// What is simulated. All references must outlive the run.
 struct GuardRun {
-  const GuardProblem& problem;
-  const FiringMap& firing_map;
-  const GuardPlan& plan;
+  GuardMission mission;  ///< as it begins
   const GuardOptions& options;
   std::uint64_t seed = 1;
-  std::optional<ArrivalPlan> arrivals =
-      {};                  ///< set if intruders arrive or survive; `problem` is that of their yard
-  Survival survival = {};  ///< behaviour of intruders after a hit
-  std::optional<WalkerRun> walkers = {};  ///< set if intruders walk about
-  std::optional<TrueYard> truth = {};     ///< set if the yard was explored first
-  bool rigid = false;                     ///< simulate rigid bodies
-  GuardSimParams faults = {};             ///< unknown to the mission; not with rigid bodies
+  Survival survival = {};           ///< behaviour of intruders after a hit
+  std::vector<Walk> walks = {};     ///< true motion of each target, if intruders walk about
+  const TrueYard* truth = nullptr;  ///< set if the yard was explored first
+  bool rigid = false;               ///< simulate rigid bodies
+  GuardSimParams faults = {};       ///< unknown to the mission; not with rigid bodies
 };
 
 /// Simulates and logs the mission, and returns what it came to. Log and report are pure functions of the
@@ -64,5 +53,11 @@ struct GuardRun {
 /// chances of the shots, expected_hits their sum. Faults: those of make_rigid_world(), if rigid bodies are
 /// simulated.
 Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch = {});
+
+/// Simulates what was prepared: one robot as above, or a team (team_run.hpp, which has its metrics). Walks
+/// are drawn from the seed. Metrics, besides: expected_s and its standard error expected_error_s, if
+/// intruders survive and none arrive. Faults: besides, those of draw_walks().
+Outcome<Report> run_guard(const PreparedGuard& guard, Log& log, const RunWatch& watch = {},
+                          const TrueYard* truth = nullptr);
 
 }  // namespace outrider

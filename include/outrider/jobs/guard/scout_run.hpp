@@ -10,7 +10,7 @@
 
 #include "outrider/job/watch.hpp"
 #include "outrider/jobs/explore/run.hpp"
-#include "outrider/jobs/guard/plan.hpp"
+#include "outrider/jobs/guard/run.hpp"
 #include "outrider/jobs/guard/scout.hpp"
 
 namespace outrider {
@@ -35,17 +35,17 @@ struct ScoutedYard {
 Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std::uint64_t seed, Log& log,
                            const RunWatch& watch = {});
 
-/// Carries out a plan in the true yard. The plan was made for `yard.found`, with its firing map `firing_map`.
-/// The log has the exploration, and its times continue from there. The status
-/// is "done" if every target was seen and hit, and the robot touched no obstacle. A target without a shot on
-/// the map counts as failed, since the map leaves out ground that the robot could not enter.
-/// Metrics, in addition to those of run_guard(): seen, explored_fraction, map_error_m, explore_s,
-/// contacts. mission_s, driven_m and turned_rad include the exploration. Faults: those of build_firing_map()
-/// for the true yard.
-Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& yard,
-                                 const FiringMap& firing_map, const GuardPlan& plan,
-                                 const GuardOptions& options, std::uint64_t seed, Log& log,
-                                 const RunWatch& watch = {}, const GuardSimParams& faults = {});
+/// Returns the true yard, in which a mission runs that was prepared for `yard.found` (run.hpp), and logs what
+/// was seen. The times of the log go on from the end of the exploring. Faults: those of build_firing_map().
+Outcome<TrueYard> begin_on_map(const GuardProblem& truth, const ScoutedYard& yard, GuardOptions options,
+                               const Budget& budget, Log& log);
+
+/// Adds the exploring to the report of such a mission. The status is "done" if every target was seen and hit,
+/// and the robot touched no obstacle. A target without a shot on the map counts as failed, since the map
+/// leaves out ground that the robot could not enter. Additional metrics: seen, explored_fraction,
+/// map_error_m, explore_s, left_over_m2, contacts. mission_s, driven_m and turned_rad include the exploring.
+void add_exploring(Report& report, const GuardProblem& truth, const ScoutedYard& yard, const TrueYard& really,
+                   const Log& log);
 
 /// Returns the report of a yard that was explored and then not guarded, for that reason.
 Report unguarded(const GuardProblem& truth, const ScoutedYard& yard, const std::string& why);

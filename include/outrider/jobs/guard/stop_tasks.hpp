@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-#include "outrider/core/planner_outage.hpp"
+#include "outrider/core/budget.hpp"
 #include "outrider/jobs/guard/cut_drives.hpp"
 #include "outrider/jobs/guard/gun_silence.hpp"
 #include "outrider/jobs/guard/plan.hpp"
@@ -97,7 +97,6 @@ struct StopTasks {
   /// By record: the target of the problem at whose place it is now. Empty: each record is at its own target.
   std::vector<std::size_t> stands_at;
   std::optional<Routes> routes;            ///< routes of the plan
-  PlannerOutage outage = {};               ///< a fault to try out: a planner without a budget
   Budget budget = {};                      ///< of the planner at present
   std::optional<double> planless_s = {};   ///< time since which the planner has had no budget
   CutDrives cut = {};                      ///< drives that ended before their goal

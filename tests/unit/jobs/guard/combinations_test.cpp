@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "outrider/jobs/guard/scout_run.hpp"
-#include "outrider/jobs/guard/simulate.hpp"
-#include "outrider/jobs/guard/supply_plan.hpp"
+#include "outrider/jobs/guard/job.hpp"
+#include "outrider/jobs/guard/run.hpp"
 #include "support/guard_replay.hpp"
 #include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"
@@ -62,23 +61,21 @@ ArrivalOptions eight_intruders() {
 /// Intruders that come by one of two doors, as the options say; they are drawn from the seed.
 Outcome<Run> run_arrivals(const GuardProblem& problem, const ArrivalOptions& arrivals, std::uint64_t seed,
                           bool on_the_move = false) {
-  const auto firing_map = build_firing_map(problem, coarse());
-  if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
-  if (auto ok = check_supplies(problem, *firing_map); !ok) return pass_on(ok);
-  auto plan = plan_guard(problem, *firing_map, coarse(), {});
-  if (!plan) return tl::unexpected<Fault>(plan.error());
-  plan->on_the_move = on_the_move;
-  if (!arrivals.any()) {
-    return logged_run({}, [&](Log& log) {
-      return simulate_surviving_targets(problem, *firing_map, *plan, arrivals, coarse(), seed, log);
-    });
+  GuardScenario scenario;
+  scenario.problem = problem;
+  scenario.options = coarse();
+  scenario.options.shoot_on_the_move = on_the_move;
+  scenario.arrivals = arrivals;
+  scenario.seed = static_cast<std::int64_t>(seed);
+  if (arrivals.any()) {
+    const std::vector<Entrance> doors = {{"gate", {-2.4, -2.4}}, {"gap", {2.4, 2.4}}};
+    auto intruders = draw_arrivals(problem, doors, arrivals, seed);
+    if (!intruders) return pass_on(intruders);
+    scenario.intruders = std::move(*intruders);
   }
-  const std::vector<Entrance> doors = {{"gate", {-2.4, -2.4}}, {"gap", {2.4, 2.4}}};
-  const auto intruders = draw_arrivals(problem, doors, arrivals, seed);
-  if (!intruders) return tl::unexpected<Fault>(intruders.error());
-  return logged_run({}, [&](Log& log) {
-    return simulate_arriving_targets(problem, *firing_map, *plan, *intruders, arrivals, coarse(), seed, log);
-  });
+  const auto guard = prepare_guard(std::move(scenario));
+  if (!guard) return tl::unexpected<Fault>(guard.error());
+  return logged_run({}, [&](Log& log) { return run_guard(**guard, log); });
 }
 
 bool came(const Run& run, const std::string& name) {
@@ -286,20 +283,13 @@ GuardProblem room() {
 
 /// Explores the room, plans with stations on the map found, and guards it.
 Outcome<Run> explore_and_guard(const GuardProblem& problem, std::uint64_t seed) {
-  ScoutTask task;
-  task.options.unknown = true;
+  GuardJob job;
+  job.scenario.problem = problem;
+  job.scenario.options = coarse();
+  job.scenario.scout.unknown = true;
+  job.scenario.seed = static_cast<std::int64_t>(seed);
   Run run;
-  auto yard = scout(problem, task, seed, run.log);
-  if (!yard) return pass_on(yard);
-  const auto firing_map = build_firing_map(yard->found.problem, coarse());
-  if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
-  yard->found.problem.supplies.stations = stations_in_reach(yard->found.problem, *firing_map);
-  auto plan = plan_guard(yard->found.problem, *firing_map, coarse(), {});
-  if (plan) plan = supply_plan(yard->found.problem, *firing_map, std::move(*plan), coarse(), {});
-  if (!plan) return tl::unexpected<Fault>(plan.error());
-  auto report = run_guard_on_map(problem, *yard, *firing_map, *plan, coarse(), seed, run.log);
-  if (!report) return pass_on(report);
-  run.report = std::move(*report);
+  if (auto ok = job.run(run, {}); !ok) return pass_on(ok);
   return run;
 }
 

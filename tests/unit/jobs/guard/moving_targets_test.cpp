@@ -257,15 +257,10 @@ TEST(MovingTargets, OfThoseWhoStayIsTheStillYard) {
   const auto plan =
       plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), coarse(), wander);
   ASSERT_TRUE(plan.has_value());
-  const GuardPlan none;
+  const GuardOptions options = coarse();
   Log log;
-  const auto report = run_guard({.problem = plan->problem,
-                                 .firing_map = plan->firing_map,
-                                 .plan = none,
-                                 .options = coarse(),
-                                 .seed = 1,
-                                 .walkers = WalkerRun{*plan, walks}},
-                                log);
+  const auto report =
+      run_guard({.mission = GuardMission(*plan), .options = options, .seed = 1, .walks = walks}, log);
   ASSERT_TRUE(report) << to_string(report.error());
   ASSERT_EQ(log.messages<outrider_msgs::Shot>(topic::shots).size(), 1U);
   const auto still =

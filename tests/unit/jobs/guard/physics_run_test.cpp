@@ -42,12 +42,8 @@ class RunGuardInPhysics : public ::testing::Test {
       EXPECT_GE(step.part, last);
       last = step.part;
     };
-    const GuardRun guard{.problem = problem,
-                         .firing_map = *firing_map,
-                         .plan = *plan,
-                         .options = options,
-                         .seed = seed,
-                         .rigid = true};
+    const GuardRun guard{
+        .mission = {problem, *firing_map, *plan}, .options = options, .seed = seed, .rigid = true};
     auto run = testing::logged_run(watch, [&](Log& log) { return run_guard(guard, log, watch); });
     EXPECT_TRUE(run.has_value()) << run.error().sentence;
     EXPECT_EQ(last, 1.0);

@@ -25,8 +25,8 @@ TargetSimParams params_of(const PreparedGuard& guard) {
   if (guard.yard) params.intruders = guard.yard->intruders;
   params.survival = {scenario.arrivals.leave, scenario.arrivals.walk_mps};
   if (guard.walkers) {
-    const auto walks = draw_walks(scenario.problem, guard.firing_map, scenario.preferences, scenario.wander,
-                                  static_cast<std::uint64_t>(scenario.seed), 7200.0);
+    const auto walks = draw_walks(scenario.problem, guard.plan->firing_map, scenario.preferences,
+                                  scenario.wander, static_cast<std::uint64_t>(scenario.seed), 7200.0);
     params.walks = walks.value();
     params.look_s = scenario.wander.look_s;
     params.sight_m = scenario.wander.sight_m;
@@ -53,7 +53,7 @@ TEST_P(Prepared, IsTheMissionOfTheJob) {
   ASSERT_TRUE(guard) << guard.error().sentence;
   GuardMission& mission = *(*guard)->mission;
   Log log;
-  SimulatedRobot robot = simulated_guard((*guard)->problem(), (*guard)->firing_map, log,
+  SimulatedRobot robot = simulated_guard((*guard)->problem(), (*guard)->plan->firing_map, log,
                                          static_cast<std::uint64_t>(job.scenario.seed), params_of(**guard));
   double end_s = 0.0;
   EXPECT_TRUE(
@@ -95,9 +95,9 @@ TEST(PrepareGuard, StopsWhenAsked) {
   GuardJob task;
   std::stop_source stop;
   stop.request_stop();
-  Budget budget;
-  budget.stop = stop.get_token();
-  const auto guard = prepare_guard(loaded(task, "survivors/survivors.yaml", {}).scenario, budget);
+  RunWatch watch;
+  watch.stop = stop.get_token();
+  const auto guard = prepare_guard(loaded(task, "survivors/survivors.yaml", {}).scenario, watch);
   ASSERT_FALSE(guard);
   EXPECT_EQ(guard.error().code, FaultCode::cancelled);
 }

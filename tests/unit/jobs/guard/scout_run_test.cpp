@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "outrider/jobs/guard/plan.hpp"
+#include "outrider/jobs/guard/job.hpp"
 #include "outrider/log/ros_messages.hpp"
 #include "support/logged_targets.hpp"
 #include "support/run_bytes.hpp"
@@ -34,25 +34,17 @@ GuardProblem yard() {
   return problem;
 }
 
-Outcome<Run> mission(std::uint64_t seed, LogSink* sink = nullptr) {
-  const GuardProblem problem = yard();
-  GuardOptions options;
-  options.shoot_on_the_move = false;
-  options.resolution_m = 0.25;
-  ScoutTask task;
-  task.options.unknown = true;
+Outcome<outrider::Run> mission(std::uint64_t seed, LogSink* sink = nullptr) {
+  GuardJob job;
+  job.scenario.problem = yard();
+  job.scenario.options.shoot_on_the_move = false;
+  job.scenario.options.resolution_m = 0.25;
+  job.scenario.scout.unknown = true;
+  job.scenario.seed = static_cast<std::int64_t>(seed);
   Run run;
   if (sink != nullptr) run.log.add_sink(*sink);
-  auto found = scout(problem, task, seed, run.log);
-  if (!found) return pass_on(found);
-  const auto firing_map = build_firing_map(found->found.problem, options);
-  if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
-  const auto plan = plan_guard(found->found.problem, *firing_map, options, {});
-  if (!plan) return tl::unexpected<Fault>(plan.error());
-  auto report = run_guard_on_map(problem, *found, *firing_map, *plan, options, seed, run.log);
-  if (!report) return pass_on(report);
+  if (auto ok = job.run(run, {}); !ok) return pass_on(ok);
   if (sink != nullptr) run.log.remove_sink(*sink);
-  run.report = std::move(*report);
   return run;
 }
 

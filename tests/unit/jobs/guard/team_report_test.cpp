@@ -7,7 +7,7 @@
 #include "outrider/log/append.hpp"
 #include "support/data.hpp"
 #include "support/guard_yard.hpp"
-#include "team_job.hpp"
+#include "team_report.hpp"
 
 namespace outrider {
 namespace {
@@ -35,7 +35,7 @@ struct Judged {
   }
   [[nodiscard]] Report report() const {
     const auto firing_map = build_firing_map(scenario.problem, scenario.options);
-    return judged_team(scenario, *firing_map, plan, team, Log());
+    return judge_team(scenario, *firing_map, plan, team, Log());
   }
 };
 
