@@ -9,6 +9,7 @@
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/core/overload.hpp"
 #include "outrider/job/scene.hpp"
+#include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/nodes/in_the_way.hpp"
 #include "outrider/sim/simulated_gun.hpp"
@@ -49,16 +50,9 @@ std::vector<OptionGroup> describe(GuardMissionNodeOptions& options) {
 
 Outcome<std::unique_ptr<PreparedGuard>> GuardMissionNode::prepare(GuardScenario scenario,
                                                                   const GuardMissionNodeOptions& options) {
-  if (!scenario.has_still_targets()) {
-    return bad_input(
-        "no topic tells where intruders are; give a scenario whose targets stand still and leave when they "
-        "are hit",
-        scenario.wander.any() ? "wander" : "arrivals");
-  }
-  if (scenario.problem.supplies.any())
-    return bad_input("no topic tells how full tank and battery are; leave the section out", "supplies");
-  if (!scenario.terrain.empty())
-    return bad_input("the robot behind topics drives on flat ground; leave it out", "terrain");
+  auto requested = requested_capabilities(scenario);
+  requested.push_back(Capability::topics);
+  if (auto ok = check_capabilities(requested); !ok) return pass_on(ok);
   scenario.options.shoot_on_the_move = false;
   scenario.problem.robot.radius_m += options.clearance_m;
   return prepare_guard(std::move(scenario));

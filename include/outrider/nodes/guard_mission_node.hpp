@@ -44,8 +44,8 @@ std::vector<OptionGroup> describe(GuardMissionNodeOptions& options);
 
 class GuardMissionNode final : public MissionNode {
  public:
-  /// Prepares the mission of a scenario that load_problem() has read. Faults: bad_input for a yard that
-  /// targets enter, leave or walk about in, for limited supplies and for terrain; those of prepare_guard().
+  /// Prepares the mission of a scenario that load_problem() has read. Faults: those of check_capabilities()
+  /// with `topics` and of prepare_guard().
   static Outcome<std::unique_ptr<PreparedGuard>> prepare(GuardScenario scenario,
                                                          const GuardMissionNodeOptions& options);
   GuardMissionNode(GuardMissionNodeOptions options, std::unique_ptr<PreparedGuard> guard);

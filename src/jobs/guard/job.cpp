@@ -4,7 +4,6 @@
 
 #include "guard_log.hpp"
 #include "outrider/job/clock.hpp"
-#include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/rigid_world.hpp"
 #include "outrider/jobs/guard/scout_run.hpp"
 #include "pddl_task.hpp"
@@ -66,16 +65,8 @@ Status explore_and_guard(const GuardScenario& scenario, Run& run, const RunWatch
 }  // namespace
 
 Outcome<Warnings> GuardJob::load() {
-  const PddlOptions& pddl = scenario.pddl;
-  if (pddl.write && !pddl.validate.empty()) {
-    return bad_input(
-        "a problem is written or a plan is judged; leave one of pddl.write and pddl.validate out",
-        "pddl.validate");
-  }
   auto warnings = load_problem(scenario);
-  if (!warnings) return warnings;
-  if (auto planner = find_guard_planner(scenario.options.planner); !planner) return pass_on(planner);
-  if (scenario.sim == "physics") {
+  if (warnings && scenario.sim == "physics") {
     if (auto bodies = make_rigid_world(scenario.problem); !bodies) return pass_on(bodies);
   }
   return warnings;

@@ -7,6 +7,7 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/job/plan_cache.hpp"
+#include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/supply_plan.hpp"
 #include "outrider/jobs/guard/team_starts.hpp"
@@ -15,19 +16,6 @@
 
 namespace outrider {
 namespace {
-
-Status check_preparable(const GuardScenario& scenario) {
-  if (scenario.scout.unknown)
-    return bad_input("the yard has to be explored first; give a robot a yard that is known", "scout.unknown");
-  if (scenario.robots > 1)
-    return bad_input(
-        fmt::format("a mission is that of one robot, and there are {}; set robots to 1, or run the "
-                    "scenario to have all of them simulated",
-                    scenario.robots),
-        "robots");
-  if (scenario.pddl.any()) return bad_input("a problem in PDDL is no mission; leave the section out", "pddl");
-  return {};
-}
 
 /// The options on which a plan does not depend: `faults`, which planners do not know, and `seed`, unless it
 /// draws intruders, who are planned for.
@@ -219,7 +207,9 @@ Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, Ru
 }
 
 Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const RunWatch& watch) {
-  if (auto ok = check_preparable(scenario); !ok) return pass_on(ok);
+  auto requested = requested_capabilities(scenario);
+  requested.push_back(Capability::own_robot);
+  if (auto ok = check_capabilities(requested); !ok) return pass_on(ok);
   RunSteps steps(watch, 2);
   Log log;
   return prepare_guard(std::move(scenario), steps, watch, log);

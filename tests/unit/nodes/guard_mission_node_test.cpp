@@ -220,7 +220,7 @@ TEST(GuardBehindTopics, WhatTopicsCannotTellIsRefused) {
   EXPECT_EQ(GuardMissionNode::prepare(scenario, {}).error().where, "supplies");
   scenario = yard(1);
   scenario.arrivals.leave = 0.5;
-  EXPECT_EQ(GuardMissionNode::prepare(scenario, {}).error().where, "arrivals");
+  EXPECT_EQ(GuardMissionNode::prepare(scenario, {}).error().where, "arrivals.leave");
   scenario = yard(1);
   scenario.robots = 2;
   EXPECT_EQ(GuardMissionNode::prepare(scenario, {}).error().where, "robots");

@@ -54,8 +54,8 @@ struct PreparedGuard {
 Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, RunSteps& steps,
                                                       const RunWatch& watch, Log& log, double time_s = 0.0);
 
-/// Prepares the mission of one robot that is no simulation of the job. Faults: besides, bad_input for a yard
-/// that has to be explored first, for several robots and for the options of PDDL.
+/// Prepares the mission of a robot that is not simulated. Faults: besides, those of check_capabilities() with
+/// `own_robot`.
 Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const RunWatch& watch = {});
 
 /// What a mission came to.
