@@ -114,20 +114,18 @@ Status cover_all(Drafting& drafting, std::vector<std::size_t>& cells) {
   return drafting.budget.stop.stop_requested() ? Status(cancelled()) : Status{};
 }
 
-/// The shots offered to the tour, by cell: those that hit nearly always, or where a target has none of
-/// these, any.
+/// The shots offered to the tour, by stop: those that hit nearly always, or where a target has none of these,
+/// any. The first of the cells stands for the start.
 std::vector<std::vector<Service>> services(const Drafting& drafting, const std::vector<std::size_t>& cells) {
   std::vector<std::vector<Service>> offered(cells.size());
   for (std::size_t goal = 0; goal < drafting.targets.size(); ++goal) {
     const auto offer = [&](bool any) {
       bool found = false;
-      for (std::size_t i = 0; i < cells.size(); ++i) {
+      for (std::size_t i = 1; i < cells.size(); ++i) {
         const auto entry = drafting.book.find({cells[i], drafting.targets[goal]});
         if (entry == drafting.book.end() || !entry->second || !(any || entry->second->hit_rate >= good_rate))
           continue;
-        const PlannedShot& shot = *entry->second;
-        offered[i].push_back({static_cast<std::uint32_t>(goal), shot.gun.yaw_rad, shot.gun.pitch_rad,
-                              service_time(shot, drafting.options)});
+        offered[i].push_back(service_of(goal, *entry->second, drafting.options.shoot_on_the_move));
         found = true;
       }
       return found;
@@ -144,14 +142,12 @@ TourObserver teller(const Drafting& drafting, const Draft& draft, double& told_s
   return [&drafting, &draft, &told_s](const std::vector<Visit>& visits, double cost_s) {
     if (cost_s > (1.0 - told_gain) * told_s) return;
     told_s = cost_s;
-    const Vec2 start = drafting.problem.start.position;
-    TourDraft told{{}, {start}, cost_s, 0.0};
+    TourDraft told{{}, {drafting.problem.start.position}, cost_s, 0.0};
     std::size_t at = 0;
     for (const Visit& visit : visits) {
-      DraftStop& stop = told.stops.emplace_back(
-          DraftStop{visit.stop == 0 ? start : drafting.place(draft.cells[visit.stop]), {}});
+      DraftStop& stop = told.stops.emplace_back(DraftStop{draft.offered.stops[visit.stop], {}});
       for (const std::uint32_t goal : visit.goals) stop.targets.push_back(draft.targets[goal]);
-      const auto leg = draft.routes->waypoints(at, visit.stop);
+      const auto leg = draft.offered.routes.waypoints(at, visit.stop);
       told.way.insert(told.way.end(), leg.begin(), leg.end());
       at = visit.stop;
     }
@@ -162,27 +158,16 @@ TourObserver teller(const Drafting& drafting, const Draft& draft, double& told_s
 Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_t>& cells, double& told_s) {
   const GuardProblem& problem = drafting.problem;
   if (auto ok = fill(drafting, cells); !ok) return pass_on(ok);
-  Draft draft{{0}, drafting.targets, {}, {}, {}};
+  Draft draft{{0}, drafting.targets, {}, {}};
+  draft.cells.insert(draft.cells.end(), cells.begin(), cells.end());
   std::vector<Vec2> places{problem.start.position};
-  for (const std::size_t cell : cells) {
-    draft.cells.push_back(cell);
-    places.push_back(drafting.place(cell));
-  }
-  auto routes = yard_routes(problem, drafting.firing_map, places, drafting.budget);
-  if (!routes) return tl::unexpected(routes.error());
-  draft.routes = std::move(*routes);
-
-  TourProblem& tour = draft.offered;
-  tour.goals = drafting.targets.size();
-  tour.heading_rad = problem.start.heading_rad;
-  tour.turning = problem.robot.turning();
-  tour.yaw_rate_radps = problem.gun.yaw_rate_radps;
-  tour.pitch_rate_radps = problem.gun.pitch_rate_radps;
-  tour.services = services(drafting, cells);
-  tour.services.insert(tour.services.begin(), std::vector<Service>{});  // the start
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t j = 0; j < places.size(); ++j) tour.drives.push_back(draft.routes->between(i, j));
-  }
+  for (const std::size_t cell : cells) places.push_back(drafting.place(cell));
+  auto joined =
+      stop_table(problem, drafting.firing_map, std::move(places), drafting.targets.size(), drafting.budget);
+  if (!joined) return pass_on(joined);
+  draft.offered = std::move(*joined);
+  TourProblem& tour = draft.offered.table;
+  tour.services = services(drafting, draft.cells);
   TourOptions tour_options;
   tour_options.exact_goals = drafting.exact_goals;
   tour_options.iterations = drafting.options.iterations;
@@ -202,7 +187,7 @@ Status search_on(const Drafting& drafting, Draft& draft) {
     options.iterations = 16 * drafting.options.iterations;
     options.gap = 1.0;
     options.seed = static_cast<std::int64_t>(i) + 1;
-    found[i] = solve_from(draft.offered, draft.tour, options, drafting.budget);
+    found[i] = solve_from(draft.offered.table, draft.tour, options, drafting.budget);
   });
   for (std::optional<Outcome<Tour>>& tour : found) {
     if (!*tour) return pass_on(*tour);
@@ -230,7 +215,7 @@ Status settle(const Drafting& drafting, Draft& draft, double& told_s) {
     options.expansions = 2 * drafting.options.memory_mib * 1024;  // of some 250 bytes: half of the cap
   }
   auto solved =
-      solve_from(draft.offered, draft.tour, options, drafting.budget, teller(drafting, draft, told_s));
+      solve_from(draft.offered.table, draft.tour, options, drafting.budget, teller(drafting, draft, told_s));
   if (!solved) return pass_on(solved);
   draft.tour = std::move(*solved);
   return {};

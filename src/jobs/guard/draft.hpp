@@ -8,6 +8,7 @@
 
 #include "outrider/core/budget.hpp"
 #include "outrider/jobs/guard/plan.hpp"
+#include "outrider/jobs/guard/stop_table.hpp"
 #include "outrider/jobs/guard/stops.hpp"
 #include "outrider/tour/solve.hpp"
 
@@ -16,17 +17,12 @@ namespace outrider {
 /// The exact shot by (cell, target); nothing where no shot keeps the margin. Filled as needed.
 using ShotBook = std::map<std::pair<std::size_t, std::size_t>, std::optional<PlannedShot>>;
 
-/// Time that the robot spends on a shot once the gun is aimed, s: on the move none if the shot hits for sure;
-/// otherwise the flight times the number of flights until the first hit, on average.
-double service_time(const PlannedShot& shot, const GuardOptions& options);
-
 /// A tour over cells. Its goals are the targets that have a firing region and in it, decided exactly, a shot
 /// from some cell.
 struct Draft {
   std::vector<std::size_t> cells;    ///< by stop of the tour; entry 0 stands for the start
   std::vector<std::size_t> targets;  ///< by goal of the tour
-  TourProblem offered;               ///< the stops, shots and drives that the tour was chosen from
-  std::optional<Routes> routes;      ///< between the stops
+  StopTable offered;                 ///< the stops, shots and drives that the tour was chosen from
   Tour tour;
 };
 

@@ -70,7 +70,7 @@ std::vector<std::size_t> soonest(const GunModel& gun, const GuardOptions& option
       for (std::size_t i = 0; i < layers.back().size(); ++i) {
         const Label& from = layers.back()[i];
         const double time =
-            from.time_s + service_time(shot, options) +
+            from.time_s + service_time(shot, options.shoot_on_the_move) +
             aim_time(gun, label.gun.yaw_rad - from.gun.yaw_rad, label.gun.pitch_rad - from.gun.pitch_rad);
         if (time < label.time_s) label.time_s = time, label.before = i;
       }
@@ -90,14 +90,9 @@ std::vector<std::size_t> soonest(const GunModel& gun, const GuardOptions& option
 
 }  // namespace
 
-double service_time(const PlannedShot& shot, const GuardOptions& options) {
-  if (!is_awaited(shot, options.shoot_on_the_move)) return 0.0;
-  return shot.flight_s / std::max(shot.hit_rate, 0.05);
-}
-
 void choose_shots(const GuardProblem& problem, const FiringMap& firing_map, const GuardOptions& options,
                   ShotBook& book, Draft& draft) {
-  TourProblem& offered = draft.offered;
+  TourProblem& offered = draft.offered.table;
   std::vector<Step> steps = steps_of(offered, draft.tour.visits);
   parallel_for(steps.size(), [&](std::size_t i) {
     Step& step = steps[i];
@@ -111,8 +106,8 @@ void choose_shots(const GuardProblem& problem, const FiringMap& firing_map, cons
     const PlannedShot& shot = step.shots[chosen[i]];
     book[{draft.cells[step.stop], draft.targets[step.goal]}] = shot;
     auto& services = offered.services[step.stop];
-    *std::ranges::find(services, step.goal, &Service::goal) = {
-        step.goal, shot.gun.yaw_rad, shot.gun.pitch_rad, service_time(shot, options)};
+    *std::ranges::find(services, step.goal, &Service::goal) =
+        service_of(step.goal, shot, options.shoot_on_the_move);
   }
   draft.tour.cost_s = cost(offered, draft.tour.visits);
   draft.tour.lower_bound_s = 0.0;  // what was proven holds for the shots that were offered before

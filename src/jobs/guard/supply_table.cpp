@@ -62,25 +62,6 @@ void add_stations(const Supplies& supplies, SupplyTable& table) {
   }
 }
 
-/// The goals are the targets with a shot, in their order.
-void take_services(const PrecomputedStops& precomputed, SupplyTable& table) {
-  std::vector<std::uint32_t> goal_of(precomputed.reachable.size(), 0);
-  for (std::size_t t = 0; t < precomputed.reachable.size(); ++t) {
-    if (precomputed.reachable[t] == 0) continue;
-    goal_of[t] = static_cast<std::uint32_t>(table.targets.size());
-    table.targets.push_back(t);
-  }
-  TourProblem& tour = table.problem.table;
-  tour.goals = table.targets.size();
-  tour.services.resize(table.places.size());
-  for (std::size_t stop = 0; stop < precomputed.stops.size(); ++stop) {
-    for (Service service : precomputed.table.services[stop]) {
-      service.goal = goal_of[service.goal];
-      tour.services[stop].push_back(service);
-    }
-  }
-}
-
 }  // namespace
 
 Status check_supplies(const GuardProblem& problem, const FiringMap& firing_map) {
@@ -113,9 +94,12 @@ Outcome<SupplyTable> supply_table(const GuardProblem& problem, const FiringMap& 
   const std::size_t stations_from = precomputed->stops.size() - table.places.size();
   for (auto& station : table.problem.stations) station.stop += stations_from;
   table.places = precomputed->stops;
-  table.problem.table = precomputed->table;
-  table.problem.table.services.clear();
-  take_services(*precomputed, table);
+  for (std::size_t t = 0; t < precomputed->reachable.size(); ++t) {
+    if (precomputed->reachable[t] != 0) table.targets.push_back(t);
+  }
+  table.problem.table = std::move(precomputed->table);
+  table.problem.table.services = services_of(table.problem.table, table.targets);
+  table.problem.table.goals = table.targets.size();
   for (std::size_t i = 0; i < table.places.size(); ++i) {
     for (std::size_t j = 0; j < table.places.size(); ++j) {
       table.problem.lengths_m.push_back(length_of(precomputed->routes.waypoints(i, j)));

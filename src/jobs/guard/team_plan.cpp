@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "outrider/jobs/guard/bound.hpp"
-#include "outrider/jobs/guard/precomputed_stops.hpp"
+#include "outrider/jobs/guard/stop_table.hpp"
 #include "part_plan.hpp"
 #include "team_schedule.hpp"
 #include "team_split.hpp"

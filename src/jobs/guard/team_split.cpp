@@ -17,25 +17,19 @@ constexpr std::int64_t estimate_iterations = 100;
 
 /// The stops, shots and drives for one part: the start of the robot, and the stops with shots at its targets.
 TourProblem part_table(const TourProblem& table, SplitStart start, const std::vector<std::size_t>& targets) {
-  TourProblem part;
-  part.goals = targets.size();
-  part.heading_rad = start.heading_rad;
-  part.turning = table.turning;
-  part.yaw_rate_radps = table.yaw_rate_radps;
-  part.pitch_rate_radps = table.pitch_rate_radps;
-  part.services.assign(1, {});
+  TourProblem part{targets.size(),
+                   start.heading_rad,
+                   table.turning,
+                   table.yaw_rate_radps,
+                   table.pitch_rate_radps,
+                   {{}},
+                   {}};
   std::vector<std::size_t> stops{start.stop};
-  for (std::size_t stop = 0; stop < table.services.size(); ++stop) {
-    std::vector<Service> services;
-    for (Service service : table.services[stop]) {
-      const auto at = std::ranges::lower_bound(targets, service.goal);
-      if (at == targets.end() || *at != service.goal) continue;
-      service.goal = static_cast<std::uint32_t>(at - targets.begin());
-      services.push_back(service);
-    }
-    if (services.empty()) continue;
+  auto services = services_of(table, targets);
+  for (std::size_t stop = 0; stop < services.size(); ++stop) {
+    if (services[stop].empty()) continue;
     stops.push_back(stop);
-    part.services.push_back(std::move(services));
+    part.services.push_back(std::move(services[stop]));
   }
   for (const std::size_t from : stops) {
     for (const std::size_t to : stops) part.drives.push_back(table.drives[from * table.services.size() + to]);

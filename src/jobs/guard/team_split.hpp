@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "outrider/core/budget.hpp"
-#include "outrider/jobs/guard/precomputed_stops.hpp"
+#include "outrider/jobs/guard/stop_table.hpp"
 
 namespace outrider {
 

@@ -12,7 +12,7 @@
 
 #include "outrider/jobs/guard/arrivals.hpp"
 #include "outrider/jobs/guard/policy.hpp"
-#include "outrider/jobs/guard/precomputed_stops.hpp"
+#include "outrider/jobs/guard/stop_table.hpp"
 #include "outrider/jobs/guard/stop_tasks.hpp"
 
 namespace outrider {

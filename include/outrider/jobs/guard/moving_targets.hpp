@@ -17,7 +17,7 @@
 #include <optional>
 #include <vector>
 
-#include "outrider/jobs/guard/precomputed_stops.hpp"
+#include "outrider/jobs/guard/stop_table.hpp"
 #include "outrider/jobs/guard/stop_tasks.hpp"
 #include "outrider/jobs/guard/visit_map.hpp"
 

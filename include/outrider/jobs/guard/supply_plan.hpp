@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "outrider/jobs/guard/plan.hpp"
-#include "outrider/jobs/guard/precomputed_stops.hpp"
+#include "outrider/jobs/guard/stop_table.hpp"
 
 namespace outrider {
 

@@ -16,7 +16,7 @@
 #include <string>
 
 #include "outrider/jobs/guard/policy.hpp"
-#include "outrider/jobs/guard/precomputed_stops.hpp"
+#include "outrider/jobs/guard/stop_table.hpp"
 
 namespace outrider {
 

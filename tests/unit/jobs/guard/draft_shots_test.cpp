@@ -34,7 +34,7 @@ std::optional<Drafted> drafted(const GuardProblem& problem, const GuardOptions& 
 /// Shots for the hits of the tour that begin at every half degree, and the time of the best combination of
 /// them, by trying all.
 double best_of_all(const GuardProblem& problem, const Drafted& given) {
-  TourProblem offered = given.draft.offered;
+  TourProblem offered = given.draft.offered.table;
   std::vector<std::pair<Service*, std::vector<Service>>> choices;
   for (const Visit& visit : given.draft.tour.visits) {
     for (const std::uint32_t goal : visit.goals) {
@@ -86,21 +86,21 @@ TEST(ChooseShots, EndsTheTourAsSoonAsTheBestOfAllCombinations) {
     for (const Visit& visit : given->draft.tour.visits) {
       for (const std::uint32_t goal : visit.goals) {
         const auto& shot = given->book.at({given->draft.cells[visit.stop], given->draft.targets[goal]});
-        auto& services = given->draft.offered.services[visit.stop];
+        auto& services = given->draft.offered.table.services[visit.stop];
         *std::ranges::find(services, goal, &Service::goal) = {goal, shot->gun.yaw_rad, shot->gun.pitch_rad,
                                                               service_time(*shot, {})};
       }
     }
-    const double before = cost(given->draft.offered, given->draft.tour.visits);
+    const double before = cost(given->draft.offered.table, given->draft.tour.visits);
     const double best = best_of_all(problem, *given);
     choose_shots(problem, given->firing_map, {}, given->book, given->draft);
     EXPECT_LE(given->draft.tour.cost_s, best + 1e-9);
-    EXPECT_EQ(given->draft.tour.cost_s, cost(given->draft.offered, given->draft.tour.visits));
+    EXPECT_EQ(given->draft.tour.cost_s, cost(given->draft.offered.table, given->draft.tour.visits));
     sooner += given->draft.tour.cost_s < before - 0.01 ? 1 : 0;
     for (const Visit& visit : given->draft.tour.visits) {
       for (const std::uint32_t goal : visit.goals) {
         const auto& shot = given->book.at({given->draft.cells[visit.stop], given->draft.targets[goal]});
-        const auto& services = given->draft.offered.services[visit.stop];
+        const auto& services = given->draft.offered.table.services[visit.stop];
         EXPECT_EQ(std::ranges::find(services, goal, &Service::goal)->pitch_rad, shot->gun.pitch_rad);
       }
     }

@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/precomputed_stops.hpp"
+#include "outrider/jobs/guard/stop_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@ namespace outrider {
 namespace {
 
 constexpr double tile_m = 0.8;
-constexpr double least_rate = 0.05;
 
 struct Offer {
   std::size_t stop = 0;
@@ -60,32 +59,72 @@ Status offer_others(const GuardProblem& problem, const FiringMap& firing_map, st
 /// The services of the offers: those of the plan, the first stops, and good ones alone where a target has
 /// such.
 void take(const std::vector<Offer>& offers, PrecomputedStops& precomputed) {
-  std::vector<char> good(precomputed.table.goals, 0);
+  TourProblem& table = precomputed.table;
+  std::vector<char> good(table.goals, 0);
   for (const Offer& offer : offers) {
     if (offer.shot && offer.shot->hit_rate >= good_rate) good[offer.target] = 1;
   }
-  precomputed.table.services.resize(precomputed.stops.size());
-  precomputed.reachable.assign(precomputed.table.goals, 0);
+  table.services.resize(precomputed.stops.size());
+  precomputed.reachable.assign(table.goals, 0);
   for (const Offer& offer : offers) {
     const bool planned = offer.stop <= precomputed.tour.size();
     if (!offer.shot) continue;
     if (!planned && good[offer.target] != 0 && offer.shot->hit_rate < good_rate) continue;
-    if (!std::isfinite(precomputed.table.drives[offer.stop].time_s)) continue;  // from the start
-    const PlannedShot& shot = *offer.shot;
-    const double wait_s =
-        is_awaited(shot, precomputed.on_the_move) ? shot.flight_s / std::max(shot.hit_rate, least_rate) : 0.0;
-    precomputed.table.services[offer.stop].push_back(
-        {static_cast<std::uint32_t>(offer.target), shot.gun.yaw_rad, shot.gun.pitch_rad, wait_s});
+    if (!std::isfinite(table.drives[offer.stop].time_s)) continue;  // from the start
+    table.services[offer.stop].push_back(service_of(offer.target, *offer.shot, precomputed.on_the_move));
     precomputed.reachable[offer.target] = 1;
   }
 }
 
 }  // namespace
 
+Outcome<StopTable> stop_table(const GuardProblem& problem, const FiringMap& firing_map,
+                              std::vector<Vec2> stops, std::size_t goals, const Budget& budget) {
+  auto routes = yard_routes(problem, firing_map, stops, budget);
+  if (!routes) return pass_on(routes);
+  TourProblem table{goals,
+                    problem.start.heading_rad,
+                    problem.robot.turning(),
+                    problem.gun.yaw_rate_radps,
+                    problem.gun.pitch_rate_radps,
+                    {},
+                    {}};
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    for (std::size_t j = 0; j < stops.size(); ++j) table.drives.push_back(routes->between(i, j));
+  }
+  return StopTable{std::move(stops), std::move(table), std::move(*routes)};
+}
+
+double service_time(const PlannedShot& shot, bool on_the_move) {
+  constexpr double least_rate = 0.05;
+  return is_awaited(shot, on_the_move) ? shot.flight_s / std::max(shot.hit_rate, least_rate) : 0.0;
+}
+
+Service service_of(std::size_t goal, const PlannedShot& shot, bool on_the_move) {
+  return {static_cast<std::uint32_t>(goal), shot.gun.yaw_rad, shot.gun.pitch_rad,
+          service_time(shot, on_the_move)};
+}
+
+std::vector<std::vector<Service>> services_of(const TourProblem& table,
+                                              const std::vector<std::size_t>& goals) {
+  std::vector<std::vector<Service>> services(table.services.size());
+  for (std::size_t stop = 0; stop < services.size(); ++stop) {
+    for (Service service : table.services[stop]) {
+      const auto at = std::ranges::lower_bound(goals, service.goal);
+      if (at == goals.end() || *at != service.goal) continue;
+      service.goal = static_cast<std::uint32_t>(at - goals.begin());
+      services[stop].push_back(service);
+    }
+  }
+  return services;
+}
+
 Outcome<PrecomputedStops> precompute_stops(const GuardProblem& problem, const FiringMap& firing_map,
                                            const GuardPlan& plan, const ArrivalOptions& options,
                                            const Budget& budget, const std::vector<Vec2>& besides) {
-  PrecomputedStops precomputed{{problem.start.position}, {}, Routes(nullptr), {}, {}, plan.on_the_move};
+  PrecomputedStops precomputed;
+  precomputed.stops = {problem.start.position};
+  precomputed.on_the_move = plan.on_the_move;
   std::vector<Offer> offers;
   offer_plan(plan, precomputed, offers);
   const auto most = static_cast<std::size_t>(options.stops);
@@ -93,20 +132,9 @@ Outcome<PrecomputedStops> precompute_stops(const GuardProblem& problem, const Fi
     return pass_on(ok);
   precomputed.stops.insert(precomputed.stops.end(), besides.begin(), besides.end());
 
-  auto routes = yard_routes(problem, firing_map, precomputed.stops, budget);
-  if (!routes) return pass_on(routes);
-  precomputed.routes = std::move(*routes);
-  TourProblem& table = precomputed.table;
-  table.goals = problem.targets.size();
-  table.heading_rad = problem.start.heading_rad;
-  table.turning = problem.robot.turning();
-  table.yaw_rate_radps = problem.gun.yaw_rate_radps;
-  table.pitch_rate_radps = problem.gun.pitch_rate_radps;
-  for (std::size_t i = 0; i < precomputed.stops.size(); ++i) {
-    for (std::size_t j = 0; j < precomputed.stops.size(); ++j) {
-      table.drives.push_back(precomputed.routes.between(i, j));
-    }
-  }
+  auto joined = stop_table(problem, firing_map, std::move(precomputed.stops), problem.targets.size(), budget);
+  if (!joined) return pass_on(joined);
+  static_cast<StopTable&>(precomputed) = std::move(*joined);
   take(offers, precomputed);
   return precomputed;
 }
