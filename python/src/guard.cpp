@@ -79,13 +79,13 @@ class Guarding {
       refuse(fmt::format("intruder {} at place {}: there are {} intruders and {} places", target, place,
                          guard_->yard->intruders.size(), guard_->yard->places()),
              "arrivals");
-    for (const TargetArrival& inside : guard_->mission->arriving.inside) {
+    for (const TargetArrival& inside : guard_->mission->arriving()->inside()) {
       if (inside.target == target) refuse(fmt::format("intruder {} is inside already", target), "arrivals");
     }
   }
   void check_sighting(const TargetObservation& one, double now_s) const {
     if (!guard_->walkers) return;
-    const auto& tracks = guard_->mission->moving.tracks;
+    const auto& tracks = guard_->mission->moving()->tracks();
     if (one.target >= tracks.size())
       refuse(fmt::format("target {}: there are {}", one.target, tracks.size()), "seen");
     const Track& track = tracks[one.target];
@@ -103,7 +103,7 @@ class Guarding {
 
 py::list targets_of(const PreparedGuard& guard) {
   py::list targets;
-  const auto& records = guard.mission->tasks.records;
+  const auto& records = guard.mission->board().records();
   for (std::size_t i = 0; i < records.size(); ++i) {
     const Target& target = guard.problem().targets[i];
     py::dict one;

@@ -218,7 +218,7 @@ bool GuardMissionNode::await(const Fire& fire) {
               fmt::format("{} is told to be hit", guard_->scenario.problem.targets[fire.target].name));
     return true;
   }
-  const auto& shot = mission_->tasks.records[fire.target].shot;
+  const auto& shot = mission_->board().records()[fire.target].shot;
   const double flight_s = shot ? shot->flight_s : 0.0;
   return now_s() - began_command_s_ > flight_s + options_.result_s;
 }
@@ -245,13 +245,13 @@ void GuardMissionNode::note(const Pose2& pose) {
 }
 
 void GuardMissionNode::finish() {
-  const StopTasks& tasks = mission_->tasks;
+  const TaskBoard& board = mission_->board();
   const GuardVerdict verdict = verdict_of(*mission_);
-  const auto hit = std::ranges::count(tasks.records, TargetStatus::reached, &TargetRecord::status);
+  const auto hit = std::ranges::count(board.records(), TargetStatus::reached, &TargetRecord::status);
   std::string sentence =
-      fmt::format("{} of {} targets are told to be hit, by {} shots", hit, tasks.records.size(), shots_);
+      fmt::format("{} of {} targets are told to be hit, by {} shots", hit, board.records().size(), shots_);
   if (!verdict.reason.empty()) sentence += "; " + verdict.reason;
-  if (!tasks.given_up.empty()) sentence += "; " + tasks.given_up;
+  if (!board.given_up().empty()) sentence += "; " + board.given_up();
   const bool good = verdict.status == "done";
   end(good ? NodeLevel::info : NodeLevel::error, verdict.status, std::move(sentence));
 }
@@ -264,7 +264,7 @@ void GuardMissionNode::go_on(const Pose2& pose) {
   const bool done = carry_out(*present_, pose);
   if (is_over()) return;
   if (done) present_.reset();
-  const auto& records = mission_->tasks.records;
+  const auto& records = mission_->board().records();
   const auto left = std::ranges::count(records, TargetStatus::waiting, &TargetRecord::status);
   if (!stands_)
     set_status(NodeLevel::info, "guarding", fmt::format("{} of {} targets wait", left, records.size()));

@@ -13,7 +13,7 @@ namespace outrider {
 
 /// The yard as it really is.
 inline const GuardProblem& true_problem(const GuardRun& run) {
-  return run.truth != nullptr ? run.truth->problem : run.mission.problem();
+  return run.truth != nullptr ? run.truth->problem : run.mission.board().problem();
 }
 /// Returns the intruders that the simulation lets come, survive or walk.
 TargetSimParams target_params(const GuardRun& run);
@@ -33,14 +33,12 @@ class TargetLog {
   TargetLog(Log& log, LogQueue& queue, const std::vector<Target>& targets);
   /// Logs what has changed. Call it after each step of the mission.
   void note(const GuardMission& mission, double time_s);
-  /// Logs what has changed in the records of targets that do not walk.
-  void note(const std::vector<TargetRecord>& records, double time_s);
   /// Logs where walkers are in the end.
   void finish(const GuardMission& mission, double time_s);
 
  private:
-  void begin(const std::string& name, const Target& target, const Intruder* comes);
-  [[nodiscard]] bool walks() const { return run_ != nullptr && run_->mission.walkers() != nullptr; }
+  void begin(const Target& target, const Intruder* comes);
+  [[nodiscard]] bool walks() const { return run_ != nullptr && run_->mission.moving() != nullptr; }
   void place(double time_s, std::size_t who, Vec2 at, Vec2 believed);
   void note_walker(const GuardMission& mission, std::size_t who);
   void note_record(const TargetRecord& record, std::size_t who, double time_s);
@@ -69,8 +67,8 @@ Table target_table();
 std::vector<TableValue> unshot_row(const std::string& name, const std::string& status,
                                    const std::string& reason, double done_s);
 
-/// Returns the names of the targets or intruders.
-std::vector<std::string> names_of(const GuardRun& run);
+/// Returns the part of the targets that do not wait any more.
+double settled_part(const std::vector<TargetRecord>& records);
 
 /// Returns what the mission came to. `expected_hits` is the sum of the chances of all shots at walkers.
 Report judge(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,

@@ -39,8 +39,8 @@ Tally tally_of(const GuardRun& run, const std::vector<TargetRecord>& records, do
     const bool reached = records[i].status == TargetStatus::reached;
     if (reached) tally.reached += 1.0;
     if (records[i].status == TargetStatus::failed) tally.failed += 1.0;
-    const ArrivalPlan* const arrivals = run.mission.arrivals();
-    const double enters_s = arrivals != nullptr ? arrivals->yard.intruders[i].enters_s : 0.0;
+    const auto* const arriving = run.mission.arriving();
+    const double enters_s = arriving != nullptr ? arriving->plan().yard.intruders[i].enters_s : 0.0;
     const double leaves_s = reached ? records[i].done_s : end_s;
     tally.inside_s += std::max(0.0, leaves_s - enters_s);  // it may not have come before the end
     tally.longest_s = std::max(tally.longest_s, leaves_s - enters_s);
@@ -54,11 +54,11 @@ const std::vector<Stamped<outrider_msgs::Shot>>& shots_of(const Log& log) {
 }
 
 /// Targets that the reference's rule would have counted, whatever ours says.
-double reached_by_reference_rule(const Log& log, const std::vector<std::string>& names) {
+double reached_by_reference_rule(const Log& log, const std::vector<Target>& targets) {
   double reached = 0.0;
-  for (const std::string& name : names) {
+  for (const Target& target : targets) {
     const auto hits = [&](const Stamped<outrider_msgs::Shot>& shot) {
-      return shot.message.target == name && shot.message.hit_by_reference_rule;
+      return shot.message.target == target.name && shot.message.hit_by_reference_rule;
     };
     if (std::ranges::any_of(shots_of(log), hits)) reached += 1.0;
   }
@@ -90,7 +90,7 @@ Metrics still_metrics(const GuardPlan& plan, const Tally& tally, const SimRecord
 
 Metrics arrival_metrics(const GuardRun& run, const GuardMission& mission, const Tally& tally,
                         const SimRecord& record, double end_s) {
-  const ArrivalPlan& plan = *mission.arrivals();
+  const ArrivalPlan& plan = mission.arriving()->plan();
   const ArrivalBound bound = arrival_bound(plan.yard, plan.stops.on_the_move);
   const bool makespan = plan.objective == ArrivalObjective::makespan;
   Metrics metrics = {{"targets", tally.targets},
@@ -104,11 +104,11 @@ Metrics arrival_metrics(const GuardRun& run, const GuardMission& mission, const 
                      {"lower_bound_s", makespan ? bound.makespan_s : bound.time_inside_s},
                      {"intruder_seconds_bound", bound.time_inside_s},
                      {"makespan_bound_s", bound.makespan_s},
-                     {"plans", as_number(mission.arriving.plans)},
+                     {"plans", as_number(mission.arriving()->plans())},
                      {"driven_m", record.driven_m},
                      {"turned_rad", record.turned_rad},
                      {"shots", as_number(record.shots)}};
-  if (run.survival.leave < 1.0) metrics.emplace_back("survived", as_number(mission.arriving.survived));
+  if (run.survival.leave < 1.0) metrics.emplace_back("survived", as_number(mission.arriving()->survived()));
   return metrics;
 }
 
@@ -137,7 +137,7 @@ Metrics walker_metrics(const std::vector<TargetRecord>& records, const Tally& ta
 /// How often a store was filled, and how low each was at least.
 Metrics supply_metrics(const Log& log, const Supplies& supplies, const StoreKeeper& keeper) {
   Metrics metrics = {{"fills", as_number(events_of(log, "fill").size())},
-                     {"unplanned_fills", as_number(keeper.detours)}};
+                     {"unplanned_fills", as_number(keeper.detours())}};
   double water = supplies.full(Store::water), charge_j = supplies.full(Store::charge);
   for (const auto& [time_ns, level] : log.messages<outrider_msgs::StoreLevels>(topic::stores)) {
     water = std::min(water, level.water);
@@ -172,9 +172,9 @@ Metrics rigid_metrics(const RigidRecord& rigid) {
 /// Why not every target was reached; empty where all were.
 std::string reason_of(const GuardRun& run, const Tally& tally) {
   if (tally.reached == tally.targets) return {};
-  if (run.mission.walkers() != nullptr)
+  if (run.mission.moving() != nullptr)
     return fmt::format("{} of {} intruders hit", tally.reached, tally.targets);
-  if (run.mission.arrivals() != nullptr) {
+  if (run.mission.arriving() != nullptr) {
     return fmt::format("{} of {} intruders reached, {} failed, no shot found at {}", tally.reached,
                        tally.targets, tally.failed, tally.unreachable);
   }
@@ -183,24 +183,23 @@ std::string reason_of(const GuardRun& run, const Tally& tally) {
 }
 
 /// What is added to the reason if shots had no result; else an empty text.
-std::string why_unanswered(const StopTasks& tasks) {
-  if (!tasks.given_up.empty())
-    return fmt::format("; {}: is the gun jammed, or its tank empty?", tasks.given_up);
-  const std::vector<TargetRecord>& records = tasks.records;
+std::string why_unanswered(const TaskBoard& board) {
+  if (!board.given_up().empty())
+    return fmt::format("; {}: is the gun jammed, or its tank empty?", board.given_up());
   int unanswered = 0;
-  for (const TargetRecord& record : records) unanswered += record.unanswered;
+  for (const TargetRecord& record : board.records()) unanswered += record.unanswered;
   if (unanswered == 0) return {};
   return fmt::format("; {} shot{} had no result: is the gun jammed, or its tank empty?", unanswered,
                      unanswered == 1 ? "" : "s");
 }
 
 /// Returns the targets that are called reached and that no ball hit.
-double falsely_reached(const std::vector<TargetRecord>& records, const std::vector<std::string>& names,
+double falsely_reached(const std::vector<TargetRecord>& records, const std::vector<Target>& targets,
                        const Log& log) {
   double count = 0.0;
   for (std::size_t i = 0; i < records.size(); ++i) {
     const auto hits = [&](const Stamped<outrider_msgs::Shot>& shot) {
-      return shot.message.hit && shot.message.target == names[i];
+      return shot.message.hit && shot.message.target == targets[i].name;
     };
     if (records[i].status == TargetStatus::reached && std::ranges::none_of(shots_of(log), hits)) count += 1.0;
   }
@@ -233,6 +232,12 @@ std::vector<TableValue> row_of(const std::string& name, const TargetRecord& reco
 
 }  // namespace
 
+double settled_part(const std::vector<TargetRecord>& records) {
+  if (records.empty()) return 1.0;
+  const auto waiting = std::ranges::count(records, TargetStatus::waiting, &TargetRecord::status);
+  return 1.0 - as_number(waiting) / as_number(records.size());
+}
+
 Table target_table() {
   return {"targets",
           {"name", "status", "reason", "shots", "done_s", "x", "y", "heading_rad", "pitch_rad", "yaw_rad",
@@ -262,49 +267,40 @@ std::string why_stranded(const Log& log) {
   return stranded.empty() ? std::string() : "; " + stranded.front().message.msg;
 }
 
-std::vector<std::string> names_of(const GuardRun& run) {
-  std::vector<std::string> names;
-  if (const ArrivalPlan* const arrivals = run.mission.arrivals()) {
-    for (const Intruder& intruder : arrivals->yard.intruders) names.push_back(intruder.name);
-  } else {
-    for (const Target& target : true_problem(run).targets) names.push_back(target.name);
-  }
-  return names;
-}
-
 Report judge(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,
              double end_s, double expected_hits) {
-  const std::vector<std::string> names = names_of(run);
+  const std::vector<Target>& targets = true_problem(run).targets;
   Report report;
   report.world_name = true_problem(run).world.name;
-  const auto& records = mission.tasks.records;
+  const auto& records = mission.board().records();
   const Tally tally = tally_of(run, records, end_s);
   report.metrics =
-      mission.arrivals() != nullptr ? arrival_metrics(run, mission, tally, record, end_s)
-      : mission.walkers() != nullptr
+      mission.arriving() != nullptr ? arrival_metrics(run, mission, tally, record, end_s)
+      : mission.moving() != nullptr
           ? walker_metrics(records, tally, record, end_s, expected_hits)
-          : still_metrics(*run.mission.tour(), tally, record, reached_by_reference_rule(log, names), end_s);
+          : still_metrics(*run.mission.tour(), tally, record, reached_by_reference_rule(log, targets), end_s);
   const auto add = [&](const Metrics& more) {
     report.metrics.insert(report.metrics.end(), more.begin(), more.end());
   };
   const Supplies& supplies = true_problem(run).supplies;
-  if (supplies.any()) add(supply_metrics(log, supplies, mission.stores));
-  if (mission.tasks.on_the_move) add(passing_metrics(log));
+  if (supplies.any()) add(supply_metrics(log, supplies, mission.stores()));
+  if (mission.board().on_the_move()) add(passing_metrics(log));
   if (record.rigid) add(rigid_metrics(*record.rigid));
   if (run.faults.any()) {
-    add({{"false_reached", falsely_reached(records, names, log)},
+    add({{"false_reached", falsely_reached(records, targets, log)},
          {"cut_drives", as_number(events_of(log, "stopped").size())},
          {"contacts", as_number(record.contacts)},
          {"post_contacts", as_number(record.post_contacts)}});
   }
   Table table = target_table();
-  for (std::size_t i = 0; i < records.size(); ++i) table.rows.push_back(row_of(names[i], records[i], log));
+  for (std::size_t i = 0; i < records.size(); ++i)
+    table.rows.push_back(row_of(targets[i].name, records[i], log));
   report.tables = {std::move(table)};
   const std::string dry = ran_dry(log);
   report.status = tally.reached + tally.unreachable == tally.targets && dry.empty() ? "done" : "not_done";
   report.reason = dry.empty() ? reason_of(run, tally) + why_stranded(log) : dry;
   if (report.status != "done")
-    report.reason += why_unanswered(mission.tasks) + why_held_up(mission.tasks.cut);
+    report.reason += why_unanswered(mission.board()) + why_held_up(mission.board().cut());
   return report;
 }
 

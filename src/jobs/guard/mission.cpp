@@ -13,51 +13,43 @@ bool shoots(const Command& command) {
 }  // namespace
 
 GuardMission::GuardMission(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan)
-    : tasks(tasks_of(problem, plan)), problem_(&problem), firing_map_(&firing_map), tour_(&plan) {}
+    : board_(problem, firing_map, plan), targets_(StillTargets{&plan}) {}
 
 GuardMission::GuardMission(const ArrivalPlan& plan)
-    : tasks(tasks_of(plan)),
-      problem_(&plan.yard.problem),
-      firing_map_(&plan.yard.firing_map),
-      arrivals_(&plan) {}
+    : board_(ArrivingTargets(plan).board()), targets_(ArrivingTargets(plan)) {}
 
 GuardMission::GuardMission(const MovingPlan& plan)
-    : moving(begin_moving(plan)), problem_(&plan.problem), firing_map_(&plan.firing_map), walkers_(&plan) {
-  tasks.records.resize(plan.problem.targets.size());
-}
+    : board_(MovingTargets(plan).board()), targets_(MovingTargets(plan)) {}
 
 void GuardMission::note(const Observation& seen) {
-  if (walkers_ != nullptr) {
-    note_moving(moving, tasks, seen, *walkers_);
-    return;
-  }
-  note_shots(tasks, seen, *problem_, *firing_map_);
-  if (arrivals_ != nullptr) note_arrivals(arriving, tasks, seen, *arrivals_);
+  std::visit([&](auto& targets) { targets.note(board_, seen); }, targets_);
 }
 
 std::optional<Command> GuardMission::propose(const Observation& seen) {
-  if (walkers_ != nullptr) return next_command(moving, tasks, seen, *walkers_);
-  if (arrivals_ != nullptr) return next_command(arriving, tasks, seen, *arrivals_);
-  return next_command(tasks, seen, *problem_, *firing_map_);
+  return std::visit([&](auto& targets) { return targets.propose(board_, seen); }, targets_);
 }
 
 std::optional<Command> GuardMission::step(const Observation& seen, const Budget& budget) {
+  board_.set_budget(budget);
   note(seen);
-  tasks.budget = budget;
-  if (auto wait = give_up_silent_gun(tasks, seen)) return wait;
-  if (!tasks.given_up.empty()) return std::nullopt;
-  if (!problem_->supplies.any()) return propose(seen);
-  while (!stores.stranded) {
+  return next(seen);
+}
+
+std::optional<Command> GuardMission::next(const Observation& seen) {
+  if (auto wait = board_.give_up_silent_gun(seen)) return wait;
+  if (!board_.given_up().empty()) return std::nullopt;
+  if (!board_.problem().supplies.any()) return propose(seen);
+  while (stores_.stranded().empty()) {
     GuardMission tried = *this;
     auto command = tried.propose(seen);
-    const auto store = command ? lacking(*command, tried.tasks, seen, *problem_, *firing_map_) : std::nullopt;
+    const auto store = command ? StoreKeeper::lacking(*command, tried.board_, seen) : std::nullopt;
     // A shot that is put off was not fired.
     if (!store || !command || !shoots(*command)) *this = std::move(tried);
     if (!store) {
-      if (command) note_command(stores, *command);
+      if (command) stores_.note(*command);
       return command;
     }
-    provide(stores, tasks, *store, seen, *problem_, *firing_map_);
+    stores_.provide(board_, *store, seen);
   }
   return std::nullopt;
 }

@@ -18,54 +18,8 @@ constexpr std::size_t futures = 24;       // that a stop is judged by
 constexpr double horizon_s = 60.0;        // of these
 constexpr double flight_horizon_s = 10.0;
 constexpr double worth_moving_s = 1.0;
-constexpr double no_answer_s = 5.0;  // after the planned landing, a ball without a result
-constexpr double region_m = 1.1;     // a rest within this distance of a region is taken for one there
+constexpr double region_m = 1.1;  // a rest within this distance of a region is taken for one there
 constexpr std::size_t no_region = std::numeric_limits<std::size_t>::max();
-
-bool is_wanted(const MovingTargets& targets, const StopTasks& tasks, std::size_t who) {
-  return tasks.records[who].status == TargetStatus::waiting && !targets.tracks[who].empty() &&
-         std::ranges::count(tasks.flying, who, &FlyingBall::target) == 0;
-}
-
-void note_seen(MovingTargets& targets, const Observation& seen, const WanderOptions& options) {
-  for (const TargetObservation& one : seen.targets->seen) {
-    targets.tracks[one.target].push_back({one.time_s, one.position});
-  }
-  if (!options.learn) return;
-  // In pieces of a few looks, so that a rest is told from a step.
-  constexpr std::size_t piece = 20;
-  for (std::size_t who = 0; who < targets.tracks.size(); ++who) {
-    const Track& track = targets.tracks[who];
-    if (track.size() < targets.learned[who] + piece) continue;
-    learn(targets.map, track, options, targets.learned[who]);
-    targets.learned[who] = track.size() - 1;
-  }
-}
-
-/// The part of the possible futures, under the errors of the gun, in which the shot hits; something below
-/// `options.chance` as soon as that is certain to be too much.
-double chance_of(const MovingTargets& targets, const MovingPlan& plan, std::size_t who, const LedShot& led,
-                 Vec2 position, Rng rng) {
-  const ShotRules& rules = plan.firing_map.rules;
-  const Stride stride = stride_of(targets.tracks[who], plan.options);
-  std::size_t hits = 0;
-  for (std::size_t i = 0; i < most_flights; ++i) {
-    const Walk walk = possible_future(targets.map, stride, led.meets_s + 1.0, rng);
-    Shot shot = led.planned.shot;
-    shot.yaw_rad += rules.errors.gun_rad * rng.uniform(-1.0, 1.0);
-    shot.pitch_rad += rules.errors.gun_rad * rng.uniform(-1.0, 1.0);
-    shot.speed_mps *= 1.0 + rules.errors.speed_ratio * rng.uniform(-1.0, 1.0);
-    const Flight flight = launch(rules, {position, {}}, plan.problem.targets[who], shot, coarse_track);
-    hits += fly_at(flight, rules.gun.ball_radius_m, plan.firing_map.space(who), plan.problem.targets[who],
-                   walk, led.fires_s, rules.floor_z_m)
-                    .hit
-                ? 1U
-                : 0U;
-    const double most = static_cast<double>(hits + most_flights - i - 1) / static_cast<double>(most_flights);
-    if (most < plan.options.chance) return most;
-  }
-  return static_cast<double>(hits) / static_cast<double>(most_flights);
-}
 
 /// No shot at one who is on that walk meets it sooner. Over the ground a ball is never faster than it leaves
 /// the gun or than the wind, as drag takes it from the one to the other.
@@ -83,31 +37,6 @@ double soonest_meeting_s(const ShotRules& rules, const Target& target, const Wal
 bool is_out_of_range(const MovingPlan& plan, std::size_t who, const Walk& walk, const Observation& seen) {
   return !plan.longest_m.empty() &&
          distance(walk.at(seen.time_s), seen.odometry.position) > plan.longest_m[who];
-}
-
-/// The soonest shot that is likely enough, if there is one.
-std::optional<LedShot> likely_shot(MovingTargets& targets, const StopTasks& tasks, const Observation& seen,
-                                   const MovingPlan& plan, const Rng& rng) {
-  std::optional<LedShot> best;
-  const double yaw_rad = wrap_angle(seen.odometry.heading_rad + seen.gun->yaw_rad);
-  for (std::size_t who = 0; who < targets.tracks.size(); ++who) {
-    if (!is_wanted(targets, tasks, who)) continue;
-    const Stride stride = stride_of(targets.tracks[who], plan.options);
-    const Walk walk = straight_on(stride, seen.time_s + flight_horizon_s);
-    const double soonest_s = soonest_meeting_s(plan.firing_map.rules, plan.problem.targets[who], walk,
-                                               norm(stride.velocity_mps), seen);
-    if (is_out_of_range(plan, who, walk, seen) || (best && best->meets_s <= soonest_s)) continue;
-    const auto led = led_shot(plan.firing_map.rules, plan.firing_map.space(who), plan.problem.targets[who],
-                              walk, seen.odometry.position, yaw_rad, seen.gun->pitch_rad, seen.time_s);
-    if (!led || (best && best->meets_s <= led->meets_s)) continue;
-    const double chance = chance_of(targets, plan, who, *led, seen.odometry.position, rng.child(who));
-    if (chance < plan.options.chance) continue;
-    best = led;
-    targets.aimed_at = who;
-    targets.chance = chance;
-    targets.expected_at = walk.at(led->meets_s);
-  }
-  return best;
 }
 
 /// A rest to come: where, as a region, and when.
@@ -131,23 +60,6 @@ std::vector<Rest> rests_of(const Walk& walk, const std::vector<Vec2>& regions) {
   return rests;
 }
 
-/// By future, the rests of all.
-std::vector<std::vector<Rest>> imagine(const MovingTargets& targets, const StopTasks& tasks, double now_s,
-                                       const MovingPlan& plan, const Rng& rng) {
-  std::vector<std::vector<Rest>> all(futures);
-  for (std::size_t who = 0; who < targets.tracks.size(); ++who) {
-    if (!is_wanted(targets, tasks, who)) continue;
-    const Stride stride = stride_of(targets.tracks[who], plan.options);
-    Rng draws = rng.child(who);
-    for (std::vector<Rest>& rests : all) {
-      const auto own =
-          rests_of(possible_future(targets.map, stride, now_s + horizon_s, draws), targets.map.regions);
-      rests.insert(rests.end(), own.begin(), own.end());
-    }
-  }
-  return all;
-}
-
 /// Until somebody rests where it is hit from the stop, on average, s.
 double expected_wait(const std::vector<char>& hit_from_here, const std::vector<std::vector<Rest>>& all,
                      double there_s, double now_s) {
@@ -162,42 +74,6 @@ double expected_wait(const std::vector<char>& hit_from_here, const std::vector<s
     sum += std::max(soonest, there_s) - now_s;
   }
   return sum / static_cast<double>(all.size());
-}
-
-/// The stop with the least expected time to a shot. Where the robot is nobody can be shot at now, or it would
-/// be.
-std::size_t best_stop(const MovingTargets& targets, const StopTasks& tasks, const Observation& seen,
-                      const MovingPlan& plan, const Rng& rng) {
-  const auto all = imagine(targets, tasks, seen.time_s, plan, rng);
-  const PrecomputedStops& precomputed = plan.stops;
-  std::size_t best = targets.stop;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < precomputed.stops.size(); ++i) {
-    const std::size_t stop = i == 0 ? targets.stop : i == targets.stop ? 0 : i;  // this one first
-    std::vector<char> hit_from_here(targets.map.regions.size(), 0);
-    for (const Service& service : precomputed.table.services[stop]) hit_from_here[service.goal] = 1;
-    double there_s = seen.time_s + plan.options.look_s;
-    if (stop != targets.stop) {
-      const Drive drive = precomputed.routes.between(targets.stop, stop);
-      if (!std::isfinite(drive.time_s)) continue;
-      there_s = seen.time_s + drive.time_s +
-                duration(std::abs(wrap_angle(drive.departure_rad - seen.odometry.heading_rad)),
-                         plan.problem.robot.turning());
-    }
-    const double wait = expected_wait(hit_from_here, all, there_s, seen.time_s);
-    if (wait < least - (best == targets.stop && i > 0 ? worth_moving_s : 0.0)) {
-      least = wait;
-      best = stop;
-    }
-  }
-  return best;
-}
-
-void give_up(StopTasks& tasks, double now_s, const WanderOptions& options) {
-  for (TargetRecord& record : tasks.records) {
-    if (record.status != TargetStatus::waiting) continue;
-    settle(record, TargetStatus::failed, fmt::format("nobody was hit for {:g} s", options.patience_s), now_s);
-  }
 }
 
 }  // namespace
@@ -231,63 +107,166 @@ Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const FiringMap& fi
   return MovingPlan{problem, firing_map, map, std::move(*precomputed), wander, std::move(longest_m)};
 }
 
-MovingTargets begin_moving(const MovingPlan& plan) {
-  MovingTargets targets;
-  targets.tracks.resize(plan.problem.targets.size());
-  targets.learned.assign(plan.problem.targets.size(), 0);
-  targets.map = plan.map;
-  return targets;
+MovingTargets::MovingTargets(const MovingPlan& plan)
+    : plan_(&plan),
+      tracks_(plan.problem.targets.size()),
+      map_(plan.map),
+      learned_(plan.problem.targets.size(), 0) {}
+
+TaskBoard MovingTargets::board() const {
+  return {plan_->problem, plan_->firing_map, plan_->problem.targets.size()};
 }
 
-void note_moving(MovingTargets& targets, StopTasks& tasks, const Observation& seen, const MovingPlan& plan) {
-  note_seen(targets, seen, plan.options);
-  for (const FlyingBall& ball : std::exchange(tasks.flying, {})) {
-    const ShotResult* const result = result_of(seen, ball.target);
-    TargetRecord& record = tasks.records[ball.target];
-    if (result == nullptr && plan.stops.on_the_move && seen.time_s < ball.lands_s + no_answer_s) {
-      tasks.flying.push_back(ball);
-      continue;
+bool MovingTargets::is_wanted(const TaskBoard& board, std::size_t who) const {
+  return board.records()[who].status == TargetStatus::waiting && !tracks_[who].empty() &&
+         !board.is_in_air(who);
+}
+
+void MovingTargets::note_seen(const Observation& seen) {
+  const WanderOptions& options = plan_->options;
+  for (const TargetObservation& one : seen.targets->seen) {
+    tracks_[one.target].push_back({one.time_s, one.position});
+  }
+  if (!options.learn) return;
+  // In pieces of a few looks, so that a rest is told from a step.
+  constexpr std::size_t piece = 20;
+  for (std::size_t who = 0; who < tracks_.size(); ++who) {
+    const Track& track = tracks_[who];
+    if (track.size() < learned_[who] + piece) continue;
+    learn(map_, track, options, learned_[who]);
+    learned_[who] = track.size() - 1;
+  }
+}
+
+/// The part of the possible futures, under the errors of the gun, in which the shot hits; something below
+/// `options.chance` as soon as that is certain to be too much.
+double MovingTargets::chance_of(std::size_t who, const LedShot& led, Vec2 position, Rng rng) const {
+  const MovingPlan& plan = *plan_;
+  const ShotRules& rules = plan.firing_map.rules;
+  const Stride stride = stride_of(tracks_[who], plan.options);
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < most_flights; ++i) {
+    const Walk walk = possible_future(map_, stride, led.meets_s + 1.0, rng);
+    Shot shot = led.planned.shot;
+    shot.yaw_rad += rules.errors.gun_rad * rng.uniform(-1.0, 1.0);
+    shot.pitch_rad += rules.errors.gun_rad * rng.uniform(-1.0, 1.0);
+    shot.speed_mps *= 1.0 + rules.errors.speed_ratio * rng.uniform(-1.0, 1.0);
+    const Flight flight = launch(rules, {position, {}}, plan.problem.targets[who], shot, coarse_track);
+    hits += fly_at(flight, rules.gun.ball_radius_m, plan.firing_map.space(who), plan.problem.targets[who],
+                   walk, led.fires_s, rules.floor_z_m)
+                    .hit
+                ? 1U
+                : 0U;
+    const double most = static_cast<double>(hits + most_flights - i - 1) / static_cast<double>(most_flights);
+    if (most < plan.options.chance) return most;
+  }
+  return static_cast<double>(hits) / static_cast<double>(most_flights);
+}
+
+/// The soonest shot that is likely enough, if there is one.
+std::optional<LedShot> MovingTargets::likely_shot(const TaskBoard& board, const Observation& seen,
+                                                  const Rng& rng) {
+  const MovingPlan& plan = *plan_;
+  std::optional<LedShot> best;
+  const double yaw_rad = wrap_angle(seen.odometry.heading_rad + seen.gun->yaw_rad);
+  for (std::size_t who = 0; who < tracks_.size(); ++who) {
+    if (!is_wanted(board, who)) continue;
+    const Stride stride = stride_of(tracks_[who], plan.options);
+    const Walk walk = straight_on(stride, seen.time_s + flight_horizon_s);
+    const double soonest_s = soonest_meeting_s(plan.firing_map.rules, plan.problem.targets[who], walk,
+                                               norm(stride.velocity_mps), seen);
+    if (is_out_of_range(plan, who, walk, seen) || (best && best->meets_s <= soonest_s)) continue;
+    const auto led = led_shot(plan.firing_map.rules, plan.firing_map.space(who), plan.problem.targets[who],
+                              walk, seen.odometry.position, yaw_rad, seen.gun->pitch_rad, seen.time_s);
+    if (!led || (best && best->meets_s <= led->meets_s)) continue;
+    const double chance = chance_of(who, *led, seen.odometry.position, rng.child(who));
+    if (chance < plan.options.chance) continue;
+    best = led;
+    aimed_at_ = who;
+    chance_ = chance;
+    expected_at_ = walk.at(led->meets_s);
+  }
+  return best;
+}
+
+/// The stop with the least expected time to a shot. Where the robot is nobody can be shot at now, or it would
+/// be.
+std::size_t MovingTargets::best_stop(const TaskBoard& board, const Observation& seen, const Rng& rng) const {
+  const MovingPlan& plan = *plan_;
+  std::vector<std::vector<Rest>> all(futures);  // by future, the rests of all targets
+  for (std::size_t who = 0; who < tracks_.size(); ++who) {
+    if (!is_wanted(board, who)) continue;
+    const Stride stride = stride_of(tracks_[who], plan.options);
+    Rng draws = rng.child(who);
+    for (std::vector<Rest>& rests : all) {
+      const auto own = rests_of(possible_future(map_, stride, seen.time_s + horizon_s, draws), map_.regions);
+      rests.insert(rests.end(), own.begin(), own.end());
     }
-    if (result == nullptr) ++record.unanswered;
-    tasks.silence.note(ball.target, result != nullptr, seen.time_s);
-    if (result == nullptr || !result->hit) continue;
-    targets.last_hit_s = result->landed_s;
-    settle(record, TargetStatus::reached,
-           fmt::format("hit by shot {} from ({:.2f}, {:.2f})", record.shots, record.pose.position.x,
-                       record.pose.position.y),
-           result->landed_s);
   }
+  const PrecomputedStops& precomputed = plan.stops;
+  std::size_t best = stop_;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < precomputed.stops.size(); ++i) {
+    const std::size_t stop = i == 0 ? stop_ : i == stop_ ? 0 : i;  // this one first
+    std::vector<char> hit_from_here(map_.regions.size(), 0);
+    for (const Service& service : precomputed.table.services[stop]) hit_from_here[service.goal] = 1;
+    double there_s = seen.time_s + plan.options.look_s;
+    if (stop != stop_) {
+      const Drive drive = precomputed.routes.between(stop_, stop);
+      if (!std::isfinite(drive.time_s)) continue;
+      there_s = seen.time_s + drive.time_s +
+                duration(std::abs(wrap_angle(drive.departure_rad - seen.odometry.heading_rad)),
+                         plan.problem.robot.turning());
+    }
+    const double wait = expected_wait(hit_from_here, all, there_s, seen.time_s);
+    if (wait < least - (best == stop_ && i > 0 ? worth_moving_s : 0.0)) {
+      least = wait;
+      best = stop;
+    }
+  }
+  return best;
 }
 
-std::optional<Command> next_command(MovingTargets& targets, StopTasks& tasks, const Observation& seen,
-                                    const MovingPlan& plan) {
-  const auto waits = [](const TargetRecord& record) { return record.status == TargetStatus::waiting; };
-  if (std::ranges::none_of(tasks.records, waits)) return std::nullopt;
-  if (std::exchange(tasks.aimed, false)) {
-    TargetRecord& record = tasks.records[targets.aimed_at];
-    ++record.shots;
-    tasks.flying.push_back({targets.aimed_at, seen.time_s + record.shot->flight_s, false, seen.time_s});
-    return Fire{targets.aimed_at, record.shot->shot, !plan.stops.on_the_move};
+void MovingTargets::note(TaskBoard& board, const Observation& seen) {
+  note_seen(seen);
+  board.note_shots(seen, false);
+}
+
+std::optional<Command> MovingTargets::propose(TaskBoard& board, const Observation& seen) {
+  const MovingPlan& plan = *plan_;
+  double last_hit_s = 0.0;
+  bool any_waits = false;
+  for (const TargetRecord& record : board.records()) {
+    any_waits = any_waits || record.status == TargetStatus::waiting;
+    if (record.status == TargetStatus::reached) last_hit_s = std::max(last_hit_s, record.done_s);
   }
-  if (seen.time_s - targets.last_hit_s > plan.options.patience_s) {
-    give_up(tasks, seen.time_s, plan.options);
+  if (!any_waits) return std::nullopt;
+  if (std::exchange(aimed_, false)) {
+    const PlannedShot& shot = *board.records()[aimed_at_].shot;
+    const bool awaited = !plan.stops.on_the_move;
+    board.launch({.target = aimed_at_,
+                  .lands_s = seen.time_s + shot.flight_s,
+                  .leaves_s = seen.time_s,
+                  .awaited = awaited});
+    return Fire{aimed_at_, shot.shot, awaited};
+  }
+  if (seen.time_s - last_hit_s > plan.options.patience_s) {
+    board.fail_waiting(fmt::format("nobody was hit for {:g} s", plan.options.patience_s), seen.time_s);
     return std::nullopt;
   }
-  const Rng rng = Rng(0).child("futures").child(targets.steps++);
-  if (const auto led = likely_shot(targets, tasks, seen, plan, rng.child("shot"))) {
-    TargetRecord& record = tasks.records[targets.aimed_at];
-    record.shot = led->planned;
-    record.pose = seen.odometry;
-    tasks.aimed = true;
+  const Rng rng = Rng(0).child("futures").child(steps_++);
+  if (const auto led = likely_shot(board, seen, rng.child("shot"))) {
+    board.aim_at(aimed_at_, led->planned, seen.odometry);
+    aimed_ = true;
     return AimGun{led->planned.shot.yaw_rad, led->planned.shot.pitch_rad};
   }
-  const std::size_t stop = tasks.flying.empty() ? best_stop(targets, tasks, seen, plan, rng.child("stop"))
-                                                : targets.stop;  // who is missed may be hit from here
-  if (stop != targets.stop) {
-    auto way = plan.stops.routes.waypoints(targets.stop, stop);
+  // A target that is missed may be hit from here.
+  const std::size_t stop = board.any_in_air() ? stop_ : best_stop(board, seen, rng.child("stop"));
+  if (stop != stop_) {
+    auto way = plan.stops.routes.waypoints(stop_, stop);
     if (way.size() > 1) {
       way.front() = seen.odometry.position;
-      targets.stop = stop;
+      stop_ = stop;
       return FollowWaypoints{std::move(way)};
     }
   }

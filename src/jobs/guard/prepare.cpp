@@ -216,7 +216,7 @@ Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, co
 }
 
 GuardVerdict verdict_of(const GuardMission& mission) {
-  const auto& records = mission.tasks.records;
+  const auto& records = mission.board().records();
   const auto count = [&](TargetStatus status) {
     return static_cast<std::size_t>(std::ranges::count(records, status, &TargetRecord::status));
   };
@@ -225,7 +225,7 @@ GuardVerdict verdict_of(const GuardMission& mission) {
   if (reached < records.size())
     verdict.reason =
         fmt::format("{} of {} targets reached, no shot found at {}", reached, records.size(), unreachable);
-  if (mission.stores.stranded) verdict.reason += "; " + mission.stores.reason;
+  if (const std::string& why = mission.stores().stranded(); !why.empty()) verdict.reason += "; " + why;
   return verdict;
 }
 

@@ -17,45 +17,40 @@ namespace {
 // bodies is 0.9 times as large, and may find new ways from half of the room between.
 constexpr double way_radius = 0.95;
 
-double settled_part(const GuardMission& mission) {
-  const auto& records = mission.tasks.records;
-  if (records.empty()) return 1.0;
-  const auto waiting = std::ranges::count(records, TargetStatus::waiting, &TargetRecord::status);
-  return 1.0 - static_cast<double>(waiting) / static_cast<double>(records.size());
-}
-
 void log_aim(Log& log, double time_s, const MovingTargets& targets, const GuardProblem& problem) {
-  const Track& track = targets.tracks[targets.aimed_at];
+  const Track& track = targets.tracks()[targets.aimed_at()];
   log_event(
       log, time_s, "lead",
       fmt::format("expects {} at ({:.2f}, {:.2f}), {:.2f} m from where it was seen; a hit is {:.0f} % likely",
-                  problem.targets[targets.aimed_at].name, targets.expected_at.x, targets.expected_at.y,
-                  distance(targets.expected_at, track.back().position), 100.0 * targets.chance));
+                  problem.targets[targets.aimed_at()].name, targets.expected_at().x, targets.expected_at().y,
+                  distance(targets.expected_at(), track.back().position), 100.0 * targets.chance()));
 }
 
 /// How a failed target was missed by a rigid ball.
-void add_misses(StopTasks& tasks, const RigidRecord& rigid) {
-  for (std::size_t t = 0; t < tasks.records.size(); ++t) {
-    TargetRecord& record = tasks.records[t];
+void add_misses(TaskBoard& board, const RigidRecord& rigid) {
+  for (std::size_t t = 0; t < board.records().size(); ++t) {
+    const TargetRecord& record = board.records()[t];
     if (record.status != TargetStatus::failed || rigid.misses[t].empty()) continue;
-    record.reason += fmt::format("; the last shot {}", rigid.misses[t]);
+    board.settle(t, record.status, fmt::format("{}; the last shot {}", record.reason, rigid.misses[t]),
+                 record.done_s);
   }
 }
 
 /// What is proven on a map of the robot's own making is not proven in the yard: ground that it could not
 /// enter or see counts as an obstacle there, and all obstacles count as high.
-void doubt_proofs(StopTasks& tasks) {
-  for (TargetRecord& record : tasks.records) {
+void doubt_proofs(TaskBoard& board) {
+  for (std::size_t t = 0; t < board.records().size(); ++t) {
+    const TargetRecord& record = board.records()[t];
     if (record.status != TargetStatus::unreachable) continue;
-    record.status = TargetStatus::failed;
-    record.reason = "no shot on the ground that was mapped: " + record.reason;
+    board.settle(t, TargetStatus::failed, "no shot on the ground that was mapped: " + record.reason,
+                 record.done_s);
   }
 }
 
 /// Notes when intruders come in.
 void note_entrances(LogQueue& queue, const GuardRun& run) {
-  if (run.mission.arrivals() == nullptr) return;
-  for (const Intruder& intruder : run.mission.arrivals()->yard.intruders) {
+  if (run.mission.arriving() == nullptr) return;
+  for (const Intruder& intruder : run.mission.arriving()->plan().yard.intruders) {
     if (intruder.entrance.empty()) continue;
     queue.note_event(intruder.enters_s, "enter",
                      fmt::format("{} comes in by {}", intruder.name, intruder.entrance));
@@ -74,31 +69,32 @@ struct WithOutage {
 /// `robot` logs what it does; `record` is its record.
 Report simulate(const GuardRun& run, GuardMission mission, Robot& robot, const SimRecord& record,
                 TargetLog& targets, Log& log, const RunWatch& watch) {
-  mission.tasks.stop = watch.stop;
-  if (run.truth != nullptr) doubt_proofs(mission.tasks);
+  mission.board().set_stop(watch.stop);
+  if (run.truth != nullptr) doubt_proofs(mission.board());
   WithOutage stepped{mission, run.faults.planner};
   double expected_hits = 0.0, now_s = 0.0;
   const bool ended =
       run_mission(stepped, robot, watch.stop, [&](const Observation& seen, const Command* command) {
         now_s = seen.time_s;
-        watch.part(settled_part(mission));
-        if (mission.walkers() != nullptr && command != nullptr && std::holds_alternative<AimGun>(*command)) {
-          log_aim(log, now_s, mission.moving, mission.problem());
-          expected_hits += mission.moving.chance;
+        watch.part(settled_part(mission.board().records()));
+        if (mission.moving() != nullptr && command != nullptr && std::holds_alternative<AimGun>(*command)) {
+          log_aim(log, now_s, *mission.moving(), mission.board().problem());
+          expected_hits += mission.moving()->chance();
         }
         targets.note(mission, now_s);
       });
-  if (record.rigid) add_misses(mission.tasks, *record.rigid);
+  if (record.rigid) add_misses(mission.board(), *record.rigid);
   targets.finish(mission, now_s);
-  if (mission.stores.stranded) log_event(log, now_s, "stranded", mission.stores.reason);
+  if (const std::string& why = mission.stores().stranded(); !why.empty())
+    log_event(log, now_s, "stranded", why);
   Report report = judge(run, mission, record, log, now_s, expected_hits);
   if (!ended || watch.stopped()) mark_cancelled(report, log, now_s);
   return report;
 }
 
 Outcome<Report> simulate_bodies(const GuardRun& run, Log& log, const RunWatch& watch) {
-  const GuardProblem& problem = run.mission.problem();
-  const FiringMap& firing_map = run.mission.firing_map();
+  const GuardProblem& problem = run.mission.board().problem();
+  const FiringMap& firing_map = run.mission.board().firing_map();
   auto bodies = make_rigid_world(problem);
   if (!bodies) return pass_on(bodies);
   log_yard(log, problem, run.options, run.seed, true);
@@ -132,7 +128,7 @@ Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch) 
   if (run.rigid) return simulate_bodies(run, log, watch);
   log_yard(log, true_problem(run), run.options, run.seed, false);
   SimulatedRobot robot = simulated_guard(
-      true_problem(run), run.truth ? run.truth->firing_map : run.mission.firing_map(), log, run.seed,
+      true_problem(run), run.truth ? run.truth->firing_map : run.mission.board().firing_map(), log, run.seed,
       target_params(run), run.truth ? run.truth->levels : StoreLevels{}, run.faults);
   TargetLog targets(log, robot.queue(), run);
   note_entrances(robot.queue(), run);

@@ -79,14 +79,14 @@ outrider_msgs::Supplies supplies_entry(const Supplies& supplies) {
 TargetSimParams target_params(const GuardRun& run) {
   TargetSimParams params;
   params.survival = run.survival;
-  if (const ArrivalPlan* const arrivals = run.mission.arrivals()) {
-    params.intruders = arrivals->yard.intruders;
-    params.foreseen = arrivals->policy.foresees;
+  if (const auto* const arriving = run.mission.arriving()) {
+    params.intruders = arriving->plan().yard.intruders;
+    params.foreseen = arriving->plan().policy.foresees;
   }
-  if (const MovingPlan* const walkers = run.mission.walkers()) {
+  if (const auto* const moving = run.mission.moving()) {
     params.walks = run.walks;
-    params.look_s = walkers->options.look_s;
-    params.sight_m = walkers->options.sight_m;
+    params.look_s = moving->plan().options.look_s;
+    params.sight_m = moving->plan().options.sight_m;
   }
   return params;
 }

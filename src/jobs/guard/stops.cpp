@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -241,6 +242,20 @@ std::vector<std::size_t> choose_stops(const FiringMap& firing_map, const SureHit
     std::sort(chosen.begin(), chosen.end());
     return chosen;
   }
+}
+
+std::optional<Vec2> nearest_place(const FiringMap& firing_map, const std::vector<std::size_t>& cells,
+                                  Vec2 here, double apart_m) {
+  std::optional<Vec2> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t cell : cells) {
+    const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(cell));
+    const double away = distance(here, place);
+    if (away < apart_m || away >= least) continue;
+    least = away;
+    best = place;
+  }
+  return best;
 }
 
 }  // namespace outrider

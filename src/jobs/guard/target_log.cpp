@@ -22,28 +22,26 @@ Vec2 believed_at(const Track& track, std::size_t look, const WanderOptions& opti
 }  // namespace
 
 TargetLog::TargetLog(Log& log, LogQueue& queue, const GuardRun& run) : log_(log), queue_(queue), run_(&run) {
-  if (const ArrivalPlan* const arrivals = run.mission.arrivals()) {
-    const auto& [problem, firing_map, intruders] = arrivals->yard;
-    for (std::size_t i = 0; i < intruders.size(); ++i)
-      begin(intruders[i].name, problem.targets[i], intruders[i].entrance.empty() ? nullptr : &intruders[i]);
-  } else {
-    for (const Target& target : true_problem(run).targets) begin(target.name, target, nullptr);
+  const auto* const arriving = run.mission.arriving();
+  for (std::size_t i = 0; i < run.mission.board().records().size(); ++i) {
+    const Intruder* const comes = arriving != nullptr ? &arriving->plan().yard.intruders[i] : nullptr;
+    begin(true_problem(run).targets[i], comes != nullptr && !comes->entrance.empty() ? comes : nullptr);
   }
   queue_.flush(log, 0.0);
 }
 
 TargetLog::TargetLog(Log& log, LogQueue& queue, const std::vector<Target>& targets)
     : log_(log), queue_(queue) {
-  for (const Target& target : targets) begin(target.name, target, nullptr);
+  for (const Target& target : targets) begin(target, nullptr);
   queue_.flush(log, 0.0);
 }
 
-void TargetLog::begin(const std::string& name, const Target& target, const Intruder* comes) {
+void TargetLog::begin(const Target& target, const Intruder* comes) {
   const std::size_t who = told_.size();
   seen_.push_back(0);
   heights_m_.push_back(target.centre().z);
-  told_.push_back({name, comes != nullptr ? "outside" : "waiting", "", vector_of(target.size), target.yaw_rad,
-                   0, comes != nullptr ? comes->entrance : ""});
+  told_.push_back({target.name, comes != nullptr ? "outside" : "waiting", "", vector_of(target.size),
+                   target.yaw_rad, 0, comes != nullptr ? comes->entrance : ""});
   log_.append(topic::targets, 0.0, told_[who]);
   const Vec2 settled = xy(target.base);
   if (comes == nullptr) {
@@ -63,10 +61,10 @@ void TargetLog::place(double time_s, std::size_t who, Vec2 at, Vec2 believed) {
 }
 
 void TargetLog::note_walker(const GuardMission& mission, std::size_t who) {
-  const Track& track = mission.moving.tracks[who];
+  const Track& track = mission.moving()->tracks()[who];
   for (std::size_t& look = seen_[who]; look < track.size(); ++look) {
     place(track[look].time_s, who, run_->walks[who].at(track[look].time_s),
-          believed_at(track, look, mission.walkers()->options));
+          believed_at(track, look, mission.moving()->plan().options));
   }
 }
 
@@ -94,21 +92,15 @@ void TargetLog::note_record(const TargetRecord& record, std::size_t who, double 
 void TargetLog::note(const GuardMission& mission, double time_s) {
   for (std::size_t i = 0; i < told_.size(); ++i) {
     if (walks() && told_[i].status == "waiting") note_walker(mission, i);
-    note_record(mission.tasks.records[i], i, time_s);
+    note_record(mission.board().records()[i], i, time_s);
   }
-  noted_s_ = time_s;
-  queue_.flush(log_, time_s);
-}
-
-void TargetLog::note(const std::vector<TargetRecord>& records, double time_s) {
-  for (std::size_t i = 0; i < told_.size(); ++i) note_record(records[i], i, time_s);
   noted_s_ = time_s;
   queue_.flush(log_, time_s);
 }
 
 void TargetLog::finish(const GuardMission& mission, double time_s) {
   for (std::size_t i = 0; i < told_.size(); ++i) {
-    if (mission.tasks.records[i].status == TargetStatus::waiting) place_last(time_s, i);
+    if (mission.board().records()[i].status == TargetStatus::waiting) place_last(time_s, i);
   }
   note(mission, time_s);
 }

@@ -17,16 +17,17 @@ bool come_near(const std::vector<Vec2>& one, const std::vector<Vec2>& other, dou
 }
 
 /// Returns true if the drive to a stop has not begun.
-bool is_to_come(const StopTasks& tasks, Vec2 place) {
-  const auto first = tasks.queue.begin() + (tasks.arrived && !tasks.queue.empty() ? 1 : 0);
-  return std::any_of(first, tasks.queue.end(), [&](const StopTask& task) { return task.place == place; });
+bool is_to_come(const TaskBoard& board, Vec2 place) {
+  const auto& queue = board.queue();
+  const auto first = queue.begin() + (board.arrived() && !queue.empty() ? 1 : 0);
+  return std::any_of(first, queue.end(), [&](const StopTask& task) { return task.place == place; });
 }
 
 }  // namespace
 
 std::optional<std::size_t> TeamOrder::waits_for(std::size_t robot, Vec2 place,
                                                 const std::vector<Vec2>& waypoints,
-                                                const std::vector<const StopTasks*>& tasks) const {
+                                                const std::vector<const TaskBoard*>& tasks) const {
   const TeamPart& own = plan_.parts[robot];
   const auto stop = std::ranges::find(own.plan.stops, place, &PlannedStop::position);
   const auto number = static_cast<std::size_t>(stop - own.plan.stops.begin());

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "outrider/jobs/guard/stop_tasks.hpp"
+#include "outrider/jobs/guard/task_board.hpp"
 #include "outrider/jobs/guard/team_plan.hpp"
 
 namespace outrider {
@@ -27,7 +27,7 @@ class TeamOrder {
   /// those of the robots. O(stops * waypoints^2).
   [[nodiscard]] std::optional<std::size_t> waits_for(std::size_t robot, Vec2 place,
                                                      const std::vector<Vec2>& waypoints,
-                                                     const std::vector<const StopTasks*>& tasks) const;
+                                                     const std::vector<const TaskBoard*>& tasks) const;
 
  private:
   const TeamPlan& plan_;

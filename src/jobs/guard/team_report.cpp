@@ -86,7 +86,7 @@ Report judge_team(const GuardScenario& scenario, const FiringMap& firing_map, co
   const GuardProblem& problem = scenario.problem;
   const GuardPlan whole = whole_plan(plan, firing_map);
   GuardMission mission(problem, firing_map, whole);
-  mission.tasks.records = team.records;
+  mission.board().set_records(team.records);
   const GuardRun run{.mission = mission, .options = scenario.options, .faults = scenario.faults};
   Report report = judge(run, mission, sum_of(team.robots), log, team.mission_s, 0.0);
 

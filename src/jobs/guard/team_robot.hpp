@@ -17,7 +17,7 @@ struct TeamRobot {
             const TeamPart& part, std::size_t number, std::uint64_t seed)
       : problem(started_at(team, part.start)),
         index(number),
-        tasks(tasks_of(problem, part.plan)),
+        mission(problem, firing_map, part.plan),
         targets(run.targets, queue, team.targets),
         robot(simulated_guard(problem, firing_map, run.log, seed, {}, {}, faults)),
         present{standing(part.start.position, 0.0)} {
@@ -31,7 +31,7 @@ struct TeamRobot {
 
   GuardProblem problem;  // with its own start
   std::size_t index;     // among the robots
-  StopTasks tasks;
+  GuardMission mission;
   TeamRobotRun run;
   LogQueue queue;
   TargetLog targets;

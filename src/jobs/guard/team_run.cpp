@@ -32,7 +32,7 @@ class TeamRunner {
       });
     }
     for (const Unreachable& lost : plan.unreachable)
-      settle(team_.front()->tasks.records[lost.target], TargetStatus::unreachable, lost.reason, 0.0);
+      team_.front()->mission.board().settle(lost.target, TargetStatus::unreachable, lost.reason, 0.0);
     note_owners(plan);
   }
 
@@ -42,12 +42,12 @@ class TeamRunner {
         run_.ended_early = true;
         break;
       }
-      next->tasks.stop = watch.stop;
+      next->mission.board().set_stop(watch.stop);
       const double time_s = next->robot.time_s();
       step(*next);
-      next->targets.note(next->tasks.records, time_s);
+      next->targets.note(next->mission, time_s);
       gather_records();
-      watch.part(settled_part());
+      watch.part(settled_part(run_.records));
     }
     finish();
     return std::move(run_);
@@ -77,19 +77,11 @@ class TeamRunner {
 
   void step(TeamRobot& member) {
     const Observation seen = member.robot.sense();
-    note_shots(member.tasks, seen, member.problem, firing_map_);
-    if (const auto wait = give_up_silent_gun(member.tasks, seen)) {
-      member.robot.act(*wait);
-      return;
-    }
-    if (!member.tasks.given_up.empty()) {
-      member.done = true;
-      return;
-    }
-    StopTasks tried = member.tasks;  // a command that is refused has not been begun
-    auto command = next_command(tried, seen, member.problem, firing_map_);
+    member.mission.note(seen);
+    GuardMission tried = member.mission;  // a command that is refused has not been begun
+    auto command = tried.next(seen);
     if (!command) {
-      member.tasks = std::move(tried);
+      member.mission = std::move(tried);
       member.done = true;
       return;
     }
@@ -98,7 +90,7 @@ class TeamRunner {
     } else if (const auto* shot = std::get_if<Fire>(&*command)) {
       if (!admit_shot(member, tried, *shot, seen)) return;
     }
-    member.tasks = std::move(tried);
+    member.mission = std::move(tried);
     member.robot.act(*command);
     if (std::holds_alternative<FollowWaypoints>(*command))
       member.run.driven.drives.back().waypoints.back() = member.robot.pose().position;
@@ -108,9 +100,9 @@ class TeamRunner {
 
   // ---- Drives ------------------------------------------------------------------------------------
 
-  /// Returns false if the drive does not begin now. `tried` are the tasks as if it had. Both may become those
-  /// of another way.
-  bool admit_drive(TeamRobot& member, StopTasks& tried, FollowWaypoints& drive, const Observation& seen) {
+  /// Returns false if the drive does not begin now. `tried` is the mission as if it had. Both may become
+  /// those of another way.
+  bool admit_drive(TeamRobot& member, GuardMission& tried, FollowWaypoints& drive, const Observation& seen) {
     auto own = presences_of(member, drive, seen);
     if (!apart_from_balls(member, own, seen.time_s)) {  // they land
       wait(member, seen.time_s, "a ball has landed");
@@ -141,18 +133,17 @@ class TeamRunner {
                      problem_.errors.position_m);
   }
 
-  /// Everybody else stands: changes the drive to one around them, and the tasks. Returns false if there is
+  /// Everybody else stands: changes the drive to one around them, and the mission. Returns false if there is
   /// none.
-  bool lead_around(const TeamRobot& member, StopTasks& tried, FollowWaypoints& drive,
+  bool lead_around(const TeamRobot& member, GuardMission& tried, FollowWaypoints& drive,
                    const Observation& seen) {
     constexpr double rounding_m = 1e-3;
-    StopTasks around = member.tasks;
-    KeepAway& others = around.keep_away.emplace(KeepAway{{}, simulated_gap_m(problem_) + rounding_m});
+    GuardMission around = member.mission;
+    KeepAway others{{}, simulated_gap_m(problem_) + rounding_m};
     for (const auto& other : team_) {
       if (other.get() != &member) others.standing.push_back(other->present.back().within.a);
     }
-    auto command = next_command(around, seen, member.problem, firing_map_);
-    around.keep_away.reset();
+    auto command = around.board().next_command_around(seen, std::move(others));
     auto* const led = command ? std::get_if<FollowWaypoints>(&*command) : nullptr;
     if (led == nullptr) return false;
     const auto own = presences_of(member, *led, seen);
@@ -163,12 +154,12 @@ class TeamRunner {
   }
 
   /// Returns a robot whose turn comes first; null if there is none.
-  [[nodiscard]] const TeamRobot* whose_turn(const TeamRobot& member, const StopTasks& tried,
+  [[nodiscard]] const TeamRobot* whose_turn(const TeamRobot& member, const GuardMission& tried,
                                             const FollowWaypoints& drive) const {
-    std::vector<const StopTasks*> tasks;
-    tasks.reserve(team_.size());
-    for (const auto& other : team_) tasks.push_back(&other->tasks);
-    const auto first = order_.waits_for(member.index, tried.last_place, drive.waypoints, tasks);
+    std::vector<const TaskBoard*> boards;
+    boards.reserve(team_.size());
+    for (const auto& other : team_) boards.push_back(&other->mission.board());
+    const auto first = order_.waits_for(member.index, tried.board().last_place(), drive.waypoints, boards);
     return first ? team_[*first].get() : nullptr;
   }
 
@@ -191,25 +182,23 @@ class TeamRunner {
   }
 
   /// Fails the targets of the present stop and of the drive to it, whose shots are not fired.
-  void give_up_stop(TeamRobot& member, StopTasks tried, const FollowWaypoints& drive, const TeamRobot& other,
-                    double time_s) {
-    std::vector<std::size_t> targets = std::move(tried.queue.front().targets);
+  void give_up_stop(TeamRobot& member, GuardMission tried, const FollowWaypoints& drive,
+                    const TeamRobot& other, double time_s) {
+    std::vector<std::size_t> targets = tried.board().drop_task();
     for (const FireInPassing& shot : drive.shots) {
-      take_back(tried, shot.target);
+      tried.board().take_back(shot.target);
       targets.push_back(shot.target);
     }
     for (const std::size_t target : targets)
-      settle(tried.records[target], TargetStatus::failed,
-             fmt::format("robot {} stood in the way", other.index + 1), time_s);
-    tried.queue.pop_front();
-    tried.arrived = tried.aimed = false;
+      tried.board().settle(target, TargetStatus::failed,
+                           fmt::format("robot {} stood in the way", other.index + 1), time_s);
     give_up(member, std::move(tried), "its next stop", other, time_s);
   }
 
   // ---- Shots -------------------------------------------------------------------------------------
 
-  /// Returns false if the shot is not fired now. `tried` are the tasks as if it were.
-  bool admit_shot(TeamRobot& member, StopTasks tried, const Fire& fire, const Observation& seen) {
+  /// Returns false if the shot is not fired now. `tried` is the mission as if it were.
+  bool admit_shot(TeamRobot& member, GuardMission tried, const Fire& fire, const Observation& seen) {
     const TeamRobot* const other = shot_at(
         member, planned_ball(tried, {seen.odometry.position, {}}, fire.target, fire.shot, seen.time_s));
     if (other == nullptr) return true;
@@ -217,21 +206,15 @@ class TeamRunner {
       wait(member, seen.time_s, fmt::format("robot {} is out of the line of fire", other->index + 1));
       return false;
     }
-    take_back(tried, fire.target);
-    if (std::exchange(tried.fired, false)) {
-      StopTask& task = tried.queue.front();
-      task.targets.erase(task.targets.begin());
-      if (!task.guns.empty()) task.guns.erase(task.guns.begin());
-    }
-    tried.aimed = false;
-    settle(tried.records[fire.target], TargetStatus::failed,
-           fmt::format("robot {} stood in the line of fire", other->index + 1), seen.time_s);
+    tried.board().take_back(fire.target);
+    tried.board().settle(fire.target, TargetStatus::failed,
+                         fmt::format("robot {} stood in the line of fire", other->index + 1), seen.time_s);
     give_up(member, std::move(tried), "a shot", *other, seen.time_s);
     return false;
   }
 
   /// Returns a robot that is in the way of a shot in passing; null if there is none.
-  [[nodiscard]] const TeamRobot* first_shot_at(const TeamRobot& member, const StopTasks& tried,
+  [[nodiscard]] const TeamRobot* first_shot_at(const TeamRobot& member, const GuardMission& tried,
                                                const FollowWaypoints& drive, const Observation& seen) const {
     if (drive.shots.empty()) return nullptr;
     const auto legs = straights(member.problem.robot, seen.odometry.heading_rad, drive.waypoints);
@@ -246,9 +229,9 @@ class TeamRunner {
     return nullptr;
   }
 
-  [[nodiscard]] TeamBall planned_ball(const StopTasks& tasks, const Platform& from, std::size_t target,
+  [[nodiscard]] TeamBall planned_ball(const GuardMission& mission, const Platform& from, std::size_t target,
                                       const Shot& shot, double fired_s) const {
-    const auto& planned = tasks.records[target].shot;
+    const auto& planned = mission.board().records()[target].shot;
     return {launch(firing_map_.rules, from, problem_.targets[target], shot), fired_s,
             fired_s + (planned ? planned->flight_s : 0.0)};
   }
@@ -293,15 +276,10 @@ class TeamRunner {
     member.run.waited_s += team_wait_s;
   }
 
-  static void take_back(StopTasks& tasks, std::size_t target) {
-    --tasks.records[target].shots;
-    std::erase_if(tasks.flying, [&](const FlyingBall& ball) { return ball.target == target; });
-  }
-
-  void give_up(TeamRobot& member, StopTasks tried, const std::string& what, const TeamRobot& other,
+  void give_up(TeamRobot& member, GuardMission tried, const std::string& what, const TeamRobot& other,
                double time_s) {
     ++run_.given_up;
-    member.tasks = std::move(tried);
+    member.mission = std::move(tried);
     member.refused = false;
     member.robot.queue().note_event(
         time_s, "give_up", fmt::format("gives {} up: robot {} stands in the way", what, other.index + 1));
@@ -312,13 +290,7 @@ class TeamRunner {
   void gather_records() {
     run_.records.resize(problem_.targets.size());
     for (std::size_t t = 0; t < run_.records.size(); ++t)
-      run_.records[t] = team_[run_.robot_of[t]]->tasks.records[t];
-  }
-
-  [[nodiscard]] double settled_part() const {
-    if (run_.records.empty()) return 1.0;
-    const auto waiting = std::ranges::count(run_.records, TargetStatus::waiting, &TargetRecord::status);
-    return 1.0 - static_cast<double>(waiting) / static_cast<double>(run_.records.size());
+      run_.records[t] = team_[run_.robot_of[t]]->mission.board().records()[t];
   }
 
   void finish() {
@@ -329,7 +301,7 @@ class TeamRunner {
       run_.mission_s = std::max(run_.mission_s, member->run.end_s);
       run_.waited_s += member->run.waited_s;
       member->robot.queue().flush(member->run.log, member->run.end_s);
-      member->targets.note(member->tasks.records, member->run.end_s);
+      member->targets.note(member->mission, member->run.end_s);
     }
     for (const auto& member : team_) {
       // Who is done stands there until all are.

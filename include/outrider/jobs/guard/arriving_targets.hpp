@@ -3,7 +3,7 @@
 //
 // Between two commands the policy may request a new plan for the intruders inside. A new plan never aborts an
 // action: a drive continues to its next waypoint, where the robot stops anyway; an aimed shot is fired; and a
-// started visit to a station is completed. The stop tasks (stop_tasks.hpp) do the rest: they solve each shot
+// started visit to a station is completed. The stop tasks (task_board.hpp) do the rest: they solve each shot
 // again from the true position, repeat misses, and make a second pass at the end.
 #pragma once
 
@@ -12,8 +12,9 @@
 
 #include "outrider/jobs/guard/arrivals.hpp"
 #include "outrider/jobs/guard/policy.hpp"
+#include "outrider/jobs/guard/sequence.hpp"
 #include "outrider/jobs/guard/stop_table.hpp"
-#include "outrider/jobs/guard/stop_tasks.hpp"
+#include "outrider/jobs/guard/task_board.hpp"
 
 namespace outrider {
 
@@ -27,26 +28,40 @@ struct ArrivalPlan {
   std::size_t beam = 100;                                      ///< as in ArrivalOptions
 };
 
-/// The intruders known so far.
-struct ArrivingTargets {
-  std::vector<TargetArrival> inside;  ///< observed and not done, in the order of entering
-  std::size_t entered = 0;            ///< how many entered since the last plan
-  std::int64_t plans = 0;             ///< number of plans made
-  std::int64_t survived = 0;          ///< number of hits that the intruder survived
+/// The intruders known so far. Copies are independent; the plan must outlive them.
+class ArrivingTargets {
+ public:
+  explicit ArrivingTargets(const ArrivalPlan& plan) : plan_(&plan) {}
+
+  /// Returns a board without tasks and with one record per intruder.
+  [[nodiscard]] TaskBoard board() const;
+  /// Notes the results of shots and those inside: adds those that have entered, removes those that are done.
+  void note(TaskBoard& board, const Observation& seen);
+  /// Returns the next command, or nothing when all intruders are done and no more will come. The plan is kept
+  /// until the policy requests a new one. No intruder is shot at before it is in its place. In the end each
+  /// intruder is reached, failed (after 2 `tries` shots, or without a shot from the places reached) or
+  /// unreachable.
+  std::optional<Command> propose(TaskBoard& board, const Observation& seen);
+
+  [[nodiscard]] const ArrivalPlan& plan() const { return *plan_; }
+  /// Returns those observed and not done, in the order of entering.
+  [[nodiscard]] const std::vector<TargetArrival>& inside() const { return inside_; }
+  [[nodiscard]] std::int64_t plans() const { return plans_; }        ///< number of plans made
+  [[nodiscard]] std::int64_t survived() const { return survived_; }  ///< hits that the intruder survived
+
+ private:
+  void forget_the_done(const TaskBoard& board);
+  [[nodiscard]] std::vector<TargetArrival> open_targets(const TaskBoard& board) const;
+  [[nodiscard]] std::optional<double> to_wait_for(const TaskBoard& board, const Observation& seen) const;
+  [[nodiscard]] bool is_the_still_yard(const std::vector<PendingTarget>& pending, double time_s) const;
+  void plan_anew(const std::vector<TargetArrival>& open, TaskBoard& board, const Observation& seen,
+                 std::size_t count);
+
+  const ArrivalPlan* plan_;
+  std::vector<TargetArrival> inside_;
+  std::size_t entered_ = 0;  // since the last plan
+  std::int64_t plans_ = 0;
+  std::int64_t survived_ = 0;
 };
-
-/// Makes stop tasks with an empty queue and one record per intruder.
-StopTasks tasks_of(const ArrivalPlan& plan);
-
-/// Updates the list of intruders inside: adds those that have entered, removes those that are done.
-void note_arrivals(ArrivingTargets& targets, StopTasks& tasks, const Observation& seen,
-                   const ArrivalPlan& plan);
-
-/// Returns the next command, or nothing when all intruders are done and no more will come. The plan is kept
-/// until the policy requests a new one. No intruder is shot at before it is in its place. In the end each
-/// intruder is reached, failed (after 2 `tries` shots, or without a shot from the places reached) or
-/// unreachable.
-std::optional<Command> next_command(ArrivingTargets& targets, StopTasks& tasks, const Observation& seen,
-                                    const ArrivalPlan& plan);
 
 }  // namespace outrider

@@ -17,7 +17,6 @@
 namespace outrider {
 
 struct GuardProblem;
-struct StopTasks;
 
 struct CutDrives {
   bool driving = false;         ///< the last command was a drive to the present task
@@ -30,10 +29,6 @@ struct CutDrives {
 
 /// What to do after a drive.
 enum class AfterDrive { go_on, drive_again, wait };
-
-/// Notes where a drive to the present task has ended. If that is not its place, the shots that were not fired
-/// are planned again, unless the robot goes on.
-AfterDrive after_drive(StopTasks& tasks, const Observation& seen, const GuardProblem& problem);
 
 /// How far the robot keeps from the middles of the obstacles, m.
 double obstacle_gap_m(const GuardProblem& problem);

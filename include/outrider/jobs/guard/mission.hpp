@@ -1,21 +1,36 @@
 // GuardMission: the mission of a guard robot, with the capabilities that its task uses.
 //
-//   stop tasks (stop_tasks.hpp): always; drives to the stops, solves each shot again, repeats misses
-//   arrivals (arriving_targets.hpp): for intruders that keep coming or survive; plans the tasks anew
-//   walkers (moving_targets.hpp): for intruders that walk about; aims ahead of them
-//   supplies (store_keeper.hpp): for limited water and battery; visits stations in time
+// It is a board of tasks (task_board.hpp), which drives to the stops, solves each shot again and repeats
+// misses, and behaviours that change it: one for what is known of the targets, with note() and propose(),
+//
+//   StillTargets: the targets stand still, and the tasks are those of the plan
+//   ArrivingTargets (arriving_targets.hpp): intruders keep coming or survive; plans the tasks anew
+//   MovingTargets (moving_targets.hpp): intruders walk about; aims ahead of them
+//
+// and StoreKeeper (store_keeper.hpp), which visits stations in time if water or battery are limited.
 //
 // capabilities.hpp defines which of them combine, and with which properties of yard and robot.
 #pragma once
 
 #include <optional>
+#include <variant>
 
 #include "outrider/jobs/guard/arriving_targets.hpp"
 #include "outrider/jobs/guard/moving_targets.hpp"
-#include "outrider/jobs/guard/stop_tasks.hpp"
 #include "outrider/jobs/guard/store_keeper.hpp"
+#include "outrider/jobs/guard/task_board.hpp"
 
 namespace outrider {
+
+/// Targets that stand still from the start.
+struct StillTargets {
+  const GuardPlan* plan;  ///< must outlive it
+
+  static void note(TaskBoard& board, const Observation& seen) { board.note_shots(seen); }
+  static std::optional<Command> propose(TaskBoard& board, const Observation& seen) {
+    return board.next_command(seen);
+  }
+};
 
 /// A Mission (robot/mission.hpp). All constructor arguments must outlive it. It is deterministic, and it ends
 /// if the number of intruders is finite: after each appearance or survival a target gets at most 2 `tries`
@@ -35,28 +50,27 @@ class GuardMission {
   /// levels if stores are limited, and the target report if intruders arrive or walk. The budget is that of
   /// each search for a way.
   std::optional<Command> step(const Observation& seen, const Budget& budget = {});
+  /// The two halves of a step: what was seen is noted; then the next command is found, which a copy may try.
+  void note(const Observation& seen);
+  std::optional<Command> next(const Observation& seen);
 
-  [[nodiscard]] const GuardProblem& problem() const { return *problem_; }
-  [[nodiscard]] const FiringMap& firing_map() const { return *firing_map_; }
-  /// Return the plan that the mission was made of; the other two are null.
-  [[nodiscard]] const GuardPlan* tour() const { return tour_; }
-  [[nodiscard]] const ArrivalPlan* arrivals() const { return arrivals_; }
-  [[nodiscard]] const MovingPlan* walkers() const { return walkers_; }
-
-  StopTasks tasks;           ///< stops to make, with the record of each target
-  ArrivingTargets arriving;  ///< used if intruders arrive or survive
-  MovingTargets moving;      ///< used if intruders walk about
-  StoreKeeper stores;        ///< used if stores are limited
+  [[nodiscard]] const TaskBoard& board() const { return board_; }
+  [[nodiscard]] TaskBoard& board() { return board_; }
+  [[nodiscard]] const StoreKeeper& stores() const { return stores_; }
+  /// Return what is known of the targets; two of the three are null.
+  [[nodiscard]] const GuardPlan* tour() const {
+    const auto* const still = std::get_if<StillTargets>(&targets_);
+    return still != nullptr ? still->plan : nullptr;
+  }
+  [[nodiscard]] const ArrivingTargets* arriving() const { return std::get_if<ArrivingTargets>(&targets_); }
+  [[nodiscard]] const MovingTargets* moving() const { return std::get_if<MovingTargets>(&targets_); }
 
  private:
-  void note(const Observation& seen);
   std::optional<Command> propose(const Observation& seen);
 
-  const GuardProblem* problem_;
-  const FiringMap* firing_map_;
-  const GuardPlan* tour_ = nullptr;
-  const ArrivalPlan* arrivals_ = nullptr;
-  const MovingPlan* walkers_ = nullptr;
+  TaskBoard board_;
+  std::variant<StillTargets, ArrivingTargets, MovingTargets> targets_;
+  StoreKeeper stores_;
 };
 
 }  // namespace outrider

@@ -17,8 +17,9 @@
 #include <optional>
 #include <vector>
 
+#include "outrider/ballistics/moving_target.hpp"
 #include "outrider/jobs/guard/stop_table.hpp"
-#include "outrider/jobs/guard/stop_tasks.hpp"
+#include "outrider/jobs/guard/task_board.hpp"
 #include "outrider/jobs/guard/visit_map.hpp"
 
 namespace outrider {
@@ -39,27 +40,43 @@ Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const FiringMap& fi
                                 const GuardOptions& options, const WanderOptions& wander,
                                 const Budget& budget = {});
 
-/// What is known of the moving targets, and the state of the strategy.
-struct MovingTargets {
-  std::vector<Track> tracks;         ///< by target: observed positions
-  VisitMap map;                      ///< the map with what was learned
-  std::vector<std::size_t> learned;  ///< by target: number of positions of its track that the map includes
-  std::size_t stop = 0;              ///< index of the stop where the robot stands
-  std::size_t aimed_at = 0;          ///< index of the target that the gun is aimed at
-  double chance = 0.0;               ///< chance of the last aimed shot
-  Vec2 expected_at;                  ///< where the last aimed shot was expected to hit its target
-  double last_hit_s = 0.0;           ///< time of the last hit; the start if there is none
-  std::uint64_t steps = 0;           ///< number of steps; seeds the random futures of each step
+/// What is known of the moving targets, and the state of the strategy. Copies are independent; the plan must
+/// outlive them.
+class MovingTargets {
+ public:
+  explicit MovingTargets(const MovingPlan& plan);
+
+  /// Returns a board without tasks.
+  [[nodiscard]] TaskBoard board() const;
+  /// Notes positions of the targets and the results of shots.
+  void note(TaskBoard& board, const Observation& seen);
+  /// Returns the next command, or nothing when all targets are hit or there was no hit for `patience`.
+  std::optional<Command> propose(TaskBoard& board, const Observation& seen);
+
+  [[nodiscard]] const MovingPlan& plan() const { return *plan_; }
+  [[nodiscard]] const std::vector<Track>& tracks() const { return tracks_; }  ///< by target: as observed
+  /// Return the target that the gun is aimed at, the chance of that shot, and where it should hit.
+  [[nodiscard]] std::size_t aimed_at() const { return aimed_at_; }
+  [[nodiscard]] double chance() const { return chance_; }
+  [[nodiscard]] Vec2 expected_at() const { return expected_at_; }
+
+ private:
+  [[nodiscard]] bool is_wanted(const TaskBoard& board, std::size_t who) const;
+  void note_seen(const Observation& seen);
+  [[nodiscard]] double chance_of(std::size_t who, const LedShot& led, Vec2 position, Rng rng) const;
+  std::optional<LedShot> likely_shot(const TaskBoard& board, const Observation& seen, const Rng& rng);
+  [[nodiscard]] std::size_t best_stop(const TaskBoard& board, const Observation& seen, const Rng& rng) const;
+
+  const MovingPlan* plan_;
+  std::vector<Track> tracks_;
+  VisitMap map_;                      // with what was learned
+  std::vector<std::size_t> learned_;  // by target: number of positions of its track that the map includes
+  std::size_t stop_ = 0;              // index of the stop where the robot stands
+  std::size_t aimed_at_ = 0;
+  bool aimed_ = false;
+  double chance_ = 0.0;
+  Vec2 expected_at_;
+  std::uint64_t steps_ = 0;  // seeds the random futures of each step
 };
-
-/// Returns the state at the start of the mission.
-MovingTargets begin_moving(const MovingPlan& plan);
-
-/// Updates the state with an observation: positions of the targets and the result of the last shot.
-void note_moving(MovingTargets& targets, StopTasks& tasks, const Observation& seen, const MovingPlan& plan);
-
-/// Returns the next command, or nothing when all targets are hit or there was no hit for `patience`.
-std::optional<Command> next_command(MovingTargets& targets, StopTasks& tasks, const Observation& seen,
-                                    const MovingPlan& plan);
 
 }  // namespace outrider

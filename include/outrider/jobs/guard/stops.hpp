@@ -73,4 +73,8 @@ SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map);
 std::vector<std::size_t> choose_stops(const FiringMap& firing_map, const SureHits& hits, double tile_m,
                                       std::size_t most, const std::vector<Vec2>& around, double near_m);
 
+/// Returns the place of the cell nearest to `here` among those at least `apart_m` away.
+std::optional<Vec2> nearest_place(const FiringMap& firing_map, const std::vector<std::size_t>& cells,
+                                  Vec2 here, double apart_m);
+
 }  // namespace outrider

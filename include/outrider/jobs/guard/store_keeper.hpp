@@ -11,29 +11,31 @@
 #include <optional>
 #include <string>
 
-#include "outrider/jobs/guard/stop_tasks.hpp"
+#include "outrider/jobs/guard/task_board.hpp"
 
 namespace outrider {
 
 /// The state of the store keeper.
-struct StoreKeeper {
-  int fills = 0;          ///< number of fills since the last shot or wait; at most six
-  int detours = 0;        ///< number of visits to stations that were not in the plan
-  bool stranded = false;  ///< the mission is over
-  std::string reason;     ///< why, in a sentence without its full stop
+class StoreKeeper {
+ public:
+  /// Returns a store that does not suffice for a command of the board and for the path to a charger after it;
+  /// nothing if all stores suffice. Shortens a wait to the time that the charge allows. O(stations) routes.
+  [[nodiscard]] static std::optional<Store> lacking(Command& command, const TaskBoard& board,
+                                                    const Observation& seen);
+  /// Puts the nearest station that fills that store at the front of the queue. If none helps, the targets
+  /// that cannot be served fail.
+  void provide(TaskBoard& board, Store store, const Observation& seen);
+  /// Updates the state with a command that is carried out.
+  void note(const Command& command);
+
+  [[nodiscard]] int detours() const { return detours_; }  ///< visits to stations that were not in the plan
+  /// Returns why the mission is over, in a sentence without its full stop; empty: it is not.
+  [[nodiscard]] const std::string& stranded() const { return stranded_; }
+
+ private:
+  int fills_ = 0;  // since the last shot or wait; at most six
+  int detours_ = 0;
+  std::string stranded_;
 };
-
-/// Returns a store that does not suffice for a command of `tasks` and for the path to a charger after it;
-/// nothing if all stores suffice. Shortens a wait to the time that the charge allows. O(stations) routes.
-std::optional<Store> lacking(Command& command, const StopTasks& tasks, const Observation& seen,
-                             const GuardProblem& problem, const FiringMap& firing_map);
-
-/// Puts the nearest station that fills that store at the front of the queue. If none helps, the targets that
-/// cannot be served fail.
-void provide(StoreKeeper& keeper, StopTasks& tasks, Store store, const Observation& seen,
-             const GuardProblem& problem, const FiringMap& firing_map);
-
-/// Updates the state with a command that is carried out.
-void note_command(StoreKeeper& keeper, const Command& command);
 
 }  // namespace outrider

@@ -1,6 +1,6 @@
 // run_team(): simulates the mission of several guard robots that share the targets.
 //
-// Always the robot with the earliest clock is stepped. It does what a single robot does (stop_tasks.hpp), but
+// Always the robot with the earliest clock is stepped. It does what a single robot does (task_board.hpp), but
 // before a drive it waits until the whole drive, and standing at its end for ever, keeps simulated_gap_m()
 // from all drives that were admitted before, with the largest error of its end. So true motions keep apart by
 // the sum of the radii, whatever the errors that the problem tells of. If nobody can drive any more, the
@@ -19,7 +19,7 @@
 
 #include "outrider/job/watch.hpp"
 #include "outrider/jobs/guard/closest_approach.hpp"
-#include "outrider/jobs/guard/stop_tasks.hpp"
+#include "outrider/jobs/guard/task_board.hpp"
 #include "outrider/jobs/guard/team_plan.hpp"
 #include "outrider/log/log.hpp"
 #include "outrider/sim/guard_sim_params.hpp"

@@ -172,9 +172,9 @@ TEST(ArrivingTargets, FinishesWhatIsInHand) {
       ++shortened;
       EXPECT_NE(std::find(way.begin() + 1, way.end() - 1, here), way.end() - 1);
     }
-    EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
-    EXPECT_EQ(mission.tasks.records[1].status, TargetStatus::reached);
-    EXPECT_EQ(mission.tasks.cut.all, 0) << "nothing held the robot up";
+    EXPECT_EQ(mission.board().records()[0].status, TargetStatus::reached);
+    EXPECT_EQ(mission.board().records()[1].status, TargetStatus::reached);
+    EXPECT_EQ(mission.board().cut().all, 0) << "nothing held the robot up";
   }
   EXPECT_GT(shortened, 0) << "no drive was ever cut short: the test shows nothing";
 }
@@ -257,19 +257,19 @@ TEST(ArrivingTargets, ShotsOfADriveThatEndedBeforeAreNotFired) {
   ASSERT_TRUE(watch.has_value());
   const ArrivalPlan plan{*watch, yard.precomputed, *find_replan_policy("each_arrival")};
   for (const double leaves_s : {1.5, 4.0}) {
-    ArrivingTargets targets;
-    targets.inside = {{0, 0.0, 0}};
-    StopTasks tasks = tasks_of(plan);
-    tasks.queue.push_back({{2.0, 3.0}, {0}});
-    tasks.arrived = true;
-    tasks.records[0].shots = 2;
-    tasks.flying = {{0, leaves_s + 1.0, true, leaves_s}};
-    Observation seen{2.0, {{-2.0, -1.0}, 0.0}};
+    ArrivingTargets targets(plan);
+    TaskBoard board = targets.board();
+    Observation seen{0.0, {{-2.0, -1.0}, 0.0}};
+    seen.targets = TargetReport{{{0, 0.0, 0}}, {}, true};
+    targets.note(board, seen);
+    board.set_tasks({{{2.0, 3.0}, {0}}}, true);
+    board.launch({0, leaves_s + 1.0, true, leaves_s});
+    seen.time_s = 2.0;
     seen.targets = TargetReport{{{1, 2.0, 1}}, {}, false};
-    note_arrivals(targets, tasks, seen, plan);
-    EXPECT_FALSE(tasks.arrived);
-    EXPECT_EQ(tasks.flying.empty(), leaves_s > seen.time_s);
-    EXPECT_EQ(tasks.records[0].shots, leaves_s > seen.time_s ? 1 : 2);
+    targets.note(board, seen);
+    EXPECT_FALSE(board.arrived());
+    EXPECT_EQ(board.is_in_air(0), leaves_s <= seen.time_s);
+    EXPECT_EQ(board.records()[0].shots, leaves_s > seen.time_s ? 0 : 1);
   }
 }
 

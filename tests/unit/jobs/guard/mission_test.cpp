@@ -70,20 +70,20 @@ TEST(MissionStep, AnArrivalDuringADriveIsPlannedForWherePoliciesInterrupt) {
     const auto& way = std::get<FollowWaypoints>(*first);
     EXPECT_EQ(way.until_arrival, policy.interrupts) << policy.name;
     ASSERT_GT(way.waypoints.size(), 2U);
-    EXPECT_EQ(mission.arriving.plans, 1);
+    EXPECT_EQ(mission.arriving()->plans(), 1);
     // The drive ends at its first waypoint, or at its goal.
     const Vec2 here = policy.interrupts ? way.waypoints[1] : way.waypoints.back();
     const auto next = mission.step(seen_at(4.0, {here, 0.0}, {{1, 3.0, 1}}, false));
     ASSERT_TRUE(next.has_value());
-    EXPECT_EQ(mission.arriving.inside.size(), 2U);
+    EXPECT_EQ(mission.arriving()->inside().size(), 2U);
     if (policy.interrupts) {
-      EXPECT_EQ(mission.arriving.plans, 2) << policy.name;
+      EXPECT_EQ(mission.arriving()->plans(), 2) << policy.name;
       const auto* follow = std::get_if<FollowWaypoints>(&*next);
       if (follow != nullptr) {
         EXPECT_EQ(follow->waypoints.front(), here);
       }
     } else {
-      EXPECT_EQ(mission.arriving.plans, 1) << policy.name;
+      EXPECT_EQ(mission.arriving()->plans(), 1) << policy.name;
       EXPECT_TRUE(std::holds_alternative<AimGun>(*next)) << policy.name << " dropped what it was at";
     }
   }
@@ -99,7 +99,7 @@ TEST(MissionStep, APlaceWithoutAShotIsOutOfReachOnlyWhereThatIsProven) {
     const ArrivalPlan plan{arriving, yard.precomputed, replan_policies().front()};
     GuardMission mission(plan);
     (void)mission.step(seen_at(0.0, yard.problem.start, {{0, 0.0, 0}}, true));
-    EXPECT_EQ(mission.tasks.records[0].status, proven ? TargetStatus::unreachable : TargetStatus::failed);
+    EXPECT_EQ(mission.board().records()[0].status, proven ? TargetStatus::unreachable : TargetStatus::failed);
   }
 }
 
@@ -132,17 +132,17 @@ TEST(MissionStep, WhoSurvivesAHitIsShotAtWhereItGoes) {
   const double settles_s = now_s + 7.0;
   arrivals = {{0, settles_s, 1}};  // it goes to the place of the cat
   ASSERT_TRUE(until_shot({{0, true, now_s}}));
-  EXPECT_EQ(mission.arriving.survived, 1);
-  EXPECT_EQ(target_of(mission.tasks, 0), arriving.at_place(1));
+  EXPECT_EQ(mission.arriving()->survived(), 1);
+  EXPECT_EQ(mission.board().target_of(0), arriving.at_place(1));
   EXPECT_GE(now_s, settles_s) << "it was shot at on its way";
-  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::waiting);
-  EXPECT_EQ(mission.tasks.records[0].shots, 2);
+  EXPECT_EQ(mission.board().records()[0].status, TargetStatus::waiting);
+  EXPECT_EQ(mission.board().records()[0].shots, 2);
   const Vec2 cat = xy(yard.problem.targets[1].base);
-  EXPECT_NEAR(wrap_angle(mission.tasks.records[0].shot->shot.yaw_rad - heading_of(cat - pose.position)), 0.0,
-              0.3);
+  EXPECT_NEAR(wrap_angle(mission.board().records()[0].shot->shot.yaw_rad - heading_of(cat - pose.position)),
+              0.0, 0.3);
   EXPECT_FALSE(until_shot({{0, true, now_s}}));
-  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
-  EXPECT_EQ(mission.tasks.records[0].shots, 2);
+  EXPECT_EQ(mission.board().records()[0].status, TargetStatus::reached);
+  EXPECT_EQ(mission.board().records()[0].shots, 2);
 }
 
 TEST(MissionStep, AVisitToAStationIsNotDroppedWhenSomebodyEnters) {
@@ -162,7 +162,7 @@ TEST(MissionStep, AVisitToAStationIsNotDroppedWhenSomebodyEnters) {
   const auto drive = mission.step(empty_at(0.0, yard.problem.start.position, {{0, 0.0, 0}}));
   ASSERT_TRUE(drive && std::holds_alternative<FollowWaypoints>(*drive));
   EXPECT_EQ(std::get<FollowWaypoints>(*drive).waypoints.back(), well);
-  EXPECT_EQ(mission.stores.detours, 1);
+  EXPECT_EQ(mission.stores().detours(), 1);
   // On its way there the cat enters, which could be shot at at once if there were water.
   const Vec2 halfway = 0.5 * (yard.problem.start.position + well);
   const auto on = mission.step(empty_at(3.0, halfway, {{1, 3.0, 1}}));
@@ -179,7 +179,7 @@ TEST(MissionStep, AVisitToAStationIsNotDroppedWhenSomebodyEnters) {
   const auto next = mission.step(full);
   ASSERT_TRUE(next.has_value());
   EXPECT_FALSE(std::holds_alternative<Fill>(*next));
-  EXPECT_EQ(mission.stores.detours, 1);
+  EXPECT_EQ(mission.stores().detours(), 1);
 }
 
 /// A fox and a cat that walk about on an open floor; sight is exact.
@@ -219,7 +219,7 @@ TEST(MissionStep, AnAimedGunIsFiredWhateverIsSeenMeanwhile) {
   EXPECT_EQ(std::get<Fire>(*fire).target, 0U);
   EXPECT_EQ(std::get<Fire>(*fire).shot.yaw_rad, std::get<AimGun>(*aim).yaw_rad);
   EXPECT_EQ(std::get<Fire>(*fire).shot.pitch_rad, std::get<AimGun>(*aim).pitch_rad);
-  EXPECT_EQ(mission.tasks.records[0].shots, 1);
+  EXPECT_EQ(mission.board().records()[0].shots, 1);
 }
 
 TEST(MissionStep, AMissAtAWalkerChangesNothingButTheTime) {
@@ -233,10 +233,9 @@ TEST(MissionStep, AMissAtAWalkerChangesNothingButTheTime) {
     const auto again = mission.step(missed);
     ASSERT_TRUE(again && std::holds_alternative<AimGun>(*again)) << "it is aimed at anew";
     EXPECT_NEAR(std::get<AimGun>(*again).yaw_rad, std::get<AimGun>(*first).yaw_rad, 0.05);
-    EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::waiting);
-    EXPECT_EQ(mission.tasks.records[0].shots, 1);
-    EXPECT_EQ(mission.tasks.records[0].tries, 0);
-    EXPECT_EQ(mission.moving.last_hit_s, 0.0);
+    EXPECT_EQ(mission.board().records()[0].status, TargetStatus::waiting);
+    EXPECT_EQ(mission.board().records()[0].shots, 1);
+    EXPECT_EQ(mission.board().records()[0].tries, 0);
   }
 }
 
@@ -248,13 +247,13 @@ TEST(MissionStep, WithoutAHitForLongTheRestIsGivenUp) {
   Observation hit = yard.fox_at({-2.0, 0.0}, 3.0);
   hit.shots = {{0, true, 2.9}};
   EXPECT_TRUE(mission.step(hit).has_value());
-  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
-  EXPECT_EQ(mission.moving.last_hit_s, 2.9);
+  EXPECT_EQ(mission.board().records()[0].status, TargetStatus::reached);
+  EXPECT_EQ(mission.board().records()[0].done_s, 2.9);
   EXPECT_TRUE(mission.step(seen_at(22.8, yard.problem.start, {}, false)).has_value());
   EXPECT_FALSE(mission.step(seen_at(23.0, yard.problem.start, {}, false)).has_value());
-  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
-  EXPECT_EQ(mission.tasks.records[1].status, TargetStatus::failed);
-  EXPECT_NE(mission.tasks.records[1].reason.find("nobody was hit for 20 s"), std::string::npos);
+  EXPECT_EQ(mission.board().records()[0].status, TargetStatus::reached);
+  EXPECT_EQ(mission.board().records()[1].status, TargetStatus::failed);
+  EXPECT_NE(mission.board().records()[1].reason.find("nobody was hit for 20 s"), std::string::npos);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include "outrider/jobs/guard/passing_plan.hpp"
 #include "outrider/jobs/guard/robot.hpp"
 #include "outrider/jobs/guard/run.hpp"
-#include "outrider/jobs/guard/stop_tasks.hpp"
+#include "outrider/jobs/guard/task_board.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
@@ -148,8 +148,8 @@ TEST(PassingRun, WhoIsMissedInPassingIsShotAtFromRest) {
     auto robot = simulated_guard(shaky, p.firing_map, log, seed);
     GuardMission mission(p.problem, p.firing_map, p.plan);
     while (const auto command = mission.step(robot.sense())) robot.act(*command);
-    for (std::size_t t = 0; t < mission.tasks.records.size(); ++t) {
-      const TargetRecord& record = mission.tasks.records[t];
+    for (std::size_t t = 0; t < mission.board().records().size(); ++t) {
+      const TargetRecord& record = mission.board().records()[t];
       EXPECT_NE(record.status, TargetStatus::waiting);
       std::vector<const outrider_msgs::Shot*> shots;
       for (const auto& shot : log.messages<outrider_msgs::Shot>(topic::shots)) {
@@ -173,30 +173,27 @@ TEST(PassingRun, WhoIsMissedInPassingIsShotAtFromRest) {
 TEST(PassingRun, WhoIsLostOnOneDriveIsHitFromALaterOne) {
   const Planned p = planned(street());
   constexpr std::size_t lost = 4;  // at x = 13.6 m
-  StopTasks tasks = tasks_of(p.problem, p.plan);
-  tasks.queue = {{{1.0, 0.0}, {0}}, {{3.0, 0.0}, {1}}, {{15.0, 0.0}, {3}}};
-  tasks.queue.front().passing = {lost};
+  TaskBoard board(p.problem, p.firing_map, p.plan);
+  board.set_tasks({{{1.0, 0.0}, {0}, {}, {lost}}, {{3.0, 0.0}, {1}}, {{15.0, 0.0}, {3}}});
   Observation seen{0.0, p.problem.start};
   seen.gun = GunState{};
-  const auto first = next_command(tasks, seen, p.problem, p.firing_map);
+  const auto first = board.next_command(seen);
   ASSERT_TRUE(first && std::holds_alternative<FollowWaypoints>(*first));
   EXPECT_TRUE(std::get<FollowWaypoints>(*first).shots.empty());
-  EXPECT_EQ(tasks.lost, std::vector{lost});
   const auto hits_it = [=](const StopTask& task) { return std::ranges::count(task.targets, lost) > 0; };
-  const auto stop = std::ranges::find_if(tasks.queue, hits_it);
-  ASSERT_NE(stop, tasks.queue.end());
+  const auto stop = std::ranges::find_if(board.queue(), hits_it);
+  ASSERT_NE(stop, board.queue().end());
   EXPECT_GT(stop->place.x, 3.0);
-  EXPECT_GE(stop - tasks.queue.begin(), 2) << "no detour before the second stop";
+  EXPECT_GE(stop - board.queue().begin(), 2) << "no detour before the second stop";
 
-  tasks.queue.erase(tasks.queue.begin(), tasks.queue.begin() + 2);
-  tasks.arrived = false;
+  board.set_tasks({board.queue().begin() + 2, board.queue().end()});
   seen.odometry = {{3.0, 0.0}, 0.0};
-  const auto later = next_command(tasks, seen, p.problem, p.firing_map);
+  const auto later = board.next_command(seen);
   ASSERT_TRUE(later && std::holds_alternative<FollowWaypoints>(*later));
   const auto& shots = std::get<FollowWaypoints>(*later).shots;
   ASSERT_EQ(shots.size(), 1U);
   EXPECT_EQ(shots.front().target, lost);
-  EXPECT_TRUE(std::ranges::none_of(tasks.queue, hits_it));
+  EXPECT_TRUE(std::ranges::none_of(board.queue(), hits_it));
 }
 
 /// A target that is to be hit on a drive, but disappears behind a wall before the gun has turned to it, is
@@ -210,24 +207,25 @@ TEST(PassingRun, WhoIsLostOnADriveIsShotAtBeforeItIfThatHits) {
   Observation seen{0.0, {{3.05, 0.0}, 0.0}};
   seen.gun = GunState{};
   const auto commanded = [&](const std::vector<Vec2>& stops) {
-    StopTasks tasks = tasks_of(problem, {});
-    tasks.on_the_move = true;
-    for (const Vec2 stop : stops) tasks.queue.push_back({stop, {1}});
-    tasks.queue.front().passing = {lost};
-    auto command = next_command(tasks, seen, problem, *firing_map);
-    return std::pair{std::move(command), std::move(tasks)};
+    TaskBoard board(problem, *firing_map, problem.targets.size(), {}, true);
+    std::deque<StopTask> tasks;
+    for (const Vec2 stop : stops) tasks.push_back({stop, {1}});
+    tasks.front().passing = {lost};
+    board.set_tasks(std::move(tasks));
+    auto command = board.next_command(seen);
+    return std::pair{std::move(command), board.queue()};
   };
   const auto [aim, tasks] = commanded({{5.0, 0.0}});
   ASSERT_TRUE(aim && std::holds_alternative<AimGun>(*aim));
-  ASSERT_EQ(tasks.queue.size(), 2U);
-  EXPECT_EQ(tasks.queue.front().place, seen.odometry.position);
-  EXPECT_EQ(tasks.queue.front().targets, std::vector{lost});
-  EXPECT_TRUE(tasks.queue.back().passing.empty());
+  ASSERT_EQ(tasks.size(), 2U);
+  EXPECT_EQ(tasks.front().place, seen.odometry.position);
+  EXPECT_EQ(tasks.front().targets, std::vector{lost});
+  EXPECT_TRUE(tasks.back().passing.empty());
 
   const auto [drive, later] = commanded({{5.0, 0.0}, {1.0, 0.0}});
   ASSERT_TRUE(drive && std::holds_alternative<FollowWaypoints>(*drive));
-  ASSERT_EQ(later.queue.size(), 2U);
-  EXPECT_EQ(later.queue.back().targets, (std::vector{std::size_t{1}, lost}));
+  ASSERT_EQ(later.size(), 2U);
+  EXPECT_EQ(later.back().targets, (std::vector{std::size_t{1}, lost}));
 }
 
 /// A target in a pen, which no drive hits and only places east of it do: the robot stops there before the
@@ -247,22 +245,19 @@ TEST(PassingRun, WhoIsLostOnADriveGetsAStopBeforeItIfThatIsShorter) {
   constexpr std::size_t pen = 5, planned = 2;  // at (7.8, 2)
   Observation seen{0.0, {{0.0, 0.0}, 0.0}};
   seen.gun = GunState{};
-  StopTasks tasks = tasks_of(problem, {});
-  tasks.on_the_move = true;
-  tasks.queue = {{{15.0, 0.0}, {4}}, {{15.0, -7.0}, {3}}};
-  tasks.queue.front().passing = {planned, pen};
-  const auto drive = next_command(tasks, seen, problem, *firing_map);
+  TaskBoard board(problem, *firing_map, problem.targets.size(), {}, true);
+  board.set_tasks({{{15.0, 0.0}, {4}, {}, {planned, pen}}, {{15.0, -7.0}, {3}}});
+  const auto drive = board.next_command(seen);
   ASSERT_TRUE(drive && std::holds_alternative<FollowWaypoints>(*drive));
-  ASSERT_EQ(tasks.queue.size(), 3U);
-  const StopTask& stop = tasks.queue.front();
+  ASSERT_EQ(board.queue().size(), 3U);
+  const StopTask& stop = board.queue().front();
   EXPECT_EQ(stop.targets, std::vector{pen});
   EXPECT_GT(stop.place.x, 7.0);
   EXPECT_EQ(std::get<FollowWaypoints>(*drive).waypoints.back(), stop.place);
-  EXPECT_EQ(tasks.queue[1].place, (Vec2{15.0, 0.0}));
+  EXPECT_EQ(board.queue()[1].place, (Vec2{15.0, 0.0}));
   const auto& shots = std::get<FollowWaypoints>(*drive).shots;
   const bool now = std::ranges::count(shots, planned, &FireInPassing::target) == 1;
-  EXPECT_EQ(std::ranges::count(tasks.queue[1].passing, planned), now ? 0 : 1) << "on one of both drives";
-  EXPECT_TRUE(tasks.lost.empty());
+  EXPECT_EQ(std::ranges::count(board.queue()[1].passing, planned), now ? 0 : 1) << "on one of both drives";
 }
 
 /// A robot that carries nothing out and tells nothing.
@@ -278,7 +273,7 @@ TEST(PassingRun, EndsWhenNobodyTellsOfTheShots) {
       seen.odometry.position = follow->waypoints.back();
     }
   }
-  for (const TargetRecord& record : mission.tasks.records) EXPECT_EQ(record.status, TargetStatus::failed);
+  for (const TargetRecord& record : mission.board().records()) EXPECT_EQ(record.status, TargetStatus::failed);
 }
 
 /// A robot that does at once what it is told; its balls take a second to land, and the first at each target
@@ -328,7 +323,7 @@ TEST(PassingRun, AMissThatIsToldLateIsShotAtAgain) {
   }
   EXPECT_TRUE(robot.balls.empty()) << "it ends when the last ball has landed";
   EXPECT_GT(robot.left_flying, 0);
-  for (const TargetRecord& record : mission.tasks.records) {
+  for (const TargetRecord& record : mission.board().records()) {
     EXPECT_EQ(record.status, TargetStatus::reached) << record.reason;
     EXPECT_EQ(record.shots, 2);
   }

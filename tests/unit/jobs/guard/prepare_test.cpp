@@ -62,7 +62,7 @@ TEST_P(Prepared, IsTheMissionOfTheJob) {
   EXPECT_EQ(verdict_of(mission).status, run.report.status);
   EXPECT_EQ(verdict_of(mission).reason.empty(), run.report.reason.empty());
   double reached = 0.0;
-  for (const TargetRecord& record : mission.tasks.records)
+  for (const TargetRecord& record : mission.board().records())
     reached += record.status == TargetStatus::reached ? 1.0 : 0.0;
   EXPECT_EQ(reached, metric(run, "reached"));
 }

@@ -176,7 +176,7 @@ TEST(SupplyPlan, WithoutEndIsThePlanItself) {
 struct OpenFloor {
   GuardProblem problem;
   std::optional<FiringMap> firing_map;
-  StopTasks tasks;
+  std::optional<TaskBoard> board;
   StoreKeeper keeper;
 
   explicit OpenFloor(Vec2 well = {2.0, -3.5}, Vec2 dock = {-2.0, 0.5}) {
@@ -188,8 +188,8 @@ struct OpenFloor {
     problem.supplies.battery_wh = 1.0;
     problem.supplies.stations = {{"well", well, true, false}, {"dock", dock, false, true}};
     firing_map = build_firing_map(problem, coarse()).value();
-    tasks.records.resize(2);
-    tasks.queue.push_back({{1.0, 1.0}, {0}});
+    board.emplace(problem, *firing_map, 2);
+    board->do_first({{1.0, 1.0}, {0}});
   }
 
   [[nodiscard]] double drive_j(Pose2 from, Vec2 to) const {
@@ -216,7 +216,7 @@ struct OpenFloor {
     return seen;
   }
   std::optional<Store> lacking(Command command, double water, double charge_j) const {
-    return outrider::lacking(command, tasks, with(water, charge_j), problem, *firing_map);
+    return StoreKeeper::lacking(command, *board, with(water, charge_j));
   }
   /// The command takes just that charge, and water where it says so.
   void expect_needs(const Command& command, double charge_j, bool water) const {
@@ -225,7 +225,7 @@ struct OpenFloor {
     EXPECT_EQ(lacking(command, 0.5, 3600.0), water ? std::optional(Store::water) : std::nullopt);
   }
   void provide(Store store, double water, double charge_j) {
-    outrider::provide(keeper, tasks, store, with(water, charge_j), problem, *firing_map);
+    keeper.provide(*board, store, with(water, charge_j));
   }
 };
 
@@ -234,8 +234,9 @@ TEST(StoreKeeper, KnowsWhatEachCommandTakes) {
   const Pose2 start = floor.problem.start;
   const double home_j = floor.home_j(start);
   EXPECT_GT(home_j, 100.0);
-  floor.tasks.records[0].shot = PlannedShot{};
-  floor.tasks.records[0].shot->flight_s = 0.8;
+  PlannedShot shot;
+  shot.flight_s = 0.8;
+  floor.board->aim_at(0, shot, start);
   const double shot_j = 0.8 * floor.problem.supplies.power_w + floor.problem.supplies.shot_j;
   floor.expect_needs(Fire{0, {}}, shot_j + home_j, true);
   floor.expect_needs(AimGun{0.3, 0.2}, floor.any_shot_j() + home_j, true);
@@ -246,11 +247,12 @@ TEST(StoreKeeper, KnowsWhatEachCommandTakes) {
 
   // To the well: as far as the charger behind it. To the dock: as far as there.
   const Vec2 well = floor.problem.supplies.stations[0].position;
-  floor.tasks.queue.push_front({well, {}, StationCall{0, Store::water}});
+  floor.board->do_first({well, {}, StationCall{0, Store::water}});
   floor.expect_needs(FollowWaypoints{{start.position, well}},
                      floor.drive_j(start, well) + floor.home_j(floor.after(start, well)), false);
   EXPECT_EQ(floor.lacking(AimGun{0.0, 0.0}, 0.0, 0.0), std::nullopt) << "the gun is stowed at a station";
-  floor.tasks.queue.front() = {floor.dock(), {}, StationCall{1, Store::charge}};
+  floor.board->drop_task();
+  floor.board->do_first({floor.dock(), {}, StationCall{1, Store::charge}});
   floor.expect_needs(FollowWaypoints{{start.position, floor.dock()}}, floor.drive_j(start, floor.dock()),
                      false);
   EXPECT_EQ(floor.lacking(Fill{{1, Store::charge}}, 0.0, 0.0), std::nullopt);
@@ -270,18 +272,16 @@ TEST(StoreKeeper, CutsAWaitSoThatTheChargeSufficesToGetToTheCharger) {
   for (const double until_s : {70.0, std::numeric_limits<double>::infinity()}) {
     Command wait = Wait{until_s};
     const Observation seen = floor.with(0.0, needed_j + 30.0 * floor.problem.supplies.power_w);
-    EXPECT_EQ(lacking(wait, floor.tasks, seen, floor.problem, *floor.firing_map), std::nullopt);
+    EXPECT_EQ(StoreKeeper::lacking(wait, *floor.board, seen), std::nullopt);
     EXPECT_NEAR(std::get<Wait>(wait).until_s, 10.0 + 30.0, 1e-9);
   }
   Command brief = Wait{12.0};
-  EXPECT_EQ(lacking(brief, floor.tasks, floor.with(0.0, 3600.0), floor.problem, *floor.firing_map),
-            std::nullopt);
+  EXPECT_EQ(StoreKeeper::lacking(brief, *floor.board, floor.with(0.0, 3600.0)), std::nullopt);
   EXPECT_EQ(std::get<Wait>(brief).until_s, 12.0);
   EXPECT_EQ(floor.lacking(Wait{70.0}, 3.0, needed_j - 1e-6), Store::charge);
   floor.problem.supplies.power_w = 0.0;
   Command free = Wait{1e9};
-  EXPECT_EQ(lacking(free, floor.tasks, floor.with(0.0, 3600.0), floor.problem, *floor.firing_map),
-            std::nullopt);
+  EXPECT_EQ(StoreKeeper::lacking(free, *floor.board, floor.with(0.0, 3600.0)), std::nullopt);
   EXPECT_EQ(std::get<Wait>(free).until_s, 1e9);
 }
 
@@ -291,57 +291,56 @@ TEST(StoreKeeper, GoesToTheChargerFirstWhenTheWaterIsTooFar) {
   const Vec2 well = floor.problem.supplies.stations[0].position;
   const double to_well_j = floor.drive_j(start, well) + floor.home_j(floor.after(start, well));
   floor.provide(Store::water, 0.0, to_well_j + 1e-6);
-  ASSERT_EQ(floor.tasks.queue.size(), 2U);
-  EXPECT_EQ(floor.tasks.queue.front().call, (StationCall{0, Store::water}));
-  EXPECT_EQ(floor.tasks.queue.front().place, well);
-  EXPECT_EQ(floor.keeper.detours, 1);
+  ASSERT_EQ(floor.board->queue().size(), 2U);
+  EXPECT_EQ(floor.board->queue().front().call, (StationCall{0, Store::water}));
+  EXPECT_EQ(floor.board->queue().front().place, well);
+  EXPECT_EQ(floor.keeper.detours(), 1);
 
   OpenFloor flat;
-  flat.tasks.arrived = flat.tasks.aimed = true;
+  flat.board->set_tasks(flat.board->queue(), true);
   flat.provide(Store::water, 0.0, to_well_j - 1e-6);
-  ASSERT_EQ(flat.tasks.queue.size(), 2U);
-  EXPECT_EQ(flat.tasks.queue.front().call, (StationCall{1, Store::charge}));
-  EXPECT_FALSE(flat.tasks.arrived || flat.tasks.aimed);
-  EXPECT_FALSE(flat.keeper.stranded);
+  ASSERT_EQ(flat.board->queue().size(), 2U);
+  EXPECT_EQ(flat.board->queue().front().call, (StationCall{1, Store::charge}));
+  EXPECT_FALSE(flat.board->arrived());
+  EXPECT_TRUE(flat.keeper.stranded().empty());
 }
 
 TEST(StoreKeeper, GivesUpWhenNoStationCanBeGotTo) {
   OpenFloor flat;
   const double to_dock_j = flat.home_j(flat.problem.start);
-  flat.tasks.records[1].status = TargetStatus::reached;
+  flat.board->settle(1, TargetStatus::reached, "hit", 1.0);
   flat.provide(Store::charge, 3.0, to_dock_j - 1e-6);
-  EXPECT_TRUE(flat.keeper.stranded);
-  EXPECT_NE(flat.keeper.reason.find("the charge does not suffice"), std::string::npos) << flat.keeper.reason;
-  EXPECT_TRUE(flat.tasks.queue.empty());
-  EXPECT_EQ(flat.tasks.records[0].status, TargetStatus::failed);
-  EXPECT_EQ(flat.tasks.records[0].reason, flat.keeper.reason);
-  EXPECT_EQ(flat.tasks.records[1].status, TargetStatus::reached);
+  EXPECT_NE(flat.keeper.stranded().find("the charge does not suffice"), std::string::npos);
+  EXPECT_TRUE(flat.board->queue().empty());
+  EXPECT_EQ(flat.board->records()[0].status, TargetStatus::failed);
+  EXPECT_EQ(flat.board->records()[0].reason, flat.keeper.stranded());
+  EXPECT_EQ(flat.board->records()[1].status, TargetStatus::reached);
 
   OpenFloor dry;
   dry.problem.supplies.stations.erase(dry.problem.supplies.stations.begin());
   dry.provide(Store::water, 0.0, 3600.0);
-  EXPECT_TRUE(dry.keeper.stranded);
-  EXPECT_NE(dry.keeper.reason.find("the water does not suffice"), std::string::npos);
+  EXPECT_NE(dry.keeper.stranded().find("the water does not suffice"), std::string::npos);
 }
 
 TEST(StoreKeeper, GivesUpATaskForWhichFullStoresDoNotSuffice) {
   OpenFloor floor;
   floor.provide(Store::charge, 3.0, 3600.0);
-  EXPECT_FALSE(floor.keeper.stranded);
-  EXPECT_TRUE(floor.tasks.queue.empty());
-  EXPECT_EQ(floor.tasks.records[0].status, TargetStatus::failed);
-  EXPECT_NE(floor.tasks.records[0].reason.find("not even full stores"), std::string::npos);
-  EXPECT_EQ(floor.tasks.records[1].status, TargetStatus::waiting);
+  EXPECT_TRUE(floor.keeper.stranded().empty());
+  EXPECT_TRUE(floor.board->queue().empty());
+  EXPECT_EQ(floor.board->records()[0].status, TargetStatus::failed);
+  EXPECT_NE(floor.board->records()[0].reason.find("not even full stores"), std::string::npos);
+  EXPECT_EQ(floor.board->records()[1].status, TargetStatus::waiting);
 
   // Six fills without a shot between them are enough.
   OpenFloor often;
-  for (int i = 0; i < 6; ++i) note_command(often.keeper, Fill{{1, Store::charge}});
-  EXPECT_EQ(often.keeper.fills, 6);
+  for (int i = 0; i < 6; ++i) often.keeper.note(Fill{{1, Store::charge}});
   often.provide(Store::charge, 3.0, 1000.0);
-  EXPECT_EQ(often.tasks.records[0].status, TargetStatus::failed);
-  note_command(often.keeper, Fill{{1, Store::charge}});
-  note_command(often.keeper, Wait{1.0});
-  EXPECT_EQ(often.keeper.fills, 0);
+  EXPECT_EQ(often.board->records()[0].status, TargetStatus::failed);
+  OpenFloor rested;
+  for (int i = 0; i < 6; ++i) rested.keeper.note(Fill{{1, Store::charge}});
+  rested.keeper.note(Wait{1.0});
+  rested.provide(Store::charge, 3.0, 1000.0);
+  EXPECT_EQ(rested.board->records()[0].status, TargetStatus::waiting);
 }
 
 }  // namespace

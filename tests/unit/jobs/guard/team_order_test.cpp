@@ -20,13 +20,24 @@ TeamPlan crossing() {
   return plan;
 }
 
+GuardProblem open_ground() {
+  GuardProblem problem;
+  problem.world.bounds = {{-3, -3}, {3, 3}};
+  problem.world.solids = {testing::floor_at(0)};
+  problem.start = {{-2, 0}, 0.0};
+  problem.targets = {{"cat", {2, 2, 0}, {0.3, 0.3, 0.3}}};
+  return problem;
+}
+
 struct Asked {
   TeamPlan plan = crossing();
-  StopTasks one, other;
+  GuardProblem problem = open_ground();
+  FiringMap firing_map = build_firing_map(problem, testing::quick()).value();
+  TaskBoard one{problem, firing_map, 0}, other{problem, firing_map, 0};
 
   Asked() {
-    one.queue.push_back({plan.parts[0].plan.stops[0].position});
-    other.queue.push_back({plan.parts[1].plan.stops[0].position});
+    one.set_tasks({{plan.parts[0].plan.stops[0].position}});
+    other.set_tasks({{plan.parts[1].plan.stops[0].position}});
   }
   [[nodiscard]] std::optional<std::size_t> waits_for(std::size_t robot) const {
     const PlannedStop& stop = plan.parts[robot].plan.stops[0];
@@ -38,10 +49,9 @@ TEST(TeamOrder, AWayWaitsForThatWhichCrossesItAndWasAdmittedBefore) {
   Asked asked;
   EXPECT_EQ(asked.waits_for(0), 1U);
   EXPECT_EQ(asked.waits_for(1), std::nullopt);
-  asked.other.arrived = true;  // its drive has begun
+  asked.other.set_tasks(asked.other.queue(), true);  // its drive has begun
   EXPECT_EQ(asked.waits_for(0), std::nullopt);
-  asked.other.arrived = false;
-  asked.other.queue.clear();  // or was given up
+  asked.other.set_tasks({});  // or was given up
   EXPECT_EQ(asked.waits_for(0), std::nullopt);
 }
 

@@ -27,7 +27,7 @@ struct Judged {
     scenario.options = testing::quick();
     plan.parts.resize(2);
     team.records.resize(1);
-    settle(team.records[0], TargetStatus::reached, "hit", 1.0);
+    team.records[0] = {.status = TargetStatus::reached, .reason = "hit", .done_s = 1.0};
     team.robot_of = {0};
     team.robots.resize(2);
     team.robots[0].driven = {problem.start, {{0.0, {{-2, 0}, {2, 0}}}}};
@@ -56,7 +56,7 @@ TEST(JudgedTeam, IsDoneOnlyIfTheRobotsKeptApart) {
 
 TEST(JudgedTeam, IsNotDoneWithATargetThatFailed) {
   Judged one;
-  settle(one.team.records[0], TargetStatus::failed, "robot 2 stood in the way", 1.0);
+  one.team.records[0].status = TargetStatus::failed;
   const Report report = one.report();
   EXPECT_EQ(report.status, "not_done");
   EXPECT_NE(report.reason.find("0 of 1 targets reached"), std::string::npos) << report.reason;

@@ -106,35 +106,35 @@ GuardMission run(const Yard& yard, Robot& robot, std::size_t most_commands = 200
   return mission;
 }
 
-TEST(StopTasks, ReachesWhatItHits) {
+TEST(TaskBoard, ReachesWhatItHits) {
   const Yard yard = make_yard(open_yard());
   Scripted robot(yard.problem);
   const GuardMission mission = run(yard, robot);
-  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
-  EXPECT_EQ(mission.tasks.records[1].status, TargetStatus::reached);
-  EXPECT_EQ(mission.tasks.records[2].status, TargetStatus::unreachable);
+  EXPECT_EQ(mission.board().records()[0].status, TargetStatus::reached);
+  EXPECT_EQ(mission.board().records()[1].status, TargetStatus::reached);
+  EXPECT_EQ(mission.board().records()[2].status, TargetStatus::unreachable);
   EXPECT_EQ(robot.fired.size(), 2U);
-  EXPECT_EQ(mission.tasks.records[0].shots, 1);
-  EXPECT_NE(mission.tasks.records[0].reason.find("hit by shot 1 from"), std::string::npos);
-  EXPECT_FALSE(mission.tasks.records[2].reason.empty());
+  EXPECT_EQ(mission.board().records()[0].shots, 1);
+  EXPECT_NE(mission.board().records()[0].reason.find("hit by shot 1 from"), std::string::npos);
+  EXPECT_FALSE(mission.board().records()[2].reason.empty());
   Scripted idle(yard.problem);
   GuardMission over = mission;
   EXPECT_FALSE(over.step(idle.sense()).has_value()) << "over is over";
 }
 
-TEST(StopTasks, TriesAsOftenAsAskedAndOnceMoreFromElsewhere) {
+TEST(TaskBoard, TriesAsOftenAsAskedAndOnceMoreFromElsewhere) {
   Yard yard = make_yard(open_yard());
   for (const std::int64_t tries : {1, 3, 5}) {
     yard.problem.tries = tries;
     Scripted robot(yard.problem);
     robot.hits = [](std::size_t target, int) { return target != 0; };
     const GuardMission mission = run(yard, robot);
-    EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::failed);
-    EXPECT_EQ(mission.tasks.records[0].shots, 2 * tries);
-    EXPECT_NE(mission.tasks.records[0].reason.find(fmt::format("missed {} times", 2 * tries)),
+    EXPECT_EQ(mission.board().records()[0].status, TargetStatus::failed);
+    EXPECT_EQ(mission.board().records()[0].shots, 2 * tries);
+    EXPECT_NE(mission.board().records()[0].reason.find(fmt::format("missed {} times", 2 * tries)),
               std::string::npos)
-        << mission.tasks.records[0].reason;
-    EXPECT_EQ(mission.tasks.records[1].status, TargetStatus::reached);
+        << mission.board().records()[0].reason;
+    EXPECT_EQ(mission.board().records()[1].status, TargetStatus::reached);
     // The second pass comes last and from another place.
     EXPECT_EQ(robot.fired.back(), 0U);
     ASSERT_GE(robot.ways.size(), 1U);
@@ -143,46 +143,46 @@ TEST(StopTasks, TriesAsOftenAsAskedAndOnceMoreFromElsewhere) {
   }
 }
 
-TEST(StopTasks, ASecondPassCanStillReach) {
+TEST(TaskBoard, ASecondPassCanStillReach) {
   const Yard yard = make_yard(open_yard());
   Scripted robot(yard.problem);
   std::vector<int> shots(3, 0);
   robot.hits = [&](std::size_t target, int) { return ++shots[target] > 3; };
   const GuardMission mission = run(yard, robot);
-  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
-  EXPECT_EQ(mission.tasks.records[1].status, TargetStatus::reached);
-  EXPECT_EQ(mission.tasks.records[0].shots, 4);
+  EXPECT_EQ(mission.board().records()[0].status, TargetStatus::reached);
+  EXPECT_EQ(mission.board().records()[1].status, TargetStatus::reached);
+  EXPECT_EQ(mission.board().records()[0].shots, 4);
 }
 
-TEST(StopTasks, AMissIsAimedAnewFromTheSamePlace) {
+TEST(TaskBoard, AMissIsAimedAnewFromTheSamePlace) {
   const Yard yard = make_yard(open_yard());
   Scripted robot(yard.problem);
   robot.hits = [](std::size_t, int shot) { return shot >= 2; };
   const GuardMission mission = run(yard, robot);
   EXPECT_EQ(robot.fired[0], robot.fired[1]);
   EXPECT_EQ(robot.fired[1], robot.fired[2]);
-  EXPECT_EQ(mission.tasks.records[robot.fired[0]].shots, 3);
+  EXPECT_EQ(mission.board().records()[robot.fired[0]].shots, 3);
 }
 
-TEST(StopTasks, AShotOfWhichNothingIsHeardIsAMiss) {
+TEST(TaskBoard, AShotOfWhichNothingIsHeardIsAMiss) {
   const Yard yard = make_yard(open_yard());
   Scripted robot(yard.problem);
   robot.hits = [](std::size_t, int) { return std::optional<bool>{}; };
   const GuardMission mission = run(yard, robot);
-  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::failed);
-  EXPECT_EQ(mission.tasks.records[1].status, TargetStatus::failed);
+  EXPECT_EQ(mission.board().records()[0].status, TargetStatus::failed);
+  EXPECT_EQ(mission.board().records()[1].status, TargetStatus::failed);
   EXPECT_EQ(robot.fired.size(), 4U * static_cast<std::size_t>(yard.problem.tries));
 
   // A hit that nobody shot for is not counted either.
   GuardMission fresh(yard.problem, yard.firing_map, yard.plan);
   Observation seen{.odometry = yard.problem.start, .gun = GunState{}, .shots = {{0, true, 0.0}}};
   EXPECT_TRUE(fresh.step(seen).has_value());
-  EXPECT_EQ(fresh.tasks.records[0].status, TargetStatus::waiting);
-  EXPECT_EQ(fresh.tasks.records[1].status, TargetStatus::waiting);
+  EXPECT_EQ(fresh.board().records()[0].status, TargetStatus::waiting);
+  EXPECT_EQ(fresh.board().records()[1].status, TargetStatus::waiting);
 }
 
 /// A screen hides the target from the place where the robot ends up; it goes and finds another.
-TEST(StopTasks, GoesElsewhereWhenThePlaceReachedHasNoShot) {
+TEST(TaskBoard, GoesElsewhereWhenThePlaceReachedHasNoShot) {
   GuardProblem problem = open_yard();
   problem.targets.resize(1);
   problem.targets[0].base = {0, 1.5, 0};
@@ -198,23 +198,23 @@ TEST(StopTasks, GoesElsewhereWhenThePlaceReachedHasNoShot) {
   Yard moved = yard;
   moved.plan.stops[0].position = {-1.0, -1.9};
   const GuardMission mission = run(moved, robot);
-  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
-  EXPECT_EQ(mission.tasks.records[0].shots, 1);
+  EXPECT_EQ(mission.board().records()[0].status, TargetStatus::reached);
+  EXPECT_EQ(mission.board().records()[0].shots, 1);
   EXPECT_GE(robot.drives, 2);
-  EXPECT_GT(distance(mission.tasks.records[0].pose.position, behind), problem.errors.position_m);
+  EXPECT_GT(distance(mission.board().records()[0].pose.position, behind), problem.errors.position_m);
 
   // And gives up when it always ends up there.
   Scripted lost(yard.problem);
   lost.arrive = [&](Vec2, int) { return behind; };
   const GuardMission nowhere = run(moved, lost);
-  EXPECT_EQ(nowhere.tasks.records[0].status, TargetStatus::failed);
-  EXPECT_EQ(nowhere.tasks.records[0].shots, 0);
-  EXPECT_NE(nowhere.tasks.records[0].reason.find("no shot from the places"), std::string::npos);
-  EXPECT_EQ(nowhere.tasks.records[0].pose.position, behind);
+  EXPECT_EQ(nowhere.board().records()[0].status, TargetStatus::failed);
+  EXPECT_EQ(nowhere.board().records()[0].shots, 0);
+  EXPECT_NE(nowhere.board().records()[0].reason.find("no shot from the places"), std::string::npos);
+  EXPECT_EQ(nowhere.board().records()[0].pose.position, behind);
 }
 
 /// What has no shot with the margin is tried without it in the second pass.
-TEST(StopTasks, GivesTheMarginUpInTheSecondPass) {
+TEST(TaskBoard, GivesTheMarginUpInTheSecondPass) {
   GuardProblem problem = open_yard();
   problem.targets = {{"slit", {0, 1.5, 0}, {0.4, 0.2, 0.4}, 0.0}};
   for (const double side : {-1.0, 1.0}) {
@@ -227,16 +227,16 @@ TEST(StopTasks, GivesTheMarginUpInTheSecondPass) {
   ASSERT_EQ(yard.plan.unreachable.size(), 1U);
   Scripted robot(yard.problem);
   const GuardMission mission = run(yard, robot);
-  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
-  ASSERT_TRUE(mission.tasks.records[0].shot.has_value());
-  EXPECT_LT(mission.tasks.records[0].shot->clearance_m, 0.03);
+  EXPECT_EQ(mission.board().records()[0].status, TargetStatus::reached);
+  ASSERT_TRUE(mission.board().records()[0].shot.has_value());
+  EXPECT_LT(mission.board().records()[0].shot->clearance_m, 0.03);
   Scripted unlucky(yard.problem);
   unlucky.hits = [](std::size_t, int) { return false; };
-  EXPECT_EQ(run(yard, unlucky).tasks.records[0].status, TargetStatus::failed);
+  EXPECT_EQ(run(yard, unlucky).board().records()[0].status, TargetStatus::failed);
 }
 
 /// Whatever happens, the mission ends, each target gets one last status, and none is shot at too often.
-TEST(StopTasks, AlwaysEndsAndLosesNoTarget) {
+TEST(TaskBoard, AlwaysEndsAndLosesNoTarget) {
   Rng rng(91);
   for (int y = 0; y < cases(6); ++y) {
     auto problem = random_guard_problem(rng, 8, 5, 2.0);
@@ -260,7 +260,7 @@ TEST(StopTasks, AlwaysEndsAndLosesNoTarget) {
       };
       const GuardMission mission = run(yard, robot, 500);
       std::size_t shots = 0;
-      for (const TargetRecord& record : mission.tasks.records) {
+      for (const TargetRecord& record : mission.board().records()) {
         EXPECT_NE(record.status, TargetStatus::waiting);
         EXPECT_FALSE(record.reason.empty());
         EXPECT_LE(record.shots, 2 * yard.problem.tries);
@@ -268,13 +268,13 @@ TEST(StopTasks, AlwaysEndsAndLosesNoTarget) {
         shots += static_cast<std::size_t>(record.shots);
       }
       EXPECT_EQ(shots, robot.fired.size());
-      EXPECT_TRUE(mission.tasks.queue.empty());
+      EXPECT_TRUE(mission.board().queue().empty());
     }
   }
 }
 
 /// A bottle on a pole at the far end, shot at by a gun that strays by 10 degrees: few shots hit.
-TEST(StopTasks, GivesUpWhatTakesTooLongToHit) {
+TEST(TaskBoard, GivesUpWhatTakesTooLongToHit) {
   GuardProblem problem = open_yard();
   problem.targets = {{"bottle", {0, 2.5, 1.5}, {0.07, 0.07, 0.25}, 0.0}};
   problem.world.solids.push_back(box_at("fence", {0, -1.5, 0.25}, {6.0, 0.05, 0.5}));
@@ -284,7 +284,7 @@ TEST(StopTasks, GivesUpWhatTakesTooLongToHit) {
     yard.problem.give_up_s = give_up_s;
     Scripted robot(yard.problem);
     robot.hits = [](std::size_t, int) { return false; };
-    return run(yard, robot).tasks.records[0];
+    return run(yard, robot).board().records()[0];
   };
   const TargetRecord never = shots_of(0.0);
   ASSERT_EQ(never.shots, 2 * problem.tries) << "the premise: it can be shot at";
@@ -299,7 +299,7 @@ TEST(StopTasks, GivesUpWhatTakesTooLongToHit) {
   EXPECT_GE(shots_of(1.3 * never.shot->flight_s / never.shot->hit_rate).shots, problem.tries);
 }
 
-TEST(StopTasks, NamesEveryStatus) {
+TEST(TaskBoard, NamesEveryStatus) {
   EXPECT_EQ(to_string(TargetStatus::waiting), "waiting");
   EXPECT_EQ(to_string(TargetStatus::reached), "reached");
   EXPECT_EQ(to_string(TargetStatus::failed), "failed");
