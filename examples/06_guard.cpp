@@ -1,7 +1,7 @@
 // Runs a whole mission without a file: a yard, two cats, a plan, its execution, the report and the log.
 #include <fmt/format.h>
 
-#include "outrider/jobs/guard/run.hpp"
+#include "outrider/jobs/guard/run/run.hpp"
 #include "outrider/log/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 

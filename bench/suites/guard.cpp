@@ -11,7 +11,7 @@
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/jobs/guard/run.hpp"
+#include "outrider/jobs/guard/run/run.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
 #include "outrider/log/topics.hpp"

@@ -8,10 +8,10 @@
 
 #include "outrider/core/parallel.hpp"
 #include "outrider/job/run_job.hpp"
-#include "outrider/jobs/guard/arrival_bound.hpp"
-#include "outrider/jobs/guard/arrivals_file.hpp"
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/jobs/guard/run.hpp"
+#include "outrider/jobs/guard/plan/arrival_bound.hpp"
+#include "outrider/jobs/guard/run/run.hpp"
+#include "outrider/jobs/guard/yard/arrivals_file.hpp"
 
 namespace outrider::bench {
 namespace {

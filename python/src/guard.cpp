@@ -15,7 +15,7 @@
 #include "faults.hpp"
 #include "interruptible.hpp"
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/jobs/guard/prepare.hpp"
+#include "outrider/jobs/guard/run/prepare.hpp"
 #include "scenario.hpp"
 #include "turn.hpp"
 

@@ -1,7 +1,7 @@
 // Guard missions of each kind in one call.
 #pragma once
 
-#include "outrider/jobs/guard/run.hpp"
+#include "outrider/jobs/guard/run/run.hpp"
 #include "support/logged_run.hpp"
 
 namespace outrider::testing {

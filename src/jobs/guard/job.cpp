@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "guard_log.hpp"
 #include "outrider/job/clock.hpp"
-#include "outrider/jobs/guard/rigid_world.hpp"
-#include "outrider/jobs/guard/scout_run.hpp"
+#include "outrider/jobs/guard/run/rigid_world.hpp"
+#include "outrider/jobs/guard/run/scout_run.hpp"
 #include "pddl_task.hpp"
+#include "run/guard_log.hpp"
 #include "summary.hpp"
 
 namespace outrider {

@@ -12,12 +12,12 @@
 #include "outrider/io/terrain.hpp"
 #include "outrider/io/values.hpp"
 #include "outrider/io/world_changes.hpp"
-#include "outrider/jobs/guard/arrivals_file.hpp"
 #include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
-#include "outrider/jobs/guard/sightings_file.hpp"
-#include "outrider/jobs/guard/stations_file.hpp"
-#include "outrider/jobs/guard/team_starts.hpp"
+#include "outrider/jobs/guard/yard/arrivals_file.hpp"
+#include "outrider/jobs/guard/yard/sightings_file.hpp"
+#include "outrider/jobs/guard/yard/stations_file.hpp"
+#include "outrider/jobs/guard/yard/team_starts.hpp"
 #include "outrider/sim/post_place.hpp"
 
 namespace outrider {

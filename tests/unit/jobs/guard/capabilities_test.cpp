@@ -6,7 +6,7 @@
 #include <set>
 
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/jobs/guard/rigid_world.hpp"
+#include "outrider/jobs/guard/run/rigid_world.hpp"
 #include "support/random_terrain.hpp"
 #include "support/random_yard.hpp"
 
@@ -158,7 +158,8 @@ TEST(Capabilities, WhatIsAcceptedRuns) {
       fill_in(job.scenario);
       ask_for(job.scenario, at(i));
       if (i != k) ask_for(job.scenario, at(k));
-      ASSERT_EQ(requested_capabilities(job.scenario), i == k ? std::vector{at(i)} : (std::vector{at(i), at(k)}));
+      ASSERT_EQ(requested_capabilities(job.scenario),
+                i == k ? std::vector{at(i)} : (std::vector{at(i), at(k)}));
       if (job.scenario.sim == "physics" && !make_rigid_world(job.scenario.problem)) continue;  // no engine
       outrider::Run run;
       const auto done = job.run(run, {});
