@@ -53,9 +53,7 @@ Outcome<Yard> prepared(const std::string& path, std::int64_t seeds) {
     auto intruders =
         load_arrivals(yard.scenario.problem, yard.scenario.arrivals, static_cast<std::uint64_t>(seed));
     if (!intruders) return pass_on(intruders);
-    auto watch = arrival_yard(yard.scenario.problem, yard.firing_map, std::move(*intruders));
-    if (!watch) return pass_on(watch);
-    yard.watches.push_back(std::move(*watch));
+    yard.watches.push_back(arrival_yard(yard.scenario.problem, yard.firing_map, std::move(*intruders)));
   }
   return yard;
 }

@@ -159,9 +159,7 @@ Status choose_policy(PreparedGuard& guard, const Budget& budget, const Notes& no
 Status prepare_arrivals(PreparedGuard& guard, const Budget& budget, const Notes& notes) {
   const GuardScenario& scenario = guard.scenario;
   auto intruders = scenario.arrivals.any() ? scenario.intruders : settled_intruders(scenario.problem);
-  auto yard = arrival_yard(scenario.problem, guard.plan->firing_map, std::move(intruders));
-  if (!yard) return pass_on(yard);
-  guard.yard = std::move(*yard);
+  guard.yard = arrival_yard(scenario.problem, guard.plan->firing_map, std::move(intruders));
   auto stops = precompute_stops(scenario.problem, guard.plan->firing_map, *guard.plan->tour,
                                 scenario.arrivals, budget);
   if (!stops) return pass_on(stops);

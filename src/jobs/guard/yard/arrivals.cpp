@@ -98,12 +98,8 @@ std::vector<Intruder> settled_intruders(const GuardProblem& problem) {
   return intruders;
 }
 
-Outcome<ArrivalYard> arrival_yard(const GuardProblem& problem, const FiringMap& firing_map,
-                                  std::vector<Intruder> intruders) {
-  if (problem.targets_block) {
-    return bad_input("targets that come and go cannot block; leave one of targets_block and arrivals out",
-                     "targets_block");
-  }
+ArrivalYard arrival_yard(const GuardProblem& problem, const FiringMap& firing_map,
+                         std::vector<Intruder> intruders) {
   ArrivalYard watch{problem, firing_map, std::move(intruders)};
   watch.problem.targets.clear();
   watch.firing_map.regions.clear();

@@ -49,7 +49,7 @@ struct PreparedGuard {
 /// of the watch. Stations are planned where everybody is there from the start and leaves when hit; else the
 /// mission goes to them as it must. If nobody comes but some survive, the policy is the one with the least
 /// expected time (survivors.hpp). Faults: those of build_firing_map(), the planner, check_supplies(),
-/// supply_plan(), find_replan_policy(), find_objective(), arrival_yard(), precompute_stops(), plan_moving(),
+/// supply_plan(), find_replan_policy(), find_objective(), precompute_stops(), plan_moving(),
 /// starts_of_team() and plan_team().
 Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, RunSteps& steps,
                                                       const RunWatch& watch, Log& log, double time_s = 0.0);

@@ -82,10 +82,9 @@ struct ArrivalYard {
 /// Returns one intruder for each target; all are in their places from the start.
 std::vector<Intruder> settled_intruders(const GuardProblem& problem);
 
-/// Makes the yard for these intruders. It reuses the firing regions of the places. Fault: targets block
-/// (GuardProblem::targets_block), because then the obstacles would change with the intruders inside.
-/// O(intruders * cells).
-Outcome<ArrivalYard> arrival_yard(const GuardProblem& problem, const FiringMap& firing_map,
-                                  std::vector<Intruder> intruders);
+/// Makes the yard for these intruders. It reuses the firing regions of the places, so expects targets that do
+/// not block: obstacles would change with the intruders inside. O(intruders * cells).
+ArrivalYard arrival_yard(const GuardProblem& problem, const FiringMap& firing_map,
+                         std::vector<Intruder> intruders);
 
 }  // namespace outrider

@@ -59,7 +59,7 @@ Yard open_yard(Rng& rng, std::size_t targets, bool with_errors) {
 Run mission(const Yard& yard, std::uint64_t seed) {
   const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
   const ReplanPolicy policy = replan_policies()[seed % 3];
-  return testing::run_arrivals({*watch, yard.precomputed, policy, ArrivalObjective::makespan, 3, 10}, quick(),
+  return testing::run_arrivals({watch, yard.precomputed, policy, ArrivalObjective::makespan, 3, 10}, quick(),
                                seed, {yard.options.leave, yard.options.walk_mps});
 }
 
@@ -180,7 +180,7 @@ TEST(Survivors, TakeOnAverageWhatIsExpected) {
     yard.options.leave = 0.6;
     const BestPolicy best = best_policy(yard.problem, yard.precomputed, yard.options, 100);
     const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
-    const ArrivalPlan plan{*watch, yard.precomputed, best.policy.replan, best.policy.objective, 3, 10};
+    const ArrivalPlan plan{watch, yard.precomputed, best.policy.replan, best.policy.objective, 3, 10};
     constexpr int missions = 60;
     double sum = 0.0, squares = 0.0;
     for (std::uint64_t seed = 1; seed <= missions; ++seed) {
@@ -219,7 +219,7 @@ TEST(Survivors, ThatThereAreNoneIsTheStillYard) {
     Yard yard = open_yard(rng, 5, true);
     const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
     const auto policy = find_replan_policy("each_arrival");
-    const ArrivalPlan plan{*watch, yard.precomputed, *policy, ArrivalObjective::makespan, 3, 30};
+    const ArrivalPlan plan{watch, yard.precomputed, *policy, ArrivalObjective::makespan, 3, 30};
     auto run = testing::run_arrivals(plan, quick(), 7, {1.0, 1.0});
     auto still = testing::run_still(yard.problem, yard.firing_map, yard.plan, quick(), 7);
     EXPECT_EQ(run.report.status, still.report.status);

@@ -49,8 +49,7 @@ GuardProblem corners() {
 /// A fox and a cat, each at its place.
 ArrivalYard two_come(const Yard& yard) {
   return arrival_yard(yard.problem, yard.firing_map,
-                      {{"fox", 0, "gate", {}, 0.0, 0.0}, {"cat", 1, "gate", {}, 3.0, 3.0}})
-      .value();
+                      {{"fox", 0, "gate", {}, 0.0, 0.0}, {"cat", 1, "gate", {}, 3.0, 3.0}});
 }
 
 Observation seen_at(double time_s, Pose2 pose, std::vector<TargetArrival> arrivals, bool more_to_come) {
@@ -107,7 +106,7 @@ TEST(MissionStep, WhoSurvivesAHitIsShotAtWhereItGoes) {
   GuardProblem problem = corners();
   problem.world.solids.resize(1);
   const Yard yard = make_yard(std::move(problem));
-  const auto arriving = arrival_yard(yard.problem, yard.firing_map, {{"fox", 0, {}, {}, 0.0, 0.0}}).value();
+  const auto arriving = arrival_yard(yard.problem, yard.firing_map, {{"fox", 0, {}, {}, 0.0, 0.0}});
   const ArrivalPlan plan{arriving, yard.precomputed, *find_replan_policy("each_arrival")};
   GuardMission mission(plan);
   Pose2 pose = yard.problem.start;

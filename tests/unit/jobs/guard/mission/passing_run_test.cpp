@@ -119,13 +119,12 @@ TEST(PassingRun, IntrudersAreHitByTheWay) {
   auto plan = plan_guard(p.problem, p.firing_map, from_rest, {});
   ASSERT_TRUE(plan.has_value());
   const auto watch = arrival_yard(p.problem, p.firing_map, settled_intruders(p.problem));
-  ASSERT_TRUE(watch.has_value());
   double last_s = 0.0;
   for (const bool moving : {false, true}) {
     plan->on_the_move = moving;
     const auto stops = precompute_stops(p.problem, p.firing_map, *plan, {}, {});
     ASSERT_TRUE(stops.has_value());
-    const ArrivalPlan arrivals{*watch, *stops, *find_replan_policy("each_arrival"),
+    const ArrivalPlan arrivals{watch, *stops, *find_replan_policy("each_arrival"),
                                ArrivalObjective::makespan};
     const auto run = testing::run_arrivals(arrivals, from_rest, 1);
     EXPECT_EQ(run.report.status, "done") << run.report.reason;
