@@ -105,7 +105,7 @@ py::list targets_of(const PreparedGuard& guard) {
   py::list targets;
   const auto& records = guard.mission->board().records();
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const Target& target = guard.problem().targets[i];
+    const Target& target = guard.mission->board().problem().targets[i];
     py::dict one;
     one["name"] = target.name;
     one["position"] = py::make_tuple(target.base.x, target.base.y, target.base.z);

@@ -65,13 +65,9 @@ double reached_by_reference_rule(const Log& log, const std::vector<Target>& targ
   return reached;
 }
 
-Metrics still_metrics(const GuardPlan& plan, const Tally& tally, const SimRecord& record,
-                      double by_reference_rule, double end_s) {
-  return {{"targets", tally.targets},
-          {"reached", tally.reached},
-          {"failed", tally.failed},
-          {"unreachable", tally.unreachable},
-          {"reached_by_reference_rule", by_reference_rule},
+Metrics still_metrics(const GuardPlan& plan, const SimRecord& record, double by_reference_rule,
+                      double end_s) {
+  return {{"reached_by_reference_rule", by_reference_rule},
           {"mission_s", end_s},
           {"planned_s", plan.cost_s},
           {"expected_s", plan.bounded_s()},
@@ -93,11 +89,7 @@ Metrics arrival_metrics(const GuardRun& run, const GuardMission& mission, const 
   const ArrivalPlan& plan = mission.arriving()->plan();
   const ArrivalBound bound = arrival_bound(plan.yard, plan.stops.on_the_move);
   const bool makespan = plan.objective == ArrivalObjective::makespan;
-  Metrics metrics = {{"targets", tally.targets},
-                     {"reached", tally.reached},
-                     {"failed", tally.failed},
-                     {"unreachable", tally.unreachable},
-                     {"mission_s", end_s},
+  Metrics metrics = {{"mission_s", end_s},
                      {"intruder_seconds", tally.inside_s},
                      {"makespan_s", tally.last_s},
                      {"longest_s", tally.longest_s},
@@ -112,21 +104,11 @@ Metrics arrival_metrics(const GuardRun& run, const GuardMission& mission, const 
   return metrics;
 }
 
-Metrics walker_metrics(const std::vector<TargetRecord>& records, const Tally& tally, const SimRecord& record,
-                       double end_s, double expected_hits) {
-  double inside_s = 0.0, last_s = 0.0;
-  for (const TargetRecord& one : records) {
-    inside_s += one.done_s;
-    last_s = std::max(last_s, one.done_s);
-  }
+Metrics walker_metrics(const Tally& tally, const SimRecord& record, double end_s, double expected_hits) {
   const double shots = as_number(record.shots);
-  return {{"targets", tally.targets},
-          {"reached", tally.reached},
-          {"failed", tally.failed},
-          {"unreachable", 0.0},
-          {"mission_s", end_s},
-          {"intruder_seconds", inside_s},
-          {"makespan_s", last_s},
+  return {{"mission_s", end_s},
+          {"intruder_seconds", tally.inside_s},
+          {"makespan_s", tally.last_s},
           {"driven_m", record.driven_m},
           {"turned_rad", record.turned_rad},
           {"shots", shots},
@@ -274,14 +256,20 @@ Report judge(const GuardRun& run, const GuardMission& mission, const SimRecord& 
   report.world_name = true_problem(run).world.name;
   const auto& records = mission.board().records();
   const Tally tally = tally_of(run, records, end_s);
-  report.metrics =
-      mission.arriving() != nullptr ? arrival_metrics(run, mission, tally, record, end_s)
-      : mission.moving() != nullptr
-          ? walker_metrics(records, tally, record, end_s, expected_hits)
-          : still_metrics(*run.mission.tour(), tally, record, reached_by_reference_rule(log, targets), end_s);
+  report.metrics = {{"targets", tally.targets},
+                    {"reached", tally.reached},
+                    {"failed", tally.failed},
+                    {"unreachable", tally.unreachable}};
   const auto add = [&](const Metrics& more) {
     report.metrics.insert(report.metrics.end(), more.begin(), more.end());
   };
+  if (mission.arriving() != nullptr) {
+    add(arrival_metrics(run, mission, tally, record, end_s));
+  } else if (mission.moving() != nullptr) {
+    add(walker_metrics(tally, record, end_s, expected_hits));
+  } else {
+    add(still_metrics(*mission.tour(), record, reached_by_reference_rule(log, targets), end_s));
+  }
   const Supplies& supplies = true_problem(run).supplies;
   if (supplies.any()) add(supply_metrics(log, supplies, mission.stores()));
   if (mission.board().on_the_move()) add(passing_metrics(log));

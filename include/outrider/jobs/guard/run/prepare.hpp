@@ -39,9 +39,6 @@ struct PreparedGuard {
   std::optional<ExpectedTime> expected = {};   ///< set if intruders survive and none arrive
   std::optional<MovingPlan> walkers = {};      ///< set if intruders walk about
   std::optional<GuardMission> mission = {};    ///< of one robot; unset for a team
-
-  /// Returns the problem with one target for each record of the mission.
-  [[nodiscard]] const GuardProblem& problem() const { return yard ? yard->problem : scenario.problem; }
 };
 
 /// Prepares a scenario that load_problem() has read, in two steps, and logs what it finds at `time_s`. The

@@ -53,7 +53,7 @@ TEST_P(Prepared, IsTheMissionOfTheJob) {
   ASSERT_TRUE(guard) << guard.error().sentence;
   GuardMission& mission = *(*guard)->mission;
   Log log;
-  SimulatedRobot robot = simulated_guard((*guard)->problem(), (*guard)->plan->firing_map, log,
+  SimulatedRobot robot = simulated_guard(mission.board().problem(), (*guard)->plan->firing_map, log,
                                          static_cast<std::uint64_t>(job.scenario.seed), params_of(**guard));
   double end_s = 0.0;
   EXPECT_TRUE(
