@@ -8,8 +8,8 @@
 #include <string>
 
 #include "outrider/job/run_job.hpp"
-#include "outrider/jobs/guard/firing_map.hpp"
 #include "outrider/jobs/guard/job.hpp"
+#include "outrider/jobs/guard/yard/firing_map.hpp"
 
 namespace outrider {
 namespace {

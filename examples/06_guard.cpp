@@ -1,7 +1,7 @@
 // Runs a whole mission without a file: a yard, two cats, a plan, its execution, the report and the log.
 #include <fmt/format.h>
 
-#include "outrider/jobs/guard/run.hpp"
+#include "outrider/jobs/guard/run/run.hpp"
 #include "outrider/log/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 
@@ -22,8 +22,7 @@ int main() {
   const auto plan = plan_guard(problem, *firing_map, options, {});
   if (!plan) return 1;
   Log log;
-  const auto run = run_guard(
-      {.problem = problem, .firing_map = *firing_map, .plan = *plan, .options = options, .seed = 1}, log);
+  const auto run = run_guard({.mission = {problem, *firing_map, *plan}, .options = options, .seed = 1}, log);
   if (!run) return 1;
 
   fmt::print("{}: {} stops\n", run->status, plan->stops.size());

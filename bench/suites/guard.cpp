@@ -11,7 +11,7 @@
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/jobs/guard/run.hpp"
+#include "outrider/jobs/guard/run/run.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
 #include "outrider/log/topics.hpp"
@@ -139,7 +139,8 @@ Status measure_yard(const GuardRequest& request, const GuardScenario& yard,
     for (std::int64_t seed = 1; seed <= request.seeds; ++seed) {
       const auto number = static_cast<std::uint64_t>(seed);
       Log log;
-      const Report report = run_guard({yard.problem, *firing_map, *plan, yard.options, number}, log).value();
+      const Report report =
+          run_guard({{yard.problem, *firing_map, *plan}, yard.options, number}, log).value();
       rows.push_back(row_of(yard, planner, report, log, number, planning_s));
     }
   }

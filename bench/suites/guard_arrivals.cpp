@@ -8,10 +8,10 @@
 
 #include "outrider/core/parallel.hpp"
 #include "outrider/job/run_job.hpp"
-#include "outrider/jobs/guard/arrival_bound.hpp"
-#include "outrider/jobs/guard/arrivals_file.hpp"
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/jobs/guard/run.hpp"
+#include "outrider/jobs/guard/plan/arrival_bound.hpp"
+#include "outrider/jobs/guard/run/run.hpp"
+#include "outrider/jobs/guard/yard/arrivals_file.hpp"
 
 namespace outrider::bench {
 namespace {
@@ -53,9 +53,7 @@ Outcome<Yard> prepared(const std::string& path, std::int64_t seeds) {
     auto intruders =
         load_arrivals(yard.scenario.problem, yard.scenario.arrivals, static_cast<std::uint64_t>(seed));
     if (!intruders) return pass_on(intruders);
-    auto watch = arrival_yard(yard.scenario.problem, yard.firing_map, std::move(*intruders));
-    if (!watch) return pass_on(watch);
-    yard.watches.push_back(std::move(*watch));
+    yard.watches.push_back(arrival_yard(yard.scenario.problem, yard.firing_map, std::move(*intruders)));
   }
   return yard;
 }
@@ -69,10 +67,8 @@ Sample sample_of(const Yard& yard, std::size_t i, const ReplanPolicy& policy, Ar
                          objective,
                          static_cast<std::size_t>(arrivals.group),
                          static_cast<std::size_t>(arrivals.beam)};
-  const GuardPlan none;
   Log log;
-  const Report report =
-      run_guard({watch.problem, watch.firing_map, none, yard.scenario.options, i + 1, plan}, log).value();
+  const Report report = run_guard({GuardMission(plan), yard.scenario.options, i + 1}, log).value();
   const double inside = metric(report, "intruder_seconds");
   const double makespan = metric(report, "makespan_s");
   const double count = metric(report, "targets") - metric(report, "unreachable");

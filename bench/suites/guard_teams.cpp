@@ -8,10 +8,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "outrider/jobs/guard/closest_approach.hpp"
-#include "outrider/jobs/guard/team_plan.hpp"
-#include "outrider/jobs/guard/team_run.hpp"
-#include "outrider/jobs/guard/team_starts.hpp"
+#include "outrider/jobs/guard/team/closest_approach.hpp"
+#include "outrider/jobs/guard/team/team_plan.hpp"
+#include "outrider/jobs/guard/team/team_run.hpp"
+#include "outrider/jobs/guard/yard/team_starts.hpp"
 #include "rows.hpp"
 #include "stopwatch.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "outrider/io/path_problem.hpp"
 #include "outrider/io/scenario.hpp"
-#include "outrider/jobs/guard/plan.hpp"
-#include "outrider/jobs/guard/run.hpp"
+#include "outrider/jobs/guard/plan/plan.hpp"
+#include "outrider/jobs/guard/run/run.hpp"
 #include "outrider/jobs/guard/scenario.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"

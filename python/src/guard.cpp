@@ -15,7 +15,7 @@
 #include "faults.hpp"
 #include "interruptible.hpp"
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/jobs/guard/prepare.hpp"
+#include "outrider/jobs/guard/run/prepare.hpp"
 #include "scenario.hpp"
 #include "turn.hpp"
 
@@ -29,7 +29,7 @@ std::unique_ptr<PreparedGuard> prepared(const py::handle& path, std::optional<st
                                         const py::dict& set) {
   auto task = load_task_of<GuardJob>(path, seed, set);
   return value_of(interruptible([&](const std::stop_token& stop) {
-    return prepare_guard(std::move(task->scenario), budget_of({}, stop));
+    return prepare_guard(std::move(task->scenario), RunWatch{.stop = stop});
   }));
 }
 
@@ -79,13 +79,13 @@ class Guarding {
       refuse(fmt::format("intruder {} at place {}: there are {} intruders and {} places", target, place,
                          guard_->yard->intruders.size(), guard_->yard->places()),
              "arrivals");
-    for (const TargetArrival& inside : guard_->mission->arriving.inside) {
+    for (const TargetArrival& inside : guard_->mission->arriving()->inside()) {
       if (inside.target == target) refuse(fmt::format("intruder {} is inside already", target), "arrivals");
     }
   }
   void check_sighting(const TargetObservation& one, double now_s) const {
     if (!guard_->walkers) return;
-    const auto& tracks = guard_->mission->moving.tracks;
+    const auto& tracks = guard_->mission->moving()->tracks();
     if (one.target >= tracks.size())
       refuse(fmt::format("target {}: there are {}", one.target, tracks.size()), "seen");
     const Track& track = tracks[one.target];
@@ -103,9 +103,9 @@ class Guarding {
 
 py::list targets_of(const PreparedGuard& guard) {
   py::list targets;
-  const auto& records = guard.mission->tasks.records;
+  const auto& records = guard.mission->board().records();
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const Target& target = guard.problem().targets[i];
+    const Target& target = guard.mission->board().problem().targets[i];
     py::dict one;
     one["name"] = target.name;
     one["position"] = py::make_tuple(target.base.x, target.base.y, target.base.z);
@@ -147,7 +147,8 @@ py::list stations_of(const PreparedGuard& guard) {
 
 py::array_t<double> stops_of(const PreparedGuard& guard) {
   std::vector<Vec2> stops;
-  for (const PlannedStop& stop : guard.plan.stops) stops.push_back(stop.position);
+  if (!guard.plan->tour) return array_of(stops);
+  for (const PlannedStop& stop : guard.plan->tour->stops) stops.push_back(stop.position);
   return array_of(stops);
 }
 
@@ -164,9 +165,12 @@ void bind_guard(py::module_& module) {
       .def_property_readonly(
           "start", get([](const PreparedGuard& guard) { return array_of(guard.scenario.problem.start); }))
       .def_property_readonly("stops", get(stops_of))
-      .def_property_readonly("cost", get([](const PreparedGuard& guard) { return guard.plan.cost_s; }))
-      .def_property_readonly("lower_bound",
-                             get([](const PreparedGuard& guard) { return guard.plan.lower_bound_s; }))
+      .def_property_readonly("cost", get([](const PreparedGuard& guard) {
+                               return guard.plan->tour ? guard.plan->tour->cost_s : 0.0;
+                             }))
+      .def_property_readonly("lower_bound", get([](const PreparedGuard& guard) {
+                               return guard.plan->tour ? guard.plan->tour->lower_bound_s : 0.0;
+                             }))
       .def_property_readonly("targets", get(targets_of))
       .def_property_readonly("intruders", get(intruders_of))
       .def_property_readonly("stations", get(stations_of));

@@ -180,7 +180,7 @@ def test_what_a_guard_cannot_work_with_is_refused(lane):
     refused(mission, "inside already", targets=report)
     with pytest.raises(outrider.BadInput, match="explored first"):
         outrider.GuardMission(lane[0], set={"plan.shoot_on_the_move": False, "scout.unknown": True})
-    with pytest.raises(outrider.BadInput, match="robots: a mission is that of one robot, and there are 2"):
+    with pytest.raises(outrider.BadInput, match="robots: a robot that is not simulated and several robots"):
         outrider.GuardMission(lane[0], set={"robots": 2})
     with pytest.raises(outrider.BadInput, match="of the job drive; give one of guard"):
         outrider.GuardMission("scenarios/waypoints/open_loop.yaml")

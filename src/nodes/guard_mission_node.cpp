@@ -9,6 +9,7 @@
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/core/overload.hpp"
 #include "outrider/job/scene.hpp"
+#include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/nodes/in_the_way.hpp"
 #include "outrider/sim/simulated_gun.hpp"
@@ -35,12 +36,6 @@ Pace pace_of(const RobotModel& robot) {
   return pace;
 }
 
-/// Returns the mission of what was prepared for one that is simulated.
-GuardMission* mission_of(PreparedGuard& guard) {
-  auto& mission = guard.mission;
-  return mission ? &*mission : nullptr;
-}
-
 }  // namespace
 
 std::vector<OptionGroup> describe(GuardMissionNodeOptions& options) {
@@ -54,28 +49,20 @@ std::vector<OptionGroup> describe(GuardMissionNodeOptions& options) {
 }
 
 Outcome<std::unique_ptr<PreparedGuard>> GuardMissionNode::prepare(GuardScenario scenario,
-                                                                  const GuardMissionNodeOptions& options,
-                                                                  const Budget& budget) {
-  if (!scenario.has_still_targets()) {
-    return bad_input(
-        "no topic tells where intruders are; give a scenario whose targets stand still and leave when they "
-        "are hit",
-        scenario.wander.any() ? "wander" : "arrivals");
-  }
-  if (scenario.problem.supplies.any())
-    return bad_input("no topic tells how full tank and battery are; leave the section out", "supplies");
-  if (!scenario.terrain.empty())
-    return bad_input("the robot behind topics drives on flat ground; leave it out", "terrain");
+                                                                  const GuardMissionNodeOptions& options) {
+  auto requested = requested_capabilities(scenario);
+  requested.push_back(Capability::topics);
+  if (auto ok = check_capabilities(requested); !ok) return pass_on(ok);
   scenario.options.shoot_on_the_move = false;
   scenario.problem.robot.radius_m += options.clearance_m;
-  return prepare_guard(std::move(scenario), budget);
+  return prepare_guard(std::move(scenario));
 }
 
 GuardMissionNode::GuardMissionNode(GuardMissionNodeOptions options, std::unique_ptr<PreparedGuard> guard)
     : MissionNode("guard", options.node),
       options_(std::move(options)),
       guard_(std::move(guard)),
-      mission_(mission_of(*guard_)),
+      mission_(&guard_->mission.value()),
       gun_(guard_->scenario.problem.targets),
       solids_(footprints_above_floor(guard_->scenario.problem.world), RangeFinderModel()),
       driver_(pace_of(guard_->scenario.problem.robot), true) {
@@ -205,7 +192,7 @@ bool GuardMissionNode::may_drive(const Twist2& twist, const Pose2& pose) {
 /// Returns true once the gun is aimed.
 bool GuardMissionNode::aim(const AimGun& aim, const Pose2& pose) {
   command({});
-  const Stance stance = stance_at(guard_->firing_map.rules, pose.position);
+  const Stance stance = stance_at(guard_->plan->firing_map.rules, pose.position);
   const GunState goal =
       SimulatedGun::joints_towards({aim.yaw_rad, aim.pitch_rad, 0.0}, stance, pose.heading_rad);
   send(aim_output_, joints_message(goal, now_s()));
@@ -231,7 +218,7 @@ bool GuardMissionNode::await(const Fire& fire) {
               fmt::format("{} is told to be hit", guard_->scenario.problem.targets[fire.target].name));
     return true;
   }
-  const auto& shot = mission_->tasks.records[fire.target].shot;
+  const auto& shot = mission_->board().records()[fire.target].shot;
   const double flight_s = shot ? shot->flight_s : 0.0;
   return now_s() - began_command_s_ > flight_s + options_.result_s;
 }
@@ -258,13 +245,13 @@ void GuardMissionNode::note(const Pose2& pose) {
 }
 
 void GuardMissionNode::finish() {
-  const StopTasks& tasks = mission_->tasks;
+  const TaskBoard& board = mission_->board();
   const GuardVerdict verdict = verdict_of(*mission_);
-  const auto hit = std::ranges::count(tasks.records, TargetStatus::reached, &TargetRecord::status);
+  const auto hit = std::ranges::count(board.records(), TargetStatus::reached, &TargetRecord::status);
   std::string sentence =
-      fmt::format("{} of {} targets are told to be hit, by {} shots", hit, tasks.records.size(), shots_);
+      fmt::format("{} of {} targets are told to be hit, by {} shots", hit, board.records().size(), shots_);
   if (!verdict.reason.empty()) sentence += "; " + verdict.reason;
-  if (!tasks.given_up.empty()) sentence += "; " + tasks.given_up;
+  if (!board.given_up().empty()) sentence += "; " + board.given_up();
   const bool good = verdict.status == "done";
   end(good ? NodeLevel::info : NodeLevel::error, verdict.status, std::move(sentence));
 }
@@ -277,7 +264,7 @@ void GuardMissionNode::go_on(const Pose2& pose) {
   const bool done = carry_out(*present_, pose);
   if (is_over()) return;
   if (done) present_.reset();
-  const auto& records = mission_->tasks.records;
+  const auto& records = mission_->board().records();
   const auto left = std::ranges::count(records, TargetStatus::waiting, &TargetRecord::status);
   if (!stands_)
     set_status(NodeLevel::info, "guarding", fmt::format("{} of {} targets wait", left, records.size()));

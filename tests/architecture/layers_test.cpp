@@ -129,7 +129,7 @@ TEST(Layers, TheRuleItselfRefuses) {
   EXPECT_FALSE(may_use("path", "tour"));
   EXPECT_FALSE(may_use("core", "apps"));
   EXPECT_EQ(layers_included("#include \"outrider/path/mesh/mesh.hpp\"\n"), std::vector<std::string>{"path"});
-  EXPECT_EQ(layers_included("#include \"outrider/jobs/guard/plan.hpp\"\n"),
+  EXPECT_EQ(layers_included("#include \"outrider/jobs/guard/plan/plan.hpp\"\n"),
             std::vector<std::string>{"jobs/guard"});
   EXPECT_EQ(layers_included("#include \"outrider/jobs/job.hpp\"\n"), std::vector<std::string>{"jobs"});
   EXPECT_EQ(types_defined("namespace outrider {\nclass A;\nstruct B : A {\n  struct C {};\n};\n"),

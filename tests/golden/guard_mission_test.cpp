@@ -8,7 +8,7 @@
 
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/jobs/guard/run.hpp"
+#include "outrider/jobs/guard/run/run.hpp"
 #include "support/costly_cases.hpp"
 #include "support/fine_flight.hpp"
 #include "support/guard_runs.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "outrider/jobs/guard/firing_map.hpp"
+#include "outrider/jobs/guard/yard/firing_map.hpp"
 #include "outrider/tour/solve.hpp"
 #include "subject.hpp"
 #include "support/guard_yard.hpp"
@@ -56,7 +56,7 @@ double cubed(double n) { return n * n * n; }
 }  // namespace
 
 std::vector<Subject> guard_subjects() {
-  const std::string map = "jobs/guard/firing_map.hpp";
+  const std::string map = "jobs/guard/yard/firing_map.hpp";
   return {{"build_firing_map",
            "targets",
            map,

@@ -1,7 +1,7 @@
 // Guard missions of each kind in one call.
 #pragma once
 
-#include "outrider/jobs/guard/run.hpp"
+#include "outrider/jobs/guard/run/run.hpp"
 #include "support/logged_run.hpp"
 
 namespace outrider::testing {
@@ -12,24 +12,17 @@ inline Run carried_out(const GuardRun& run, const RunWatch& watch) {
 
 inline Run run_still(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
                      const GuardOptions& options, std::uint64_t seed, const RunWatch& watch = {}) {
-  return carried_out({problem, firing_map, plan, options, seed}, watch);
+  return carried_out({{problem, firing_map, plan}, options, seed}, watch);
 }
 
 inline Run run_arrivals(const ArrivalPlan& plan, const GuardOptions& options, std::uint64_t seed,
                         const Survival& survival = {}, const RunWatch& watch = {}) {
-  const GuardPlan none;
-  return carried_out({plan.yard.problem, plan.yard.firing_map, none, options, seed, plan, survival}, watch);
+  return carried_out({GuardMission(plan), options, seed, survival}, watch);
 }
 
 inline Run run_walkers(const MovingPlan& plan, const std::vector<Walk>& walks, const GuardOptions& options,
                        std::uint64_t seed, const RunWatch& watch = {}) {
-  const GuardPlan none;
-  return carried_out({.problem = plan.problem,
-                      .firing_map = plan.firing_map,
-                      .plan = none,
-                      .options = options,
-                      .seed = seed,
-                      .walkers = WalkerRun{plan, walks}},
+  return carried_out({.mission = GuardMission(plan), .options = options, .seed = seed, .walks = walks},
                      watch);
 }
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "outrider/jobs/guard/plan.hpp"
+#include "outrider/jobs/guard/plan/plan.hpp"
 #include "support/fine_flight.hpp"
 #include "support/random_yard.hpp"
 

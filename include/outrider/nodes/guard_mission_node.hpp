@@ -1,4 +1,4 @@
-// GuardMissionNode: the mission of the job guard (jobs/guard/mission.hpp) with its robot behind topics.
+// GuardMissionNode: the mission of the job guard (jobs/guard/mission/mission.hpp) with its robot behind topics.
 //
 //   odom, /tf     where the robot is on the map      ->   cmd_vel
 //   joint_states  the joints of the gun                   gun/command   sensor_msgs/JointState: where they
@@ -15,7 +15,7 @@
 //
 // A shot is answered when its target is told to be hit. If that is not told until `result` after the planned
 // landing, there is no result: the mission takes that for a miss, and gives a gun up of which nothing comes
-// (jobs/guard/gun_silence.hpp). A target that is told to be hit later is not shot at again.
+// (jobs/guard/mission/gun_silence.hpp). A target that is told to be hit later is not shot at again.
 //
 // The robot stands while pose, joints or scans are missing that came before, and before what the scan shows
 // farther than 0.1 m from every solid of the world. States: waiting, guarding, stopped, done, not_done,
@@ -25,8 +25,8 @@
 #include <memory>
 #include <optional>
 
-#include "outrider/jobs/guard/mission_log.hpp"
-#include "outrider/jobs/guard/prepare.hpp"
+#include "outrider/jobs/guard/mission/mission_log.hpp"
+#include "outrider/jobs/guard/run/prepare.hpp"
 #include "outrider/nodes/mission_node.hpp"
 #include "outrider/nodes/piece_driver.hpp"
 #include "outrider/nodes/remote_gun.hpp"
@@ -44,11 +44,10 @@ std::vector<OptionGroup> describe(GuardMissionNodeOptions& options);
 
 class GuardMissionNode final : public MissionNode {
  public:
-  /// Prepares the mission of a scenario that load_problem() has read. Faults: bad_input for a yard that
-  /// targets enter, leave or walk about in, for limited supplies and for terrain; those of prepare_guard().
+  /// Prepares the mission of a scenario that load_problem() has read. Faults: those of check_capabilities()
+  /// with `topics` and of prepare_guard().
   static Outcome<std::unique_ptr<PreparedGuard>> prepare(GuardScenario scenario,
-                                                         const GuardMissionNodeOptions& options,
-                                                         const Budget& budget = {});
+                                                         const GuardMissionNodeOptions& options);
   GuardMissionNode(GuardMissionNodeOptions options, std::unique_ptr<PreparedGuard> guard);
   [[nodiscard]] const GuardMission& mission() const { return *mission_; }
 

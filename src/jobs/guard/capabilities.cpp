@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/scenario.hpp"
 
 namespace outrider {
@@ -15,6 +16,9 @@ constexpr std::string_view who_is_inside = "what stands in the way would change 
 constexpr std::string_view shared_once = "the targets are shared out once, before anybody drives";
 constexpr std::string_view drives_arrive =
     "who comes, survives or moves is waited for where a drive ends as planned";
+constexpr std::string_view untold = "no topic tells where intruders are";
+constexpr std::string_view still_problem = "the PDDL problem is of a still yard";
+constexpr std::string_view of_one_robot = "it is made for one robot";
 constexpr std::string_view unseen = "while the yard is explored nobody may come, move or be missed";
 
 const CapabilityRow& row_of(Capability capability) {
@@ -26,6 +30,8 @@ const CapabilityRow& row_of(Capability capability) {
 const std::vector<CapabilityRow>& capabilities() {
   using enum Capability;
   static const std::vector<CapabilityRow> rows = {
+      {own_robot, "a robot that is not simulated", ""},
+      {topics, "a robot behind topics", ""},
       {arrivals, "intruders that keep coming", "arrivals"},
       {survivors, "intruders that may survive a hit", "arrivals.leave"},
       {walkers, "intruders that walk about", "wander.speed"},
@@ -39,6 +45,9 @@ const std::vector<CapabilityRow>& capabilities() {
       {held_up, "a robot that is held up (kidnapped_at, stuck_from, blocked_at, planner_fails_from)",
        "faults.kidnapped_at"},
       {team, "several robots", "robots"},
+      {planner, "a planner other than best_tour", "plan.planner"},
+      {proof, "a proof that the tour is the best", "plan.prove"},
+      {pddl, "a problem in PDDL", "pddl"},
   };
   return rows;
 }
@@ -46,6 +55,14 @@ const std::vector<CapabilityRow>& capabilities() {
 const std::vector<Clash>& clashes() {
   using enum Capability;
   static const std::vector<Clash> table = {
+      {own_robot, unknown, "the yard has to be explored first"},
+      {own_robot, team, "a mission is that of one robot"},
+      {own_robot, pddl, "that is no mission"},
+      {topics, arrivals, untold},
+      {topics, survivors, untold},
+      {topics, walkers, untold},
+      {topics, supplies, "no topic tells how full tank and battery are"},
+      {topics, terrain, "it drives on flat ground"},
       {arrivals, walkers, "who enters goes to one place and stays there"},
       {arrivals, unknown, unseen},
       {arrivals, rigid, still_bodies},
@@ -81,11 +98,17 @@ const std::vector<Clash>& clashes() {
       {unknown, rigid, "the rigid robot has no range finder"},
       {unknown, blocking, "targets that block would be walls on the map"},
       {unknown, team, "one robot explores the yard"},
+      {arrivals, pddl, still_problem},
+      {survivors, pddl, still_problem},
+      {walkers, pddl, still_problem},
+      {team, planner, of_one_robot},
+      {team, proof, of_one_robot},
+      {team, pddl, of_one_robot},
   };
   return table;
 }
 
-std::vector<Capability> asked_of(const GuardScenario& scenario) {
+std::vector<Capability> requested_capabilities(const GuardScenario& scenario) {
   using enum Capability;
   const GuardProblem& problem = scenario.problem;
   GuardSimParams other_faults = scenario.faults;
@@ -104,6 +127,9 @@ std::vector<Capability> asked_of(const GuardScenario& scenario) {
       {faults, other_faults.any()},
       {held_up, scenario.faults.way.any() || scenario.faults.planner.any()},
       {team, scenario.robots > 1},
+      {planner, scenario.options.planner != guard_planners().front().name},
+      {proof, scenario.options.prove},
+      {pddl, scenario.pddl.any()},
   };
   std::vector<Capability> asked;
   for (const auto& [capability, is_asked] : all) {
@@ -117,8 +143,9 @@ Status check_capabilities(const std::vector<Capability>& asked) {
     if (std::ranges::count(asked, clash.one) == 0 || std::ranges::count(asked, clash.other) == 0) continue;
     const CapabilityRow& one = row_of(clash.one);
     const CapabilityRow& other = row_of(clash.other);
-    return bad_input(fmt::format("{} and {} do not go together, because {}; leave out {} or {}", one.noun,
-                                 other.noun, clash.why, one.key, other.key),
+    const std::string left_out = one.key.empty() ? "" : fmt::format("{} or ", one.key);
+    return bad_input(fmt::format("{} and {} do not go together, because {}; leave out {}{}", one.noun,
+                                 other.noun, clash.why, left_out, other.key),
                      std::string(other.key));
   }
   return {};

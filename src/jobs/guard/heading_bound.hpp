@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "heading_fields.hpp"
-#include "outrider/jobs/guard/firing_map.hpp"
+#include "outrider/jobs/guard/yard/firing_map.hpp"
 
 namespace outrider {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "heading_cone.hpp"
-#include "outrider/jobs/guard/firing_map.hpp"
+#include "outrider/jobs/guard/yard/firing_map.hpp"
 
 namespace outrider {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "assemble.hpp"
 #include "outrider/ballistics/sight.hpp"
 #include "outrider/tour/solve.hpp"
+#include "plan/assemble.hpp"
 
 namespace outrider {
 namespace {

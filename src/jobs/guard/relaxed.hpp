@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "heading_fields.hpp"
-#include "lattice.hpp"
 #include "outrider/core/budget.hpp"
-#include "outrider/jobs/guard/firing_map.hpp"
+#include "outrider/jobs/guard/yard/firing_map.hpp"
+#include "yard/lattice.hpp"
 
 namespace outrider {
 

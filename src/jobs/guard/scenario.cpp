@@ -12,12 +12,12 @@
 #include "outrider/io/terrain.hpp"
 #include "outrider/io/values.hpp"
 #include "outrider/io/world_changes.hpp"
-#include "outrider/jobs/guard/arrivals_file.hpp"
 #include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
-#include "outrider/jobs/guard/sightings_file.hpp"
-#include "outrider/jobs/guard/stations_file.hpp"
-#include "outrider/jobs/guard/team_starts.hpp"
+#include "outrider/jobs/guard/yard/arrivals_file.hpp"
+#include "outrider/jobs/guard/yard/sightings_file.hpp"
+#include "outrider/jobs/guard/yard/stations_file.hpp"
+#include "outrider/jobs/guard/yard/team_starts.hpp"
 #include "outrider/sim/post_place.hpp"
 
 namespace outrider {
@@ -122,26 +122,6 @@ Status set_post_place(GuardScenario& scenario) {
   return check_post_place(scenario.problem.world, *place, way.blocked_at_s);
 }
 
-/// Several robots: what else plans or asks for one robot only.
-Status check_team(const GuardScenario& scenario) {
-  if (scenario.robots == 1) return {};
-  if (auto planner = find_guard_planner(scenario.options.planner); !planner) return pass_on(planner);
-  if (scenario.options.planner != guard_planners().front().name)
-    return bad_input(fmt::format("'{}' plans for one robot, and there are {}; give {} or set robots to 1",
-                                 scenario.options.planner, scenario.robots, guard_planners().front().name),
-                     "plan.planner");
-  if (scenario.options.prove)
-    return bad_input(
-        fmt::format("'true' proves the tour of one robot, and there are {}; leave it out or set robots to 1",
-                    scenario.robots),
-        "plan.prove");
-  if (scenario.pddl.any())
-    return bad_input(
-        fmt::format("a problem in PDDL is of one robot, and there are {}; set robots to 1", scenario.robots),
-        "robots");
-  return {};
-}
-
 /// The simulator by its name, and what of the rest combines.
 Status check_combination(const GuardScenario& scenario) {
   if (scenario.sim != "kinematic" && scenario.sim != "physics") {
@@ -151,8 +131,13 @@ Status check_combination(const GuardScenario& scenario) {
   if (scenario.wander.any() && scenario.problem.targets.empty()) {
     return bad_input("intruders that walk about need at least one target; list one", "targets");
   }
-  if (auto ok = check_capabilities(asked_of(scenario)); !ok) return ok;
-  return check_team(scenario);
+  if (auto planner = find_guard_planner(scenario.options.planner); !planner) return pass_on(planner);
+  if (scenario.pddl.write && !scenario.pddl.validate.empty()) {
+    return bad_input(
+        "a problem is written or a plan is judged; leave one of pddl.write and pddl.validate out",
+        "pddl.validate");
+  }
+  return check_capabilities(requested_capabilities(scenario));
 }
 
 Status need(const std::string& value, const std::string& key, const std::string& what) {

@@ -57,7 +57,7 @@ class Guarded {
   }
   /// What the mission calls reached was hit.
   void expect_true() const {
-    const auto& records = node().mission().tasks.records;
+    const auto& records = node().mission().board().records();
     for (std::size_t i = 0; i < records.size(); ++i) {
       if (records[i].status == TargetStatus::reached) {
         EXPECT_TRUE(sim().gone()[i]) << i;
@@ -196,7 +196,7 @@ class BoxScanner final : public Node {
 
 TEST(GuardBehindTopics, StopsForWhatTheScanShows) {
   Guarded guarded(yard());
-  const auto& queue = guarded.node().mission().tasks.queue;
+  const auto& queue = guarded.node().mission().board().queue();
   Vec2 from = guarded.scenario.problem.start.position, to = from;
   for (auto task = queue.begin(); task != queue.end() && distance(from, to) < 1.5; ++task) {
     from = to;
@@ -220,7 +220,7 @@ TEST(GuardBehindTopics, WhatTopicsCannotTellIsRefused) {
   EXPECT_EQ(GuardMissionNode::prepare(scenario, {}).error().where, "supplies");
   scenario = yard(1);
   scenario.arrivals.leave = 0.5;
-  EXPECT_EQ(GuardMissionNode::prepare(scenario, {}).error().where, "arrivals");
+  EXPECT_EQ(GuardMissionNode::prepare(scenario, {}).error().where, "arrivals.leave");
   scenario = yard(1);
   scenario.robots = 2;
   EXPECT_EQ(GuardMissionNode::prepare(scenario, {}).error().where, "robots");

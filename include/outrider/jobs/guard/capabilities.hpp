@@ -1,6 +1,6 @@
 // Capabilities: the optional features of a guard task, and which of them combine. A task without any has
 // still targets in a known, level yard without air. src/jobs/guard/capabilities.cpp holds the two tables;
-// only these tables exclude combinations.
+// only these tables exclude combinations, whoever asks: the tool, a node or Python.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,8 @@ namespace outrider {
 struct GuardScenario;
 
 enum class Capability : std::uint8_t {
+  own_robot,  ///< a robot that is no simulation of the job carries the mission out
+  topics,     ///< the same, and it is known from topics alone
   arrivals,   ///< intruders enter one after another
   survivors,  ///< an intruder may survive a hit and move to another place
   walkers,    ///< intruders walk about
@@ -26,13 +28,16 @@ enum class Capability : std::uint8_t {
   faults,     ///< faults of the robot that the mission is not told
   held_up,    ///< drives that end before their goal, because the robot is moved, blocked or stuck
   team,       ///< several robots that share the targets
+  planner,    ///< a planner that is not the first of the catalogue
+  proof,      ///< a proof that the tour is the best
+  pddl,       ///< the decision problem in PDDL instead of a mission
 };
 
 /// The names of a capability.
 struct CapabilityRow {
   Capability capability = Capability::arrivals;
   std::string_view noun;  ///< noun phrase for messages, such as "intruders that keep coming"
-  std::string_view key;   ///< option that turns the capability on
+  std::string_view key;   ///< option that turns the capability on; empty: the caller does
 };
 
 /// Returns all capabilities, in the order of the enum.
@@ -47,8 +52,9 @@ struct Clash {
 /// Returns all pairs of capabilities that do not combine.
 const std::vector<Clash>& clashes();
 
-/// Returns the capabilities that a scenario uses, in the order of the enum. Its world must be loaded.
-std::vector<Capability> asked_of(const GuardScenario& scenario);
+/// Returns the capabilities that a scenario uses, in the order of the enum, without those of its caller. Its
+/// world must be loaded.
+std::vector<Capability> requested_capabilities(const GuardScenario& scenario);
 
 /// Checks that the capabilities combine. The fault describes the first pair that does not, at the key of its
 /// second member.

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "outrider/jobs/guard/plan.hpp"
+#include "outrider/jobs/guard/plan/plan.hpp"
 
 namespace outrider {
 

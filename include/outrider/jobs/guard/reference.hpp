@@ -5,7 +5,7 @@
 // bound is 0. Only the last one may serve several targets from one stop, if they happen to be in reach.
 #pragma once
 
-#include "outrider/jobs/guard/plan.hpp"
+#include "outrider/jobs/guard/plan/plan.hpp"
 
 namespace outrider {
 

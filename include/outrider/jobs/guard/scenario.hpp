@@ -7,10 +7,10 @@
 #include "outrider/core/options.hpp"
 #include "outrider/core/outcome.hpp"
 #include "outrider/io/robot_file.hpp"
-#include "outrider/jobs/guard/arrivals.hpp"
 #include "outrider/jobs/guard/problem.hpp"
-#include "outrider/jobs/guard/scout.hpp"
-#include "outrider/jobs/guard/wander.hpp"
+#include "outrider/jobs/guard/run/scout.hpp"
+#include "outrider/jobs/guard/yard/arrivals.hpp"
+#include "outrider/jobs/guard/yard/wander.hpp"
 #include "outrider/sim/explorer_sim_params.hpp"
 #include "outrider/sim/guard_sim_params.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "outrider/jobs/guard/plan/supply_plan.hpp"
 #include "outrider/jobs/guard/problem.hpp"
-#include "outrider/jobs/guard/supply_plan.hpp"
 #include "outrider/jobs/guard/temporal.hpp"
 
 namespace outrider {

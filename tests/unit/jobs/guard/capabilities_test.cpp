@@ -6,14 +6,15 @@
 #include <set>
 
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/jobs/guard/rigid_world.hpp"
+#include "outrider/jobs/guard/run/rigid_world.hpp"
 #include "support/random_terrain.hpp"
 #include "support/random_yard.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr std::size_t all = static_cast<std::size_t>(Capability::team) + 1;
+constexpr std::size_t all = static_cast<std::size_t>(Capability::pddl) + 1;
+constexpr auto first = static_cast<std::size_t>(Capability::arrivals);  // of those that a scenario asks for
 
 Capability at(std::size_t index) { return static_cast<Capability>(index); }
 
@@ -30,9 +31,10 @@ TEST(Capabilities, TheTablesAreComplete) {
   for (std::size_t i = 0; i < all; ++i) {
     const CapabilityRow& row = capabilities()[i];
     EXPECT_EQ(row.capability, at(i));
-    EXPECT_TRUE(keys.insert(row.key).second) << row.key;
+    EXPECT_EQ(row.key.empty(), i < first) << row.noun;
+    EXPECT_TRUE(row.key.empty() || keys.insert(row.key).second) << row.key;
     EXPECT_TRUE(nouns.insert(row.noun).second) << row.noun;
-    EXPECT_FALSE(row.key.empty() || row.noun.empty());
+    EXPECT_FALSE(row.noun.empty());
   }
   std::set<std::pair<Capability, Capability>> pairs;
   for (const Clash& clash : clashes()) {
@@ -52,7 +54,7 @@ TEST(Capabilities, EachIsAskedForByAKeyThatExists) {
     }
   }
   for (const CapabilityRow& row : capabilities())
-    EXPECT_TRUE(known.contains(std::string(row.key))) << row.key;
+    EXPECT_TRUE(row.key.empty() || known.contains(std::string(row.key))) << row.key;
 }
 
 TEST(Capabilities, ARefusalNamesBothKeysAndTheReason) {
@@ -137,21 +139,27 @@ void ask_for(GuardScenario& scenario, Capability capability) {
     case Capability::faults: scenario.faults.position_ratio = 1.5; break;
     case Capability::held_up: scenario.faults.way.kidnapping = {1.0, 0.3, 0.5}; break;
     case Capability::team: scenario.robots = 2; break;
+    case Capability::planner: scenario.options.planner = "shrinking_circles"; break;
+    case Capability::proof: scenario.options.prove = true; break;
+    case Capability::own_robot:
+    case Capability::topics:
+    case Capability::pddl: FAIL() << "no simulated mission";
   }
 }
 
 /// Every pair that is not in the table, and each capability alone, really runs to an honest end.
 TEST(Capabilities, WhatIsAcceptedRuns) {
   int runs = 0;
-  for (std::size_t i = 0; i < all; ++i) {
-    for (std::size_t k = i; k < all; ++k) {
+  for (std::size_t i = first; i + 1 < all; ++i) {
+    for (std::size_t k = i; k + 1 < all; ++k) {
       if (i != k && clash_of(at(i), at(k)) != nullptr) continue;
       SCOPED_TRACE(std::string(capabilities()[i].key) + " and " + std::string(capabilities()[k].key));
       GuardJob job;
       fill_in(job.scenario);
       ask_for(job.scenario, at(i));
       if (i != k) ask_for(job.scenario, at(k));
-      ASSERT_EQ(asked_of(job.scenario), i == k ? std::vector{at(i)} : (std::vector{at(i), at(k)}));
+      ASSERT_EQ(requested_capabilities(job.scenario),
+                i == k ? std::vector{at(i)} : (std::vector{at(i), at(k)}));
       if (job.scenario.sim == "physics" && !make_rigid_world(job.scenario.problem)) continue;  // no engine
       outrider::Run run;
       const auto done = job.run(run, {});

@@ -1,0 +1,17 @@
+// The simulated robot of a guard task: a body that drives to waypoints, a gun, stores, and a target detector
+// (sim/simulated_robot.hpp).
+#pragma once
+
+#include "outrider/jobs/guard/yard/firing_map.hpp"
+#include "outrider/sim/simulated_robot.hpp"
+
+namespace outrider {
+
+/// Makes the robot. The problem, the firing map and the log must outlive it. All errors are drawn from named
+/// random streams of the seed: arrival, gun, timing, survival, sight. The stores begin at `levels`, at most
+/// full. The problem does not know of the faults.
+SimulatedRobot simulated_guard(const GuardProblem& problem, const FiringMap& firing_map, Log& log,
+                               std::uint64_t seed, TargetSimParams targets = {},
+                               const StoreLevels& levels = {}, const GuardSimParams& faults = {});
+
+}  // namespace outrider

@@ -1,0 +1,88 @@
+#include "outrider/jobs/guard/mission/cut_drives.hpp"
+
+#include <fmt/format.h>
+
+#include "outrider/jobs/guard/mission/task_board.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double held_up_s = 10.0;  ///< for which a robot waits that does not get away
+constexpr double same_place_m = 0.1;
+constexpr double off_m = 0.1;        ///< beyond twice the largest error of a drive
+constexpr double obstacle_m = 0.25;  ///< radius of what is taken to stand in the way
+constexpr double beyond_m = 0.01;
+constexpr std::int64_t drives_around = 2;  ///< from that many drives that ended at one place on
+constexpr std::int64_t waits = 3;
+constexpr std::int64_t most_here = 4;
+constexpr std::int64_t most_in_place = 12;
+constexpr std::int64_t most_of_all = 200;
+
+}  // namespace
+
+/// The shots that the drive did not come to are not fired. `again`: they are planned for the next drive;
+/// whether those of the last moments were fired is not known.
+void TaskBoard::take_back_unfired(double time_s, bool again) {
+  constexpr double unsure_s = 1.5;
+  std::erase_if(flying_, [&](FlyingBall& ball) {
+    if (!ball.in_passing) return false;
+    const bool unfired = ball.leaves_s > time_s;
+    ball.unsure = again && ball.leaves_s > time_s - unsure_s;
+    if (unfired) --records_[ball.target].shots;
+    if (unfired && again) queue_.front().passing.push_back(ball.target);
+    return unfired;
+  });
+}
+
+void TaskBoard::interrupt_drive(double time_s) {
+  arrived_ = false;
+  take_back_unfired(time_s, false);
+}
+
+AfterDrive TaskBoard::after_drive(const Observation& seen) {
+  CutDrives& cut = cut_;
+  cut.driving = false;
+  const Vec2 here = seen.odometry.position;
+  if (distance(here, last_place_) <= 2.0 * problem_->errors.position_m + off_m) {
+    cut.here = cut.in_place = 0;
+    return AfterDrive::go_on;
+  }
+  const bool same_place = cut.in_place > 0 && distance(here, cut.place) <= same_place_m;
+  cut.here = same_place ? cut.here + 1 : 1;
+  cut.in_place = same_place ? cut.in_place + 1 : 1;
+  cut.place = here;
+  take_back_unfired(seen.time_s, true);
+  if (++cut.all > most_of_all || cut.here == most_here || cut.in_place > most_in_place) {
+    cut.here = 0;
+    StopTask& task = queue_.front();  // whom no drive has hit is shot at from here
+    task.targets.insert(task.targets.end(), task.passing.begin(), task.passing.end());
+    task.passing.clear();
+    return AfterDrive::go_on;
+  }
+  if (cut.here == drives_around) {
+    const double ahead_m = obstacle_gap_m(*problem_) + beyond_m;
+    cut.obstacles.push_back(here + ahead_m * direction(seen.odometry.heading_rad));
+  }
+  return cut.here == waits ? AfterDrive::wait : AfterDrive::drive_again;
+}
+
+/// Looks where the drive to the present task has ended. Returns a command if the robot is held up.
+std::optional<Command> TaskBoard::wait_if_held_up(const Observation& seen) {
+  if (!cut_.driving || queue_.empty()) return std::nullopt;
+  const AfterDrive next = after_drive(seen);
+  arrived_ = next == AfterDrive::go_on;
+  if (next == AfterDrive::wait) return Wait{seen.time_s + held_up_s};
+  return std::nullopt;
+}
+
+double obstacle_gap_m(const GuardProblem& problem) { return problem.robot.radius_m + obstacle_m; }
+
+std::string why_held_up(const CutDrives& cut) {
+  if (cut.all == 0) return {};
+  return fmt::format(
+      "; {} drive{} ended elsewhere than planned: was the robot moved, is something in its way, or do its "
+      "wheels stick?",
+      cut.all, cut.all == 1 ? "" : "s");
+}
+
+}  // namespace outrider

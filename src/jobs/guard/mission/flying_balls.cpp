@@ -1,0 +1,196 @@
+#include "outrider/jobs/guard/mission/task_board.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "team/team_detour.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double lost_s = 5.0;  // after the planned landing, a ball without a result
+
+bool has_stop(const std::deque<StopTask>& queue, std::size_t record) {
+  return std::ranges::any_of(queue, [record](const StopTask& task) {
+    return std::ranges::find(task.targets, record) != task.targets.end();
+  });
+}
+
+/// The shots at all targets, if those at the first `planned` of them do not suffer from it; else these alone.
+std::vector<PassingHit> hits_along(PassingShots& solver, const Observation& seen,
+                                   const std::vector<Vec2>& way, const std::vector<std::size_t>& targets,
+                                   std::size_t planned) {
+  const double heading = seen.odometry.heading_rad;
+  const GunState gun = seen.gun.value_or(GunState{});
+  const std::vector<std::size_t> first(targets.begin(),
+                                       targets.begin() + static_cast<std::ptrdiff_t>(planned));
+  auto needed = solver.along(heading, way, gun, first);
+  if (planned == targets.size()) return needed;
+  auto all = solver.along(heading, way, gun, targets);
+  const bool suffers = std::ranges::any_of(needed, [&](const PassingHit& hit) {
+    return std::ranges::find(all, hit.target, &PassingHit::target) == all.end();
+  });
+  return suffers ? needed : all;
+}
+
+/// The number of shots for which there is water.
+std::size_t shots_left(const Observation& seen, const Supplies& supplies) {
+  constexpr double rounding = 1e-9, many = 1e6;
+  if (!seen.stores || !supplies.ends(Store::water)) return static_cast<std::size_t>(many);
+  const double shots = (1.0 + rounding) * seen.stores->water / supplies.shot_water;
+  return static_cast<std::size_t>(std::clamp(shots, 0.0, many));
+}
+
+/// The first records of those with these targets that no shot hits.
+std::vector<std::size_t> not_hit_of(const std::vector<std::size_t>& records,
+                                    const std::vector<std::size_t>& targets,
+                                    const std::vector<PassingHit>& hits) {
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (std::ranges::find(hits, targets[i], &PassingHit::target) == hits.end()) left.push_back(records[i]);
+  }
+  return left;
+}
+
+}  // namespace
+
+std::string missed(const TargetRecord& record) {
+  if (record.unanswered > 0) {
+    return fmt::format(
+        "no hit by {} shot{}, of which {} had no result: is the gun jammed, or its tank empty?", record.shots,
+        record.shots == 1 ? "" : "s", record.unanswered);
+  }
+  return fmt::format("missed {} time{}", record.shots, record.shots == 1 ? "" : "s");
+}
+
+Outcome<std::vector<Vec2>> TaskBoard::way_between(const Pose2& from, Vec2 to) const {
+  if (keep_away_ || !cut_.obstacles.empty()) {
+    auto [standing, gap_m] = keep_away_.value_or(KeepAway{{}, obstacle_gap_m(*problem_)});
+    standing.insert(standing.end(), cut_.obstacles.begin(), cut_.obstacles.end());
+    if (auto way = way_around(*problem_, *firing_map_, from.position, to, standing, gap_m, budget_))
+      return std::move(*way);
+  }
+  if (routes_) {
+    auto route = routes_->route(from, to, budget_);
+    if (route) return std::move(route->waypoints);
+    if (route.error().code == FaultCode::budget_exhausted) return pass_on(route);
+  }
+  // No corner of an obstacle is seen from here or from there: along the grid.
+  auto routes = yard_routes(*problem_, *firing_map_, {from.position, to}, budget_);
+  if (!routes && routes.error().code == FaultCode::budget_exhausted) return pass_on(routes);
+  if (routes) {
+    if (auto way = routes->waypoints(0, 1); !way.empty()) return way;
+  }
+  return std::vector<Vec2>{from.position};
+}
+
+/// Takes a target off the stops that were to hit it.
+void TaskBoard::take_off(std::size_t target) {
+  for (StopTask& task : queue_) {
+    const auto at = std::ranges::find(task.targets, target);
+    if (at == task.targets.end()) continue;
+    const auto k = at - task.targets.begin();
+    task.targets.erase(at);
+    if (std::cmp_less(k, task.guns.size())) task.guns.erase(task.guns.begin() + k);
+  }
+}
+
+/// The records that may be hit during the drive to the present task: first those that are to be, then those
+/// by the way; no two at the same place. Drives to stations are for the store alone.
+std::vector<std::size_t> TaskBoard::wanted_in_passing() {
+  const StopTask& task = queue_.front();
+  std::vector<std::size_t> wanted = task.passing;
+  std::erase_if(lost_, [&](std::size_t record) { return !has_stop(queue_, record); });
+  if (!on_the_move_ || task.call) return wanted;
+  for (const auto* records : {&by_the_way_, &lost_}) {
+    for (const std::size_t record : *records) {
+      const auto stands_there = [&](std::size_t other) { return target_of(other) == target_of(record); };
+      if (std::ranges::none_of(wanted, stands_there)) wanted.push_back(record);
+    }
+  }
+  return wanted;
+}
+
+/// Notes that a shot will be fired in passing.
+void TaskBoard::note_shot(std::size_t target, const PassingHit& hit, const std::vector<Vec2>& way,
+                          const Observation& seen) {
+  const Vec2 from = way[hit.leg - 1];
+  const Vec2 to = way[hit.leg];
+  aim_at(target, hit.shot,
+         {platform_on(problem_->robot, from, to, hit.after_s, firing_map_->ground.terrain()).position,
+          heading_of(to - from)});
+  const double leaves_s = seen.time_s + hit.leaves_s;
+  launch({target, leaves_s + hit.shot.flight_s, true, leaves_s});
+}
+
+std::optional<std::vector<FireInPassing>> TaskBoard::shots_in_passing(const std::vector<Vec2>& way,
+                                                                      const Observation& seen) {
+  const std::vector<std::size_t> wanted = wanted_in_passing();
+  std::vector<FireInPassing> shots;
+  if (wanted.empty()) return shots;
+  auto planned = queue_.front().passing;
+  std::vector<std::size_t> targets;
+  for (const std::size_t record : wanted) targets.push_back(target_of(record));
+  PassingShots solver(*problem_, *firing_map_);
+  auto hits = hits_along(solver, seen, way, targets, planned.size());
+  hits.resize(std::min(hits.size(), shots_left(seen, problem_->supplies)));
+  if (stops_first(not_hit_of(planned, targets, hits), seen)) return std::nullopt;
+  queue_.front().passing.clear();
+  for (const PassingHit& hit : hits) {
+    const auto nth = std::ranges::find(targets, hit.target) - targets.begin();
+    const std::size_t record = wanted[static_cast<std::size_t>(nth)];
+    note_shot(record, hit, way, seen);
+    shots.push_back({record, hit.leg, hit.after_s, hit.shot.shot});
+    take_off(record);
+    std::erase(planned, record);
+  }
+  for (const std::size_t record : planned) {
+    stop_for(record);
+    lost_.push_back(record);
+  }
+  return shots;
+}
+
+void TaskBoard::note_flying(const Observation& seen, bool again) {
+  for (const FlyingBall& ball : std::exchange(flying_, {})) {
+    TargetRecord& record = records_[ball.target];
+    const ShotResult* const result = result_of(seen, ball.target);
+    if (result == nullptr && !ball.awaited && seen.time_s < ball.lands_s + lost_s) {
+      flying_.push_back(ball);
+      continue;
+    }
+    if (result == nullptr && ball.unsure) {
+      --record.shots;
+      stop_for(ball.target);
+      continue;
+    }
+    if (result == nullptr) ++record.unanswered;
+    silence_.note(ball.target, result != nullptr, seen.time_s);
+    if (result != nullptr && result->hit) {
+      note_hit(ball.target, ball.in_passing ? " in passing" : "", result->landed_s);
+    } else if (!again) {
+      continue;
+    } else if (++record.tries < problem_->tries) {
+      stop_for(ball.target);
+    } else {
+      settle(ball.target, TargetStatus::failed, missed(record), seen.time_s);
+    }
+  }
+}
+
+std::optional<Wait> TaskBoard::wait_for_balls(double time_s) {
+  constexpr double late_s = 0.1;
+  if (waited_s_ == time_s) {
+    for (FlyingBall& ball : flying_) ball.lands_s = time_s - lost_s;
+    return std::nullopt;
+  }
+  waited_s_ = time_s;
+  double until_s = time_s;
+  for (const FlyingBall& ball : flying_) until_s = std::max(until_s, ball.lands_s);
+  return Wait{until_s > time_s ? until_s : time_s + late_s};
+}
+
+}  // namespace outrider

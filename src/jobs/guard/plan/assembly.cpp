@@ -1,0 +1,191 @@
+#include "plan/assembly.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "outrider/jobs/guard/plan/supply_plan.hpp"
+#include "plan/assemble.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double lost_shot_s = 10.0;  // for a target that has no shot from where the robot got to
+
+/// Displacements of a stop by the largest error of a drive.
+std::array<Vec2, 4> displacements(double off_m) {
+  return {Vec2{off_m, 0.0}, Vec2{0.0, off_m}, Vec2{-off_m, 0.0}, Vec2{0.0, -off_m}};
+}
+
+}  // namespace
+
+std::vector<std::size_t>& Choice::passing_beside(std::size_t stop) {
+  const auto before = stops.begin() + static_cast<std::ptrdiff_t>(stop);
+  const auto stations =
+      std::count_if(stops.begin(), before, [](const ChosenStop& s) { return s.call.has_value(); });
+  return passing[static_cast<std::size_t>(stations)];
+}
+
+Choice choice_of(const GuardPlan& plan) {
+  Choice choice;
+  for (const PlannedStop& stop : plan.stops) {
+    choice.stops.push_back({stop.position, {}, stop.call});
+    for (const PlannedHit& hit : stop.hits) choice.stops.back().targets.push_back(hit.target);
+    if (stop.call) choice.passing.emplace_back();
+  }
+  return choice;
+}
+
+Assembly::Assembly(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan)
+    : problem_(problem),
+      firing_map_(firing_map),
+      plan_(plan),
+      sure_(problem, firing_map),
+      passing_(problem, firing_map) {
+  routes_index_[{problem.start.position.x, problem.start.position.y}] = 0;
+  for (std::size_t i = 0; i < plan.stops.size(); ++i) {
+    const Vec2 place = plan.stops[i].position;
+    routes_index_[{place.x, place.y}] = i + 1;
+  }
+}
+
+std::optional<GuardPlan> Assembly::plan_of(const Choice& choice) {
+  GuardPlan result = plan_;
+  result.stops.clear();
+  Pose2 pose = problem_.start;
+  GunState gun;
+  auto segment = choice.passing.begin();
+  std::vector<std::size_t> left = *segment;
+  for (const ChosenStop& chosen : choice.stops) {
+    if (!chosen.made()) continue;
+    const auto& [place, targets, call] = chosen;
+    PlannedStop stop{place, way(pose, place), {}, call};
+    if (stop.waypoints.empty()) return std::nullopt;
+    if (call) {  // the drive there is for the store alone, and the gun comes to rest
+      if (!left.empty()) return std::nullopt;
+      left = *++segment;
+      gun = {};
+    } else {
+      stop.passing = passing_.along(pose.heading_rad, stop.waypoints, gun, left);
+      for (const PassingHit& hit : stop.passing) std::erase(left, hit.target);
+      gun = gun_after(stop.passing, gun);
+    }
+    pose = {place, drive(pose, stop.waypoints).heading_rad};
+    for (const std::size_t target : targets) {
+      const auto& shot = shot_from(place, target, gun.pitch_rad);
+      if (!shot) return std::nullopt;
+      stop.hits.push_back({target, *shot});
+      gun = joints_of(firing_map_, pose, shot->gun);
+    }
+    result.stops.push_back(std::move(stop));
+  }
+  if (!left.empty()) return std::nullopt;
+  PlanClock clock(problem_, firing_map_, result);
+  while (!clock.done()) {
+    clock.make_stop();
+    if (!suffices(problem_.supplies, clock.level())) return std::nullopt;
+  }
+  result.cost_s = clock.end_s();
+  return result;
+}
+
+double Assembly::drives_s(const Choice& choice) {
+  Pose2 pose = problem_.start;
+  double time = 0.0;
+  for (const ChosenStop& stop : choice.stops) {
+    if (!stop.made()) continue;
+    const auto& waypoints = way(pose, stop.place);
+    if (waypoints.empty()) return std::numeric_limits<double>::infinity();
+    const DriveCost there = drive(pose, waypoints);
+    time += there.time_s;
+    pose = {stop.place, there.heading_rad};
+  }
+  return time;
+}
+
+bool Assembly::may_stop(Vec2 place, const std::vector<std::size_t>& targets) {
+  const Cell cell = firing_map_.frame.cell_at(place);
+  if (!firing_map_.frame.contains(cell)) return false;
+  const std::size_t index = firing_map_.frame.index(cell);
+  if (firing_map_.reachable[index] == 0) return false;
+  const double room_m = problem_.robot.radius_m + problem_.errors.position_m;
+  if (firing_map_.ground.clearance(place, room_m) < room_m) return false;
+  if (!firing_map_.ground.segment_free({place, place}, problem_.robot.radius_m)) return false;  // on a slope
+  return std::ranges::all_of(targets, [&](std::size_t target) { return sure_.has(target, index); });
+}
+
+double Assembly::expected_s(const GuardPlan& plan) {
+  double time = plan.cost_s;
+  for (const PlannedStop& stop : plan.stops) {
+    for (const PlannedHit& hit : stop.hits) time += expected_wait_s(stop.position, hit);
+    // On a slope, a way beside the planned one leans the robot otherwise.
+    const bool displaced = &stop != plan.stops.data() && firing_map_.rules.terrain != nullptr;
+    for (const PassingHit& hit : stop.passing) {
+      if (displaced && hit.leg == 1) time += expected_loss_s(stop.waypoints, hit);
+    }
+  }
+  return time;
+}
+
+/// The time that a shot from the first leg adds on average because the leg begins beside the stop before it,
+/// and no shot is found there at about the same time.
+double Assembly::expected_loss_s(const std::vector<Vec2>& waypoints, const PassingHit& hit) const {
+  constexpr double later_s = 0.2;
+  const double off = problem_.errors.position_m;
+  if (off == 0.0) return 0.0;
+  double loss_s = 0.0;
+  for (const Vec2 aside : displacements(off)) {
+    const Straight leg{1, waypoints[0] + aside, waypoints[1], 0.0, 0.0};
+    const auto is_found = [&](int k) {
+      const double after_s = std::max(0.0, hit.after_s + k * later_s);
+      return passing_shot(problem_, firing_map_, hit.target, leg, waypoints.size() == 2, after_s).has_value();
+    };
+    if (!is_found(0) && !is_found(-1) && !is_found(1)) loss_s += lost_shot_s / 4.0;
+  }
+  return loss_s;
+}
+
+/// The time that a shot adds on average because the errors of the drive lead to a place where it has to be
+/// waited for, or where there is none.
+double Assembly::expected_wait_s(Vec2 place, const PlannedHit& hit) {
+  const double off = problem_.errors.position_m;
+  if (off == 0.0) return 0.0;
+  double wait_s = 0.0;
+  for (const Vec2 aside : displacements(off)) {
+    const auto& shot = shot_from(place + aside, hit.target, hit.shot.gun.pitch_rad);
+    if (!shot) {
+      wait_s += lost_shot_s / 4.0;
+    } else if (hit.shot.survives && !shot->survives) {
+      wait_s += shot->flight_s / 4.0;
+    }
+  }
+  return wait_s;
+}
+
+DriveCost Assembly::drive(const Pose2& from, const std::vector<Vec2>& waypoints) const {
+  return drive_cost(problem_.robot, from.heading_rad, waypoints, firing_map_.ground.terrain());
+}
+
+/// The fastest drive, with the turn before it.
+const std::vector<Vec2>& Assembly::way(const Pose2& from, Vec2 to) {
+  const Place begin{from.position.x, from.position.y}, end{to.x, to.y};
+  const auto [entry, added] = ways_.try_emplace({begin, from.heading_rad, end});
+  if (!added) return entry->second;
+  if (auto route = plan_.routes->route(from, to)) {
+    entry->second = std::move(route->waypoints);
+  } else if (routes_index_.contains(begin) && routes_index_.contains(end)) {
+    entry->second = plan_.routes->waypoints(routes_index_[begin], routes_index_[end]);
+  }
+  return entry->second;
+}
+
+const std::optional<PlannedShot>& Assembly::shot_from(Vec2 place, std::size_t target, double pitch_rad) {
+  const auto [entry, added] = shots_.try_emplace({{place.x, place.y}, target, pitch_rad});
+  if (added) {
+    entry->second =
+        best_shot(firing_map_.rules, firing_map_.space(target), problem_.targets[target], place, pitch_rad);
+  }
+  return entry->second;
+}
+
+}  // namespace outrider
