@@ -1,6 +1,12 @@
 #include "research/research.hpp"
 
+#include <algorithm>
+
+#include "outrider/jobs/catalog.hpp"
+#include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/pursuit/catalog.hpp"
+#include "research/guard/pddl_task.hpp"
+#include "research/guard/reference.hpp"
 #include "research/pursuit/iterative_a_star.hpp"
 #include "research/pursuit/multi_goal_a_star.hpp"
 #include "research/pursuit/real_time.hpp"
@@ -44,8 +50,43 @@ void add_pursuit_planners() {
                        .configure = with_pursuit_options(rtaa_star)});
 }
 
+/// A method that has nothing to tell before it is done.
+template <auto Planner>
+Outcome<GuardPlan> at_once(const GuardProblem& problem, const FiringMap& firing_map,
+                           const GuardOptions& options, const Budget& budget, const DraftObserver&) {
+  return Planner(problem, firing_map, options, budget);
+}
+
+Outcome<GuardPlan> circles(const GuardProblem& problem, const FiringMap& firing_map,
+                           const GuardOptions& options, const Budget& budget) {
+  return shrinking_circles(problem, firing_map, options, budget);
+}
+
+void add_guard_planners() {
+  add_guard_planner(
+      {"shrinking_circles",
+       "For each target the first place found on circles that shrink around it; groups of targets as listed, "
+       "each in its best order.",
+       "the method of the reference report, from its description", at_once<circles>});
+  add_guard_planner({"circles_in_order", "The places of shrinking_circles in the best order of all targets.",
+                     "shrinking_circles with the tour solver", at_once<circles_in_order>});
+  add_guard_planner(
+      {"source_target_table",
+       "A table of places and the targets hit from there, looked up; always the nearest place next.",
+       "the abstract of the reference report, from its description", at_once<source_target_table>});
+}
+
 }  // namespace
 
-void add_research() { add_pursuit_planners(); }
+void add_research() {
+  add_pursuit_planners();
+  add_guard_planners();
+}
+
+std::vector<Job> research_jobs() {
+  std::vector<Job> all = jobs();
+  *std::ranges::find(all, "guard", &Job::name) = guard_job_with_pddl();
+  return all;
+}
 
 }  // namespace outrider

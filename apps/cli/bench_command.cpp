@@ -133,7 +133,7 @@ void add_guard_suite(Command& bench) {
       .between(1, 2000)
       .type("N");
   finish(guard, "bench guard", bench::measure_guard, asked);
-  guard.footer("\nExample: outrider bench guard --planners best_tour,shrinking_circles");
+  guard.footer("\nExample: outrider bench guard --targets 100");
 }
 
 void add_slam_suite(Command& bench) {

@@ -13,4 +13,4 @@ print(", ".join(outrider.guard_planners()))
 # anytime: complete; never dearer with more budget, and the least cost when none is set
 # boustrophedon, spiral, quickest
 # tour, information_gain, nearest
-# best_tour, shrinking_circles, circles_in_order, source_target_table
+# best_tour

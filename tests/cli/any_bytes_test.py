@@ -63,7 +63,7 @@ class AnyBytes(ToolTest):
         guard = ["--start", "0,-2,90", *COARSE, "--out", b"guard" + EVIL]
         self.harmless("guard", "--world", EVIL + b".sdf", "--targets", EVIL + b".txt", *guard)
         self.harmless("replay", b"guard" + EVIL + b"/run.mcap", "--svg", EVIL + b".svg")
-        self.harmless("guard", "--world", "yard.sdf", "--targets", "targets.txt", "--start", "0,-2,90", *COARSE, "--pddl", EVIL)
+        self.harmless("guard", "--world", "yard.sdf", "--targets", "targets.txt", "--start", "0,-2,90", *COARSE, "--plan-planner", EVIL)
         self.harmless("run", EVIL + b".yaml")
         self.harmless("plan", EVIL + b".map", "--from", "0.5,3.5", "--to", "5.5,3.5", "--out", b"paths" + EVIL)
         self.harmless("plan", EVIL + b".sdf", "--from", "0,0", "--to", "1,-1")

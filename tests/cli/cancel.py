@@ -52,7 +52,6 @@ def more_runs():
             ("guard, in physics", ["run", str(SOURCE / "scenarios/driveby/driveby.yaml"), "--sim", "physics",
                                    "--plan-shoot-on-the-move=false"]),
             ("guard, unknown and fine", ["run", unknown, "--plan-resolution", "0.04"]),
-            ("guard, as PDDL", ["run", yard, "--pddl"]),
             ("explore, by tours", ["run", str(SOURCE / "scenarios/explore/office.yaml"), "--explore-strategy", "tour"]),
             ("slam, a log", ["run", str(SOURCE / "scenarios/slam/office.yaml")])]
 

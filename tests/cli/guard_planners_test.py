@@ -5,7 +5,7 @@ import xml.etree.ElementTree as ElementTree
 
 from tool import COARSE, ToolTest, main
 
-PLANNERS = ["best_tour", "shrinking_circles", "circles_in_order", "source_target_table"]
+PLANNERS = ["best_tour"]
 SCENARIO = ("job: guard\nworld: yard.sdf\ntargets: targets.txt\nstart: 0,-2,90\nplan:\n"
             + "".join(f"  {flag[len('--plan-'):]}: {value}\n" for flag, value in zip(COARSE[::2], COARSE[1::2])))
 
@@ -25,14 +25,9 @@ class GuardPlanners(ToolTest):
             self.assertEqual(first["metrics"]["reached"], 3, name)
             self.run_tool(*self.guard("--plan-planner", name, "--out", f"{name}-b"))
             self.same_run(f"{name}-a", f"{name}-b")
-        self.write("m.yaml", SCENARIO + "  planner: shrinking_circles\n")
-        self.run_tool("run", "m.yaml", "--out", "key")
-        settings = self.result_of("key")["settings"]
-        self.assertIn("shrinking_circles", json.dumps(settings))
 
-    def test_unknown_planners_and_groups(self):
+    def test_unknown_planners(self):
         self.refused(*self.guard("--planner", "best_tuor"), says=["best_tuor", "did you mean 'best_tour'?", "planner"])
-        self.refused(*self.guard("--plan-group", "9"), says=["--plan-group", "9"])
         self.write("m.yaml", SCENARIO + "  planner: none\n")
         self.refused("run", "m.yaml", says=["plan.planner", "none", "best_tour"])
 
@@ -66,12 +61,11 @@ class GuardBench(ToolTest):
             self.assertGreater(row["planning_s"], 0)
 
     def test_table_for_people_and_a_choice(self):
-        result = self.bench("--seeds", "1", "--planners", "shrinking_circles")
+        result = self.bench("--seeds", "1", "--planners", "best_tour")
         self.assertEqual(result.returncode, 0, result.stderr)
         head, line = result.stdout.splitlines()
         self.assertEqual(len(head), len(line))
-        self.assertEqual(line.split()[:3], ["yard", "shrinking_circles", "1"])
-        self.assertEqual(line.split()[-1], "-")
+        self.assertEqual(line.split()[:3], ["yard", "best_tour", "1"])
 
     def test_a_yard_of_so_many_targets_is_made(self):
         flags = ("--targets", "5", "--planners", "best_tour", "--seeds", "1", "--json")

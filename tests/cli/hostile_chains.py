@@ -176,7 +176,6 @@ def nestings():
     yield "a yaml list that holds itself", "s.yaml", lambda: b"job: &a [*a]\n", ["run", FILE]
     yield "a yaml map that holds itself", "s.yaml", lambda: b"job: plan\nsafest: &a {kept: *a}\n", ["run", FILE]
     yield "yaml of a million keys", "s.yaml", lambda: b"".join(b"k%d: 1\n" % i for i in range(100_000)), ["run", FILE]
-    yield "a pddl plan nested", "p.txt", lambda: b"0: " + b"(" * DEEP + b")" * DEEP, [*GUARD, "--targets", "targets.txt", "--validate", FILE]
     nodes = b"".join(b'<node id="n%d">%s</node>' % (i, b'<instance_node url="#n%d"/>' % (i + 1) * 10) for i in range(40))
     yield "collada nodes that multiply", "mesh.dae", lambda: b'<COLLADA><library_visual_scenes><visual_scene id="s">' + nodes + (
         b'</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>'), ["plan", "with_mesh.dae.sdf", *POINTS]

@@ -76,7 +76,6 @@ def texts():
         *GUARD, "--targets", "targets.txt", "--arrivals-entrances", "gate=0,-2.5", "--arrivals-list", FILE]
     yield "history", "history.csv", "t,id,x,y\n0,fox,1,2\n1,fox,1.5,2\n2,fox,1.8,1.9\n", [
         *GUARD, "--targets", "walkers.txt", "--wander-speed", "0.5", "--wander-history", FILE]
-    yield "pddl plan", "plan.txt", corpus("pddl_plan/plan.txt"), [*GUARD, "--targets", "targets.txt", "--validate", FILE]
     yield "scenario guard", "guard.yaml", scenario("supplies: {stations: 'well=-2,-2,water dock=0,-2.3,charge'}"), ["run", FILE]
     yield "scenario moved", "guard.yaml", scenario("moved: crate=1.5,-2,90", "removed: north"), ["run", FILE]
     yield "scenario plan", "plan2.yaml", PLAN, ["run", FILE]

@@ -109,8 +109,7 @@ class Team(ToolTest):
             self.refused(*self.guard("--robots", robots), says=["--robots", "from 1 to 5"])
 
     def test_what_does_not_combine_is_refused(self):
-        for flags, words in [(["--plan-planner", "circles_in_order"], ["plan.planner", "best_tour"]),
-                             (["--plan-prove"], ["plan.prove", "leave out robots"]), (["--pddl"], ["robots", "PDDL"]),
+        for flags, words in [(["--plan-prove"], ["plan.prove", "leave out robots"]),
                              (["--plan-planner", "tuor"], ["tuor"]),
                              (["--supplies-tank", "3", "--supplies-stations", "well=2,-2,water"], ["robots", "supplies", "stations"]),
                              (["--arrivals-leave", "0.5"], ["robots", "arrivals.leave", "shared out once"]),

@@ -122,7 +122,6 @@ def bases():
         "guard wander": Base("guard", {**guard, "wander": {"speed": "0.3", "history": "history.csv"}}, ("wander",)),
         "guard supplies": Base("guard", {**guard, "supplies": {"tank": "2", "battery": "2", "stations": '"well=-2,-2,both"'}}, ("supplies",)),
         "guard scout": Base("guard", {**guard, "scout": {"unknown": "true"}, "laser": {"beams": "90"}}, ("scout", "laser", "wheels")),
-        "guard pddl": Base("guard", {**guard, "pddl": {"write": "true", "stops": "2"}}, ("pddl",)),
         "guard physics": Base("guard", {**guard, "sim": "physics", "plan": {**guard["plan"], "shoot_on_the_move": "false"}}, ()),
         "guard robots": Base("guard", {**guard, "robots": "2"}, ()),
         "drive": Base("drive", drive),

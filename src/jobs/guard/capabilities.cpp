@@ -17,7 +17,6 @@ constexpr std::string_view shared_once = "the targets are shared out once, befor
 constexpr std::string_view drives_arrive =
     "who comes, survives or moves is waited for where a drive ends as planned";
 constexpr std::string_view untold = "no topic tells where intruders are";
-constexpr std::string_view still_problem = "the PDDL problem is of a still yard";
 constexpr std::string_view of_one_robot = "it is made for one robot";
 constexpr std::string_view unseen = "while the yard is explored nobody may come, move or be missed";
 
@@ -47,7 +46,6 @@ const std::vector<CapabilityRow>& capabilities() {
       {team, "several robots", "robots"},
       {planner, "a planner other than best_tour", "plan.planner"},
       {proof, "a proof that the tour is the best", "plan.prove"},
-      {pddl, "a problem in PDDL", "pddl"},
   };
   return rows;
 }
@@ -57,7 +55,6 @@ const std::vector<Clash>& clashes() {
   static const std::vector<Clash> table = {
       {own_robot, unknown, "the yard has to be explored first"},
       {own_robot, team, "a mission is that of one robot"},
-      {own_robot, pddl, "that is no mission"},
       {topics, arrivals, untold},
       {topics, survivors, untold},
       {topics, walkers, untold},
@@ -98,12 +95,8 @@ const std::vector<Clash>& clashes() {
       {unknown, rigid, "the rigid robot has no range finder"},
       {unknown, blocking, "targets that block would be walls on the map"},
       {unknown, team, "one robot explores the yard"},
-      {arrivals, pddl, still_problem},
-      {survivors, pddl, still_problem},
-      {walkers, pddl, still_problem},
       {team, planner, of_one_robot},
       {team, proof, of_one_robot},
-      {team, pddl, of_one_robot},
   };
   return table;
 }
@@ -129,7 +122,6 @@ std::vector<Capability> requested_capabilities(const GuardScenario& scenario) {
       {team, scenario.robots > 1},
       {planner, scenario.options.planner != guard_planners().front().name},
       {proof, scenario.options.prove},
-      {pddl, scenario.pddl.any()},
   };
   std::vector<Capability> asked;
   for (const auto& [capability, is_asked] : all) {

@@ -10,18 +10,18 @@
 namespace outrider {
 namespace {
 
-struct Step {
+struct TileStep {
   Cell by;
   std::int16_t weight = 0;
 };
 
-constexpr std::array<Step, 4> quarter{{{{1, 0}, 9}, {{2, 1}, 20}, {{1, 1}, 13}, {{1, 2}, 20}}};
+constexpr std::array<TileStep, 4> quarter{{{{1, 0}, 9}, {{2, 1}, 20}, {{1, 1}, 13}, {{1, 2}, 20}}};
 constexpr std::size_t cones = 4 * quarter.size();
 constexpr int reach = 4;  // no tile extends farther from its vertex, along x or y
 constexpr double contact = 1e-9;
 
-Step step(std::size_t i) {
-  Step step = quarter[i % quarter.size()];
+TileStep step(std::size_t i) {
+  TileStep step = quarter[i % quarter.size()];
   for (std::size_t turn = 0; turn < i / quarter.size() % 4; ++turn) step.by = {-step.by.y, step.by.x};
   return step;
 }
@@ -57,7 +57,7 @@ double area(const std::vector<Vec2>& polygon) {
 }
 
 /// The linear function with the weights of both steps, as a gradient.
-Vec2 measure(const Step& p, const Step& q) {
+Vec2 measure(const TileStep& p, const TileStep& q) {
   const Vec2 a = vector(p.by), b = vector(q.by);  // cross(a, b) is 1
   return {p.weight * b.y - q.weight * a.y, q.weight * a.x - p.weight * b.x};
 }
@@ -70,7 +70,7 @@ void each_cell(const Visit& visit) {
   }
 }
 
-std::vector<TileOverlap> overlaps(const Step& p, const Step& q) {
+std::vector<TileOverlap> overlaps(const TileStep& p, const TileStep& q) {
   const Vec2 a = vector(p.by), b = vector(q.by), gradient = measure(p, q);
   std::vector<TileOverlap> found;
   each_cell([&](Cell cell) {
@@ -85,7 +85,7 @@ std::vector<TileOverlap> overlaps(const Step& p, const Step& q) {
 }
 
 /// The far side of the tile that the step `along` leads across: from there, `other` long.
-TileExit exit_along(const Step& along, const Step& other) {
+TileExit exit_along(const TileStep& along, const TileStep& other) {
   TileExit exit{along.by, along.weight, {}};
   const Vec2 from = vector(along.by), to = from + vector(other.by);
   each_cell([&](Cell cell) {
@@ -107,7 +107,7 @@ double HeadingCone::angle_to(const HeadingCone& other) const {
 std::vector<HeadingCone> heading_cones() {
   std::vector<HeadingCone> all;
   for (std::size_t i = 0; i < cones; ++i) {
-    const Step p = step(i), q = step(i + 1);
+    const TileStep p = step(i), q = step(i + 1);
     const double from = heading_of(vector(p.by));
     const double width = wrap_angle(heading_of(vector(q.by)) - from);
     all.push_back({exit_along(p, q), exit_along(q, p), from + 0.5 * width, 0.5 * width, overlaps(p, q)});

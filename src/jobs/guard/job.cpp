@@ -5,7 +5,6 @@
 #include "outrider/job/clock.hpp"
 #include "outrider/jobs/guard/run/rigid_world.hpp"
 #include "outrider/jobs/guard/run/scout_run.hpp"
-#include "pddl_task.hpp"
 #include "run/guard_log.hpp"
 #include "summary.hpp"
 
@@ -73,7 +72,6 @@ Outcome<Warnings> GuardJob::load() {
 }
 
 Status GuardJob::run(Run& run, const RunWatch& watch) {
-  if (scenario.pddl.any()) return run_pddl(scenario, run, watch);
   log_yard(run.log, scenario.problem, scenario.options, static_cast<std::uint64_t>(scenario.seed),
            scenario.sim == "physics");
   if (scenario.scout.unknown) return explore_and_guard(scenario, run, watch);
@@ -88,10 +86,7 @@ Job guard_job() {
           .blank = [] { return std::make_unique<GuardJob>(); },
           .aliases = {{"planner", "plan.planner"},
                       {"prove", "plan.prove"},
-                      {"unknown", "scout.unknown"},
-                      {"pddl", "pddl.write"},
-                      {"validate", "pddl.validate"},
-                      {"validate-tolerance", "pddl.tolerance"}},
+                      {"unknown", "scout.unknown"}},
           .summary = guard_summary};
 }
 

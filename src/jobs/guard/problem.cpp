@@ -24,7 +24,6 @@ std::vector<Option> describe(GuardOptions& options) {
       {"refinements", "", 0, 20, "times that the places near the best tour are looked at closer",
        &options.refinements},
       {"iterations", "", 0, 1e7, "iterations of the tour solver each time", &options.iterations},
-      {"group", "", 1, 8, "targets that shrinking_circles puts in order at a time", &options.group},
       {"memory_cap", "MiB", 1, 1e6, "planning that would need more memory is refused", &options.memory_mib},
       {"gap", "", 0, 1, "part of the tour's time that its lower bound may leave open; 1: no such bound",
        &options.gap},

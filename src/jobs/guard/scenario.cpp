@@ -132,11 +132,6 @@ Status check_combination(const GuardScenario& scenario) {
     return bad_input("intruders that walk about need at least one target; list one", "targets");
   }
   if (auto planner = find_guard_planner(scenario.options.planner); !planner) return pass_on(planner);
-  if (scenario.pddl.write && !scenario.pddl.validate.empty()) {
-    return bad_input(
-        "a problem is written or a plan is judged; leave one of pddl.write and pddl.validate out",
-        "pddl.validate");
-  }
   return check_capabilities(requested_capabilities(scenario));
 }
 
@@ -146,15 +141,6 @@ Status need(const std::string& value, const std::string& key, const std::string&
 }
 
 }  // namespace
-
-std::vector<Option> describe(PddlOptions& options) {
-  return {{"write", "", 0, 0, "write the problem, and our plan, to the folder of --out; no mission",
-           &options.write},
-          {"stops", "", 0, 300, "places beside those of our plan that the problem offers", &options.stops},
-          file_option("validate", "judge this plan for the problem of the same options; no mission",
-                      &options.validate),
-          {"tolerance", "s", 0, 0.1, "by which times of that plan may be off", &options.tolerance_s}};
-}
 
 std::vector<OptionGroup> describe(GuardScenario& scenario) {
   GuardProblem& problem = scenario.problem;
@@ -212,7 +198,6 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
       {"scout", "a yard that is not known", describe(scenario.scout)},
       {"laser", "the range finder of a robot that scouts", describe(scenario.sensors.laser)},
       {"wheels", "the wheels that it counts while it scouts", describe(scenario.sensors.wheels)},
-      {"pddl", "the decision problem as PDDL 2.1, in place of a mission", describe(scenario.pddl)},
   };
 }
 

@@ -101,28 +101,9 @@ std::string team_lines(const Report& report) {
                             duration_text(metric(report, "alone_s")), metric(report, "closest_m"));
 }
 
-/// Of a problem that was written as PDDL, or a plan that was judged, in place of a mission.
-std::string pddl_summary(const Report& report) {
-  const double makespan_s = metric(report, "makespan_s");
-  if (has_metric(report, "our_makespan_s")) {
-    if (report.status != "done") return fmt::format("invalid: {}\n", printable(report.reason));
-    return fmt::format("valid: {:.0f} actions, makespan {:.6f} s; ours takes {:.6f} s\n",
-                       metric(report, "actions"), makespan_s, metric(report, "our_makespan_s"));
-  }
-  const double bound_s = metric(report, "lower_bound_s");
-  return fmt::format(
-      "{}: {:.0f} targets, {:.0f} stops, {:.0f} poses, {:.0f} stations\n"
-      "  our plan takes {:.6f} s; {}\n",
-      printable(report.world_name), metric(report, "targets"), metric(report, "stops"),
-      metric(report, "poses"), metric(report, "stations"), makespan_s,
-      bound_s > 0.0 ? fmt::format("no plan takes less than {:.6f} s", bound_s)
-                    : std::string("how much less another plan takes is not known"));
-}
-
 }  // namespace
 
 std::string guard_summary(const Report& report) {
-  if (!has_metric(report, "mission_s")) return pddl_summary(report);
   std::string text = fmt::format("{}: {:.0f} of {:.0f} targets reached in {}\n\n",
                                  printable(report.world_name), metric(report, "reached"),
                                  metric(report, "targets"), duration_text(metric(report, "mission_s")));

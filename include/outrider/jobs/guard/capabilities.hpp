@@ -30,7 +30,6 @@ enum class Capability : std::uint8_t {
   team,       ///< several robots that share the targets
   planner,    ///< a planner that is not the first of the catalogue
   proof,      ///< a proof that the tour is the best
-  pddl,       ///< the decision problem in PDDL instead of a mission
 };
 
 /// The names of a capability.

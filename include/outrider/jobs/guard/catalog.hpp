@@ -1,4 +1,4 @@
-// The catalogue of guard planners. src/jobs/guard/catalog.cpp is the only list of them.
+// The catalogue of guard planners: the rows of src/jobs/guard/catalog.cpp, and those that a program adds.
 #pragma once
 
 #include <string_view>
@@ -31,6 +31,9 @@ struct GuardPlanner {
 
 /// Returns all guard planners, in the order of display; the first is the default.
 const std::vector<GuardPlanner>& guard_planners();
+
+/// Adds a row at the end, for all who read the catalogue later. Before the first thread starts.
+void add_guard_planner(const GuardPlanner& row);
 
 /// Returns the planner of that name. Fault: bad_input, with the nearest known name.
 Outcome<GuardPlanner> find_guard_planner(std::string_view name);

@@ -7,7 +7,7 @@
 namespace outrider {
 
 /// A task of the job `guard`.
-class GuardJob final : public JobTask {
+class GuardJob : public JobTask {
  public:
   GuardJob() : JobTask("guard") {}
   Outcome<Warnings> load() override;

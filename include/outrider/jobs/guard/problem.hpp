@@ -44,7 +44,6 @@ struct GuardOptions {
   std::int64_t stops = 300;        ///< maximum number of stops given to the tour solver at a time
   std::int64_t refinements = 2;    ///< how often stops near the best tour are selected again, more finely
   std::int64_t iterations = 1000;  ///< iterations of each run of the tour solver
-  std::int64_t group = 4;          ///< number of targets per group of shrinking_circles
   std::int64_t memory_mib = 2048;  ///< memory limit; planning that needs more is refused
   double gap = 0.02;               ///< optimality gap at which the tour solver stops
   bool prove = false;              ///< find an optimal tour of the stops; spend more time on both bounds

@@ -16,18 +16,6 @@
 
 namespace outrider {
 
-/// Options to export the decision problem as PDDL 2.1, or to validate a PDDL plan, instead of running a
-/// mission.
-struct PddlOptions {
-  bool write = false;         ///< write domain, problem and Outrider's own plan
-  std::int64_t stops = 8;     ///< number of stops to offer in addition to those of the plan
-  std::string validate;       ///< path of a plan to validate; empty: none
-  double tolerance_s = 1e-3;  ///< allowed error of times in that plan
-
-  [[nodiscard]] bool any() const { return write || !validate.empty(); }
-};
-std::vector<Option> describe(PddlOptions& options);
-
 /// The settings of a guard mission.
 struct GuardScenario {
   std::string world;         ///< path of an SDF file
@@ -61,7 +49,6 @@ struct GuardScenario {
   GuardSimParams faults;      ///< faults of the robot, which the mission does not know
   std::string blocked_place;  ///< x, y in m, of the post of `faults`; empty: on the way of the robot
   bool regions = false;       ///< log from where each target can be hit
-  PddlOptions pddl;
 
   /// Returns true if all targets are there from the start, stand still and leave when they are hit.
   [[nodiscard]] bool has_still_targets() const {

@@ -57,7 +57,7 @@ bool survives(const ShotRules& rules, const FlightSpace& space, const Target& ta
   return true;
 }
 
-struct Candidate {
+struct PassingShot {
   Aimed aimed;
   double error_ratio = 0.0;
 };
@@ -70,9 +70,9 @@ bool can_point(const ShotRules& rules, const Stance& stance, const Shot& shot) {
 
 /// The first shots at the target's centre that forgive enough, from the lowest pitch up: a flatter one is
 /// sooner there.
-std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, const Platform& platform) {
+std::vector<PassingShot> candidates(const ShotRules& rules, const Target& target, const Platform& platform) {
   const Stance stance = stance_at(rules, platform.position);
-  std::vector<Candidate> found;
+  std::vector<PassingShot> found;
   std::optional<Aimed> before;
   for (const double pitch : pitch_lattice(rules)) {
     if (found.size() == most_flown) break;
@@ -88,7 +88,7 @@ std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, 
 
 /// The flight flown exactly: nothing when it misses or does not keep the margin.
 std::optional<PlannedShot> flown(const ShotRules& rules, const FlightSpace& space, const Target& target,
-                                 const Platform& platform, const Candidate& candidate) {
+                                 const Platform& platform, const PassingShot& candidate) {
   const Shot& shot = candidate.aimed.shot;
   const Flight flight = launch(rules, platform, target, shot);
   const double radius = rules.gun.ball_radius_m;
@@ -172,7 +172,7 @@ std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const Firin
 
   const FlightSpace& space = firing_map.space(target);
   const auto shot_with_errors = displaced_platforms(problem, terrain, straight, last, after_s);
-  for (const Candidate& candidate : candidates(firing_map.rules, aim, platform)) {
+  for (const PassingShot& candidate : candidates(firing_map.rules, aim, platform)) {
     const auto shot = flown(firing_map.rules, space, aim, platform, candidate);
     if (shot && survives(firing_map.rules, space, aim, shot->shot, shot_with_errors)) return shot;
   }

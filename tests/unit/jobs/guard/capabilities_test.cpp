@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/job.hpp"
 #include "outrider/jobs/guard/run/rigid_world.hpp"
 #include "support/random_terrain.hpp"
@@ -13,7 +14,13 @@
 namespace outrider {
 namespace {
 
-constexpr std::size_t all = static_cast<std::size_t>(Capability::pddl) + 1;
+/// Another planner, as programs add them.
+[[maybe_unused]] const bool added = [] {
+  add_guard_planner({"best_tour_again", "The same under another name.", "none", plan_guard});
+  return true;
+}();
+
+constexpr std::size_t all = static_cast<std::size_t>(Capability::proof) + 1;
 constexpr auto first = static_cast<std::size_t>(Capability::arrivals);  // of those that a scenario asks for
 
 Capability at(std::size_t index) { return static_cast<Capability>(index); }
@@ -139,11 +146,10 @@ void ask_for(GuardScenario& scenario, Capability capability) {
     case Capability::faults: scenario.faults.position_ratio = 1.5; break;
     case Capability::held_up: scenario.faults.way.kidnapping = {1.0, 0.3, 0.5}; break;
     case Capability::team: scenario.robots = 2; break;
-    case Capability::planner: scenario.options.planner = "shrinking_circles"; break;
+    case Capability::planner: scenario.options.planner = "best_tour_again"; break;
     case Capability::proof: scenario.options.prove = true; break;
     case Capability::own_robot:
-    case Capability::topics:
-    case Capability::pddl: FAIL() << "no simulated mission";
+    case Capability::topics: FAIL() << "no simulated mission";
   }
 }
 

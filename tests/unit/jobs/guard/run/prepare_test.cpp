@@ -81,8 +81,7 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, Prepared,
                                                          {"supplies.stations", "well=-11,0,water"}}}));
 
 TEST(PrepareGuard, RefusesWhatIsNoMissionOfAKnownYard) {
-  for (const auto& [key, value] :
-       {std::pair{"scout.unknown", "true"}, {"pddl.write", "true"}, {"robots", "2"}}) {
+  for (const auto& [key, value] : {std::pair{"scout.unknown", "true"}, {"robots", "2"}}) {
     GuardJob task;
     const auto guard = prepare_guard(
         loaded(task, "driveby/driveby.yaml", {{"plan.shoot_on_the_move", "false"}, {key, value}}).scenario);

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "outrider/geometry/vec.hpp"
-#include "outrider/jobs/guard/temporal.hpp"
+#include "research/guard/temporal.hpp"
 
 namespace outrider {
 

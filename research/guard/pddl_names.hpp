@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "outrider/jobs/guard/temporal.hpp"
+#include "research/guard/temporal.hpp"
 
 namespace outrider {
 

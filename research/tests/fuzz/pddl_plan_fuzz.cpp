@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "outrider/jobs/guard/pddl.hpp"
+#include "research/guard/pddl.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "outrider/core/units.hpp"
-#include "outrider/jobs/guard/temporal.hpp"
+#include "research/guard/temporal.hpp"
 
 namespace outrider {
 namespace {

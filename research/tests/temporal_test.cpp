@@ -1,5 +1,5 @@
 // Durative actions against the judges of tours, and plans that something was done to.
-#include "outrider/jobs/guard/temporal.hpp"
+#include "research/guard/temporal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -16,7 +16,8 @@ namespace outrider {
 /// drive time is taken. O(targets * reach + group! * targets / group), and the drive times between all stops.
 /// Source: the method of the reference report (a tank robot with a water gun), from its description.
 Outcome<GuardPlan> shrinking_circles(const GuardProblem& problem, const FiringMap& firing_map,
-                                     const GuardOptions& options, const Budget& budget);
+                                     const GuardOptions& options, const Budget& budget,
+                                     std::size_t group = 4);
 
 /// Takes the stops of shrinking_circles(), in the best order that the tour solver finds for all targets
 /// together.

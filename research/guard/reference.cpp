@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/reference.hpp"
+#include "research/guard/reference.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -151,12 +151,12 @@ std::vector<Post> reordered(std::vector<Post> posts, const std::vector<std::size
 }  // namespace
 
 Outcome<GuardPlan> shrinking_circles(const GuardProblem& problem, const FiringMap& firing_map,
-                                     const GuardOptions& options, const Budget& budget) {
+                                     const GuardOptions& options, const Budget& budget, std::size_t group) {
   GuardPlan plan = begin_plan(problem, firing_map, options);
   auto posts = posts_on_circles(problem, firing_map, plan);
   auto routes = yard_routes(problem, firing_map, places_of(problem, posts), budget);
   if (!routes) return pass_on(routes);
-  const auto order = order_in_groups(*routes, posts.size(), static_cast<std::size_t>(options.group));
+  const auto order = order_in_groups(*routes, posts.size(), group);
   return plan_of(problem, firing_map, budget, reordered(std::move(posts), order), std::move(plan));
 }
 

@@ -1,5 +1,5 @@
 // Plans as text and back, what a reader refuses, and what a domain talks about.
-#include "outrider/jobs/guard/pddl.hpp"
+#include "research/guard/pddl.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/temporal.hpp"
+#include "research/guard/temporal.hpp"
 
 #include <fmt/format.h>
 

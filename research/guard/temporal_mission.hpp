@@ -5,7 +5,7 @@
 
 #include "outrider/jobs/guard/plan/supply_plan.hpp"
 #include "outrider/jobs/guard/problem.hpp"
-#include "outrider/jobs/guard/temporal.hpp"
+#include "research/guard/temporal.hpp"
 
 namespace outrider {
 

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "outrider/io/text.hpp"
-#include "outrider/jobs/guard/pddl.hpp"
-#include "pddl_names.hpp"
+#include "research/guard/pddl.hpp"
+#include "research/guard/pddl_names.hpp"
 
 namespace outrider {
 namespace {

@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/pddl.hpp"
+#include "research/guard/pddl.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include "outrider/core/units.hpp"
 #include "outrider/io/text.hpp"
 #include "outrider/robot/supplies.hpp"
-#include "pddl_names.hpp"
+#include "research/guard/pddl_names.hpp"
 
 namespace outrider {
 namespace {

@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/temporal_mission.hpp"
+#include "research/guard/temporal_mission.hpp"
 
 #include <algorithm>
 
