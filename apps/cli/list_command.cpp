@@ -5,7 +5,7 @@
 
 #include "commands.hpp"
 #include "output.hpp"
-#include "outrider/jobs/cover/plan.hpp"
+#include "outrider/jobs/cover/strokes/plan.hpp"
 #include "outrider/jobs/guard/behaviour/policy.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/path/catalog.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "cover_areas.hpp"
-#include "outrider/jobs/cover/plan.hpp"
+#include "outrider/jobs/cover/strokes/plan.hpp"
 #include "rows.hpp"
 #include "stopwatch.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "outrider/core/rng.hpp"
-#include "outrider/jobs/cover/problem.hpp"
+#include "outrider/jobs/cover/ground/problem.hpp"
 
 namespace outrider::bench {
 

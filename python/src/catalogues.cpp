@@ -8,7 +8,7 @@
 #include "options.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/catalog.hpp"
-#include "outrider/jobs/cover/plan.hpp"
+#include "outrider/jobs/cover/strokes/plan.hpp"
 #include "outrider/jobs/explore/choose/catalog.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/path/catalog.hpp"

@@ -13,7 +13,7 @@
 #include "faults.hpp"
 #include "interruptible.hpp"
 #include "options.hpp"
-#include "outrider/jobs/cover/plan.hpp"
+#include "outrider/jobs/cover/strokes/plan.hpp"
 #include "outrider/path/pieces.hpp"
 
 namespace outrider::python {

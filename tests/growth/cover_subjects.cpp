@@ -2,8 +2,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "outrider/jobs/cover/coverage.hpp"
-#include "outrider/jobs/cover/plan.hpp"
+#include "outrider/jobs/cover/ground/coverage.hpp"
+#include "outrider/jobs/cover/strokes/plan.hpp"
 #include "subject.hpp"
 #include "work.hpp"
 
@@ -49,7 +49,7 @@ double sorted_twice(double n) { return n * std::log(16.0 * n) * std::log(16.0 * 
 }  // namespace
 
 std::vector<Subject> cover_subjects() {
-  const std::string coverage = "jobs/cover/coverage.hpp";
+  const std::string coverage = "jobs/cover/ground/coverage.hpp";
   const std::string lapless = cover_methods().front().name.data();
   return {{"coverage_of",
            "area, m2",
@@ -61,7 +61,7 @@ std::vector<Subject> cover_subjects() {
            covered},
           {"cover " + lapless,
            "area, m2",
-           "jobs/cover/plan.hpp",
+           "jobs/cover/strokes/plan.hpp",
            {16, 32, 64, 128, 256},
            {{"pieces", "none is stated; held to the area", linear},
             {"allocations", "the same", linear},

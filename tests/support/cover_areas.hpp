@@ -7,7 +7,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/core/units.hpp"
-#include "outrider/jobs/cover/problem.hpp"
+#include "outrider/jobs/cover/ground/problem.hpp"
 
 namespace outrider::testing {
 

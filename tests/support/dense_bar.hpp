@@ -7,7 +7,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/core/units.hpp"
-#include "outrider/jobs/cover/coverage.hpp"
+#include "outrider/jobs/cover/ground/coverage.hpp"
 
 namespace outrider::testing {
 

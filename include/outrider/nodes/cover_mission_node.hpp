@@ -1,4 +1,5 @@
-// CoverMissionNode: the mission of the job cover (jobs/cover/mission.hpp) with its robot behind topics.
+// CoverMissionNode: the mission of the job cover (jobs/cover/mission/mission.hpp) with its robot behind
+// topics.
 //
 //   odom, /tf  where the robot is on the map   ->   cmd_vel
 //   scan       what is in the way, if it comes      cover/status  what it does, and what it has covered
@@ -16,7 +17,7 @@
 #include <memory>
 #include <optional>
 
-#include "outrider/jobs/cover/mission.hpp"
+#include "outrider/jobs/cover/mission/mission.hpp"
 #include "outrider/jobs/cover/report.hpp"
 #include "outrider/jobs/cover/scenario.hpp"
 #include "outrider/nodes/mission_node.hpp"

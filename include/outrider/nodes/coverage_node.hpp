@@ -4,11 +4,11 @@
 //   map   nav_msgs/OccupancyGrid               coverage/status  covered share, or the fault of the planner
 //
 // The area may also come from a file in metres of the map: polygons (io/cover_area.hpp) or a saved map
-// (jobs/cover/saved_map.hpp). With `from_map` it is the free space of the map on the topic, such as
+// (jobs/cover/ground/saved_map.hpp). With `from_map` it is the free space of the map on the topic, such as
 // map_server sends; a map that has changed is planned anew. A track is sent only if
-// prove() (jobs/cover/plan.hpp) accepts it, and again once in `period`, for who comes later. The proof holds
-// for a robot that stays within `tracking_error` of the track; the path on the topic has the corners of the
-// track, arcs as chords of 5 degrees.
+// prove() (jobs/cover/strokes/plan.hpp) accepts it, and again once in `period`, for who comes later. The
+// proof holds for a robot that stays within `tracking_error` of the track; the path on the topic has the
+// corners of the track, arcs as chords of 5 degrees.
 #pragma once
 
 #include <optional>

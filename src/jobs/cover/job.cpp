@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "geojson.hpp"
+#include "ground/tool_coverage.hpp"
 #include "outrider/job/plan_cache.hpp"
 #include "outrider/job/run_job.hpp"
-#include "outrider/jobs/cover/mission.hpp"
+#include "outrider/jobs/cover/mission/mission.hpp"
 #include "outrider/jobs/cover/report.hpp"
 #include "summary.hpp"
-#include "tool_coverage.hpp"
 
 namespace outrider {
 namespace {

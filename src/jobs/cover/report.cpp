@@ -6,13 +6,13 @@
 #include <cmath>
 #include <string_view>
 
+#include "ground/tool_coverage.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/job/scene_markers.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
-#include "tool_coverage.hpp"
 
 namespace outrider {
 namespace {

@@ -8,8 +8,8 @@
 #include "outrider/io/cover_area.hpp"
 #include "outrider/io/text.hpp"
 #include "outrider/io/values.hpp"
-#include "outrider/jobs/cover/plan.hpp"
-#include "outrider/jobs/cover/saved_map.hpp"
+#include "outrider/jobs/cover/ground/saved_map.hpp"
+#include "outrider/jobs/cover/strokes/plan.hpp"
 
 namespace outrider {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "outrider/jobs/cover/mission.hpp"
-#include "outrider/jobs/cover/plan.hpp"
-#include "outrider/jobs/cover/time_bound.hpp"
+#include "outrider/jobs/cover/bounds/time_bound.hpp"
+#include "outrider/jobs/cover/mission/mission.hpp"
+#include "outrider/jobs/cover/strokes/plan.hpp"
 #include "outrider/log/log.hpp"
 #include "outrider/log/log_queue.hpp"
 #include "outrider/log/motion_messages.hpp"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
-#include "outrider/jobs/cover/plan.hpp"
-#include "outrider/jobs/cover/saved_map.hpp"
+#include "outrider/jobs/cover/ground/saved_map.hpp"
+#include "outrider/jobs/cover/strokes/plan.hpp"
 #include "outrider/sim/track_faults.hpp"
 
 namespace outrider {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "outrider/io/cover_area.hpp"
-#include "outrider/jobs/cover/plan.hpp"
+#include "outrider/jobs/cover/strokes/plan.hpp"
 #include "support/data.hpp"
 #include "support/random_cases.hpp"
 

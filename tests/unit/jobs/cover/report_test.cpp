@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "outrider/core/units.hpp"
-#include "outrider/jobs/cover/mission.hpp"
+#include "outrider/jobs/cover/mission/mission.hpp"
 #include "outrider/log/motion_messages.hpp"
 #include "support/cover_areas.hpp"
 #include "support/logged_run.hpp"
