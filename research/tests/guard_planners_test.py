@@ -9,11 +9,8 @@ SCENARIO = ("job: guard\nworld: yard.sdf\ntargets: targets.txt\nstart: 0,-2,90\n
 
 
 class GuardPlanners(ToolTest):
-    def guard(self, *flags):
-        return ["research", *super().guard(*flags)]
-
     def test_list_has_them(self):
-        listed = json.loads(self.run_tool("research", "list", "--json").stdout)["guard_planners"]
+        listed = json.loads(self.run_tool("list", "--json").stdout)["guard_planners"]
         self.assertEqual([row["name"] for row in listed], PLANNERS)
 
     def test_each_guards_the_yard_and_key_and_flags_agree(self):
@@ -23,15 +20,15 @@ class GuardPlanners(ToolTest):
             self.run_tool(*self.guard("--plan-planner", name, "--out", f"{name}-b"))
             self.same_run(f"{name}-a", f"{name}-b")
         self.write("m.yaml", SCENARIO + "  planner: shrinking_circles\n")
-        self.run_tool("research", "run", "m.yaml", "--out", "key")
+        self.run_tool("run", "m.yaml", "--out", "key")
         self.assertIn("shrinking_circles", json.dumps(self.result_of("key")["settings"]))
 
     def test_a_team_takes_the_first_planner(self):
-        self.refused(*self.guard("--robots", "2", "--planner", "circles_in_order"), says=["plan.planner", "circles_in_order"])
+        self.refused(*self.guard("--robots", "2", "--planner", "circles_in_order"), says=["plan.planner", "several robots"])
 
     def test_the_bench_compares_them(self):
         self.write("m.yaml", SCENARIO)
-        rows = self.json_of(self.run_tool("research", "bench", "guard", "--scenarios", "m.yaml", "--seeds", "1", "--json"))["rows"]
+        rows = self.json_of(self.run_tool("bench", "guard", "--scenarios", "m.yaml", "--seeds", "1", "--json"))["rows"]
         self.assertEqual([row["planner"] for row in rows], PLANNERS)
         for row in rows:
             self.assertAlmostEqual(row["ratio_to_best_tour"], row["mission_s"] / rows[0]["mission_s"])

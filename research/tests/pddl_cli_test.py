@@ -118,9 +118,6 @@ def lines_of(plan):
 
 
 class Pddl(ToolTest):
-    def guard(self, *flags):
-        return ["research", *super().guard(*flags)]
-
     def written(self, *flags, folder="pddl"):
         result = self.run_tool(*self.guard(*flags, "--json", "--pddl", "--out", folder))
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -225,7 +222,7 @@ class Pddl(ToolTest):
 
     def test_the_bundled_scenario(self):
         scenario = SOURCE / "scenarios" / "stations" / "stations.yaml"
-        result = self.run_tool("research", "guard", "--scenario", scenario, "--plan-resolution", "0.2", "--pddl", "--out", "pddl")
+        result = self.run_tool("guard", "--scenario", scenario, "--plan-resolution", "0.2", "--pddl", "--out", "pddl")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("(fill-", self.text("plan.txt"))
         self.followed()
