@@ -16,6 +16,8 @@ struct Keyframe {
   double pause_s = 0.0;                  ///< longest time without a scan since the keyframe before
   double shared_before = 1.0;  ///< share of its surface that the keyframe before shows too, when added
 
+  Pose2 counted{};  ///< `odometry` without what was learned of its errors
+
   [[nodiscard]] bool has_scan() const { return !scan.ranges_m.empty(); }
   /// Frees the memory of the scan.
   void release_scan() { scan.ranges_m = std::vector<float>(); }  // "= {}" would keep the memory

@@ -56,7 +56,8 @@ struct LaserSlam::State {
   BackOff wide;        ///< of searches for scans that match nothing nearby
   Driven unmatched;    ///< since the last match
   Driven unkept;       ///< since the last keyframe
-  Pose2 counted;       ///< motion since the last keyframe, by odometry
+  Pose2 moved;         ///< motion since the last keyframe, by odometry
+  Pose2 counted;       ///< the same without what was learned of its errors
   bool blind = false;  ///< the last scan had too few points
   std::optional<double> last_scan_s;
   double pause_s = 0.0;  ///< longest time between two scans since the last keyframe
@@ -175,8 +176,9 @@ void LaserSlam::State::add_keyframe(const LaserScan& scan, const std::optional<F
   const Pose2 motion = key == 0 ? Pose2{} : since_keyframe();
   const double way_m = key == 0 ? 0.0 : graph.keyframes.back().way_m + norm(motion.position);
   const MotionNoise driven = odometry_noise(unkept, options);
-  graph.keyframes.push_back({pose, way_m, scan, counted, driven, pause_s});
-  counted = {};
+  graph.keyframes.push_back({pose, way_m, scan, moved, driven, pause_s});
+  graph.keyframes.back().counted = counted;
+  moved = counted = {};
   pause_s = 0.0;
   if (key == 0) return;
   graph.keyframes.back().shared_before = shared_surface(graph, local.surfaces(), key - 1, key);
@@ -246,7 +248,8 @@ void LaserSlam::State::move(const Pose2& motion) {
   bias.count(motion);
   const Pose2 corrected = options.learn_odometry ? bias.corrected(motion) : motion;
   pose = wrap_heading(compose(pose, corrected));
-  counted = wrap_heading(compose(counted, corrected));
+  moved = wrap_heading(compose(moved, corrected));
+  counted = wrap_heading(compose(counted, motion));
   unmatched += motion;
   unkept += motion;
 }
@@ -360,6 +363,15 @@ std::vector<PlacedScan> LaserSlam::placed_scans() const {
 }
 RangeCheck LaserSlam::check_range_finder() const {
   return outrider::check_range_finder(placed_scans(), state_->options.reach_m);
+}
+OdometryRatio LaserSlam::odometry_ratio() const {
+  const std::vector<Keyframe>& keyframes = state_->graph.keyframes;
+  std::vector<CountedStep> steps;
+  for (std::size_t i = 1; i < keyframes.size(); ++i) {
+    const Pose2 by_map = relative_pose(keyframes[i - 1].pose, keyframes[i].pose);
+    steps.push_back({keyframes[i].counted, wrap_heading(by_map)});
+  }
+  return compare_with_odometry(steps);
 }
 MapCheck LaserSlam::check() const {
   const std::vector<std::size_t> pose_of = state_->pose_numbers();

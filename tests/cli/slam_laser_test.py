@@ -94,6 +94,15 @@ class SlamLaser(SlamCase):
         self.assertIn((run.returncode, found["status"]), ((0, "done"), (1, "doubtful")), run.stderr)
         return found, found["mean_absolute_error_m"] < 0.5
 
+    def test_ranges_of_a_wrong_scale(self):
+        """Odometry tells: the map then moves farther than the wheels counted, and turns no more."""
+        for name in ("office", "aces", "csail", "freiburg-101"):
+            log = SOURCE / "scenarios/slam/office.yaml" if name == "office" else self.laser_log(name)
+            for scale in (0.95, 1.05):
+                found = self.doubtful(log, "--faults-range-scale", scale)
+                self.assertIn("too short" if scale < 1.0 else "too long", found["reason"])
+                self.assertAlmostEqual(found["way_ratio"] / found["turn_ratio"], scale, delta=0.025)
+
     def test_odometry_that_counts_a_turn_too_many(self):
         """The turn did not happen: mapped right, or doubtful."""
         costly = "OUTRIDER_CASES" in os.environ

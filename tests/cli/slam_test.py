@@ -288,6 +288,14 @@ class Slam(SlamCase):
         one, same, other = (self.doubtful(folder / "posts.yaml", "--faults-outliers", 0.2, "--seed", seed)["cost"] for seed in (1, 1, 2))
         self.assertEqual(one, same)
         self.assertNotEqual(one, other)
+        pairs = {"yard": ({"slip": 0.06, "bias": 0.17}, {"slip": 0.03, "bias": 0.19}, {"range_scale": 0.95, "bias": -0.09},
+                          {"range_scale": 1.07, "bias": -0.05}, {"range_scale": 0.945}),
+                 "posts": ({"missed": 0.8, "slip": 0.1}, {"missed": 0.7, "bias": 0.2}, {"missed": 0.7, "range_scale": 0.92},
+                           {"range_scale": 0.935, "bias": -0.013}, {"range_scale": 0.9})}
+        for name, some in pairs.items():
+            for faults in some:
+                flags = [word for key, value in faults.items() for word in (f"--faults-{key.replace('_', '-')}", value)]
+                self.doubtful(folder / f"{name}.yaml", *flags)
         for name, key, word in (("yard", "latency", "no times"), ("office", "wrong_ids", "have no ids")):
             refused = self.run_tool("run", folder / f"{name}.yaml", f"--faults-{key.replace('_', '-')}", "0.1")
             self.assertEqual(refused.returncode, 2)

@@ -35,6 +35,7 @@
 
 #include "outrider/slam/map_check.hpp"
 #include "outrider/slam/occupancy_map.hpp"
+#include "outrider/slam/odometry_ratio.hpp"
 #include "outrider/slam/pose_graph.hpp"
 #include "outrider/slam/range_check.hpp"
 
@@ -125,6 +126,8 @@ class LaserSlam {
   [[nodiscard]] MapCheck check() const;
   /// Checks whether the scans of the keyframes speak for the range finder.
   [[nodiscard]] RangeCheck check_range_finder() const;
+  /// Compares the path with what odometry counted; see odometry_ratio.hpp.
+  [[nodiscard]] OdometryRatio odometry_ratio() const;
 
  private:
   struct State;

@@ -173,7 +173,8 @@ bool look(DriveMission& mission, const Observation& seen) {
 std::optional<std::set<int>> indispensable_tags(const DriveMission& mission, double part) {
   const double most_m = part * (tolerance_m(mission.task) - mission.task.follow.within_m);
   std::optional<std::set<int>> common;
-  for (const std::set<int>& ids : mission.votes.agreeing(most_m)) {
+  const Vec2 believed = mission.reckoning.belief.world_T_robot.position;
+  for (const std::set<int>& ids : mission.votes.agreeing(believed, most_m)) {
     if (std::ranges::any_of(ids, [&](int id) { return mission.suspects.contains(id); })) continue;
     if (!common) common = ids;
     std::erase_if(*common, [&](int id) { return !ids.contains(id); });

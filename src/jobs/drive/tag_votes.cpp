@@ -8,7 +8,8 @@
 namespace outrider {
 namespace {
 
-constexpr double to_spare = 2.0;  ///< standard deviations
+constexpr double to_spare = 2.0;    ///< standard deviations
+constexpr double may_be_off = 0.5;  ///< part of what dead reckoning says that the robot moved
 
 }  // namespace
 
@@ -35,6 +36,7 @@ void TagVotes::add(std::span<const TagSighting> sightings, std::span<const TagVe
     Vote& vote = votes[ids];
     vote.information += information;
     vote.weighted_m += information * (Eigen::Vector2d(off.x, off.y) + corrected_m);
+    vote.weighted_reckoned_m += information * reckoned_m(belief.world_T_robot.position);
   };
   for (std::size_t i = 0; i < used.size(); ++i) {
     add_vote({&used[i], 1});
@@ -44,14 +46,15 @@ void TagVotes::add(std::span<const TagSighting> sightings, std::span<const TagVe
   }
 }
 
-std::vector<std::set<int>> TagVotes::agreeing(double most_m) const {
+std::vector<std::set<int>> TagVotes::agreeing(Vec2 believed, double most_m) const {
   std::vector<std::set<int>> sets;
   for (const auto& [ids, vote] : votes) {
     const Eigen::Matrix2d covariance = vote.information.inverse();
     const double variance =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues().maxCoeff();
     const double off_m = (covariance * vote.weighted_m - corrected_m).norm();
-    if (off_m + to_spare * std::sqrt(variance) <= most_m) sets.push_back(ids);
+    const double moved_m = (covariance * vote.weighted_reckoned_m - reckoned_m(believed)).norm();
+    if (off_m + may_be_off * moved_m + to_spare * std::sqrt(variance) <= most_m) sets.push_back(ids);
   }
   return sets;
 }

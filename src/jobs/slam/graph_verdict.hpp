@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <string>
 
-#include "outrider/core/budget.hpp"
 #include "outrider/report/report.hpp"
 #include "outrider/slam/pose_graph.hpp"
 
@@ -20,11 +19,10 @@ std::string edge_name(const PoseGraphOf<Pose>& graph, std::uint32_t edge) {
 
 /// Sets the status and the reason of the report: "not_done" if no minimum was reached; "doubtful" if many
 /// edges that are no odometry were refused, or a third of those to one point, if an edge contradicts the
-/// others, if the measurements are much more likely with all ranges longer or shorter by one length, or if
-/// the cost is implausible; else "done". `kept` is the graph without the edges that the solution refused.
-/// Solves the graph twice more if it has ranges or points.
+/// others, if the cost is implausible, or if errors that all measurements of a kind share could make the map
+/// of a wrong size; else "done". `kept` is the graph without the edges that the solution refused.
 template <class Pose>
 void judge_graph(Report& report, const PoseGraphOf<Pose>& graph, const PoseGraphOf<Pose>& kept,
-                 const PoseGraphSolutionOf<Pose>& solution, const Budget& budget);
+                 const PoseGraphSolutionOf<Pose>& solution);
 
 }  // namespace outrider

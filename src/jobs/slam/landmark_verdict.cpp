@@ -14,7 +14,7 @@ namespace {
 
 /// Returns what speaks against the map in the numbers of the run.
 std::vector<std::string> doubts_of_numbers(const LandmarkSlamOptions& options, const LandmarkMission& run,
-                                           const RangeResiduals& ranges) {
+                                           const SystematicErrors& size) {
   constexpr double most_refused = 0.05, most_chi2_per_dof = 4.0;
   constexpr int most_contradicted = 1, most_misfits = 2;  // one landmark may have been moved
   std::vector<std::string> doubts;
@@ -32,11 +32,7 @@ std::vector<std::string> doubts_of_numbers(const LandmarkSlamOptions& options, c
                     run.contradicted, run.misfits));
   }
   const double ratio = chi2_per_dof(run.slam);
-  if (ranges.is_biased(ratio)) {
-    doubts.push_back(
-        fmt::format("ranges are {} than the map says by {:.2f} m on average, so it may be of a wrong size",
-                    ranges.mean_m() > 0.0 ? "longer" : "shorter", std::abs(ranges.mean_m())));
-  }
+  if (const std::string why = why_not_believed(size); !why.empty()) doubts.push_back(why);
   if (options.kernel == "none" && ratio > most_chi2_per_dof) {
     doubts.push_back(
         fmt::format("errors are {:.1f} times as large as the noise options say", std::sqrt(ratio)));
@@ -96,8 +92,8 @@ double chi2_per_dof(const LandmarkSlam& slam) {
 }
 
 void judge_landmarks(Report& report, Log& log, const LandmarkSlamOptions& options, const LandmarkMission& run,
-                     const RangeResiduals& ranges, const std::vector<double>& times_s) {
-  std::vector<std::string> doubts = doubts_of_numbers(options, run, ranges);
+                     const SystematicErrors& size, const std::vector<double>& times_s) {
+  std::vector<std::string> doubts = doubts_of_numbers(options, run, size);
   if (options.unknown_ids && !times_s.empty()) {
     const std::vector<Doubted> doubted = doubted_landmarks(run, times_s);
     report.metrics.emplace_back("landmarks_moved", static_cast<double>(doubted.size()));

@@ -1,6 +1,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -222,29 +223,40 @@ Metrics metrics_of(const LandmarkMission& run, std::size_t landmarks, const MapE
           {"steps_lost", number(run.lost)}};
 }
 
-/// Returns the residuals of the ranges of a map whose poses are settled and whose landmarks have ids; those
-/// of sightings that do not fit are left out.
-RangeResiduals residuals_of(const LandmarkLog& log, const LandmarkMission& run, const LandmarkMap& map,
-                            const LandmarkSlamOptions& options) {
-  constexpr double most_sds = 5.0;
-  RangeResiduals residuals;
-  if (options.engine != "graph" || options.unknown_ids) return residuals;
-  std::map<std::int64_t, Vec2> places;
-  for (const LandmarkEstimate& landmark : map) places.emplace(landmark.id, landmark.position);
-  const std::vector<Pose2> poses = run.slam.trajectory();
-  for (std::size_t i = 0; i < log.steps.size(); ++i) {
-    const Pose2& pose = poses[poses.size() - log.steps.size() + i];
-    for (const LandmarkSighting& sighting : log.steps[i].sightings) {
-      const auto place = sighting.id ? places.find(*sighting.id) : places.end();
-      const double range_m = norm(sighting.position);
-      if (place == places.end() || range_m == 0.0) continue;
-      const Eigen::Vector2d along(sighting.position.x / range_m, sighting.position.y / range_m);
-      const double sd_m = std::sqrt(along.dot(sighting.covariance * along));
-      const double residual_m = range_m - distance(pose.position, place->second);
-      if (std::abs(residual_m) <= most_sds * sd_m) residuals.add(residual_m, sd_m);
+/// Returns what is unknown of the size of a map whose poses are settled and whose landmarks have ids.
+/// Sightings that do not fit are left out.
+SystematicErrors size_of(const LandmarkLog& log, const LandmarkMission& run, const LandmarkMap& map,
+                         const LandmarkSlamOptions& options) {
+  constexpr double most_squared = 25.0;
+  constexpr double least_variance = 1e-12;  // m^2, rad^2: where odometry is exact
+  if (options.engine != "graph" || options.unknown_ids || map.empty()) return {};
+  PoseGraph graph;
+  std::vector<Pose2> poses = run.slam.trajectory();
+  poses.erase(poses.begin(), poses.end() - static_cast<std::ptrdiff_t>(log.steps.size() + 1));
+  graph.nodes.resize(poses.size());
+  std::map<std::int64_t, std::uint32_t> points;
+  for (const LandmarkEstimate& landmark : map) {
+    points.emplace(landmark.id, static_cast<std::uint32_t>(poses.size()));
+    poses.push_back({landmark.position, 0.0});
+    graph.nodes.push_back({"", {}, true});
+  }
+  for (std::uint32_t i = 0; i < log.steps.size(); ++i) {
+    const LogStep& step = log.steps[i];
+    Eigen::Matrix3d covariance = step.covariance;
+    covariance.diagonal() = covariance.diagonal().cwiseMax(least_variance);
+    graph.edges.push_back({EdgeKind::pose, i, i + 1, step.odometry, covariance.inverse()});
+    for (const LandmarkSighting& sighting : step.sightings) {
+      const auto point = sighting.id ? points.find(*sighting.id) : points.end();
+      if (point == points.end()) continue;
+      GraphEdge edge{EdgeKind::point, i + 1, point->second, {sighting.position, 0.0}};
+      edge.information.topLeftCorner<2, 2>() = sighting.covariance.inverse();
+      const Vec2 off = poses[i + 1].to_local(poses[point->second].position) - sighting.position;
+      const Eigen::Vector2d residual(off.x, off.y);
+      if (residual.dot(edge.information.topLeftCorner<2, 2>() * residual) <= most_squared)
+        graph.edges.push_back(edge);
     }
   }
-  return residuals;
+  return find_systematic_errors(graph, poses);
 }
 
 Metrics times_of(const LandmarkMission& run) {
@@ -280,7 +292,7 @@ Status map_landmark_log(const SlamJob& job, LandmarkLog log, Run& run, const Run
                                   recorder.settle(mapped->slam, map, truth, !options.unknown_ids));
   run.report.metrics.emplace_back("run_s", recorder.end_s());
   run.report.machine_times = times_of(*mapped);
-  judge_landmarks(run.report, run.log, options, *mapped, residuals_of(log, *mapped, map, options),
+  judge_landmarks(run.report, run.log, options, *mapped, size_of(log, *mapped, map, options),
                   recorder.times_s());
   if (log.steps.size() < logged) mark_cancelled(run.report, run.log, recorder.end_s());
   run.files = files_of(*mapped, map);

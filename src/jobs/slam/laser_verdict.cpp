@@ -91,7 +91,8 @@ void doubt_jumps(Doubts& doubts, const std::vector<Jump>& jumps) {
       why, motion_text(first.by_map), motion_text(first.by_odometry), 100.0 * first.shared));
 }
 
-void doubt_laser(Doubts& doubts, const LaserRun& run, const RangeCheck& ranges) {
+void doubt_laser(Doubts& doubts, const LaserRun& run, const RangeCheck& ranges,
+                 const OdometryRatio& odometry) {
   constexpr std::size_t most_repeated = 2;
   if (run.repeated > most_repeated) {
     doubts.add_reason(
@@ -100,6 +101,7 @@ void doubt_laser(Doubts& doubts, const LaserRun& run, const RangeCheck& ranges) 
                     run.repeated));
   }
   if (const std::string why = why_not_believed(ranges); !why.empty()) doubts.add_reason(why);
+  if (const std::string why = why_not_believed(odometry); !why.empty()) doubts.add_reason(why);
 }
 
 void doubt_crossings(Doubts& doubts, const std::vector<std::size_t>& crossings) {
@@ -126,6 +128,7 @@ void judge_mapping(Report& report, Log& log, const LaserRun& run, const std::vec
   if (run.trusts_odometry || run.stopped) return;
   MapCheck check = run.slam.check();
   const RangeCheck ranges = run.slam.check_range_finder();
+  const OdometryRatio odometry = run.slam.odometry_ratio();
   forget_usual_pauses(check.jumps, run);
   const std::vector<std::size_t> gaps = run.slam.gaps();
   const std::vector<Pose2> poses = run.slam.trajectory();
@@ -135,7 +138,7 @@ void judge_mapping(Report& report, Log& log, const LaserRun& run, const std::vec
   doubt_contradictions(doubts, check);
   doubt_jumps(doubts, check.jumps);
   doubt_crossings(doubts, check.crossings);
-  doubt_laser(doubts, run, ranges);
+  doubt_laser(doubts, run, ranges, odometry);
   report.metrics.emplace_back("gaps", static_cast<double>(gaps.size()));
   report.metrics.emplace_back("jumps", static_cast<double>(check.jumps.size()));
   report.metrics.emplace_back("walls_crossed", static_cast<double>(check.crossings.size()));
@@ -144,6 +147,8 @@ void judge_mapping(Report& report, Log& log, const LaserRun& run, const std::vec
   report.metrics.emplace_back("scans_checked", static_cast<double>(check.scans));
   report.metrics.emplace_back("scans_contradicted", static_cast<double>(check.contradicted));
   report.metrics.emplace_back("range_bias_m", ranges.bias_m);
+  report.metrics.emplace_back("way_ratio", odometry.ways.value);
+  report.metrics.emplace_back("turn_ratio", odometry.turns.value);
   report.metrics.emplace_back("stray_share", ranges.stray_share());
   if (doubts.reason().empty()) return;
   report.status = "doubtful";

@@ -16,11 +16,12 @@ struct AskedFault {
   bool needs_landmark = false;  ///< no scan has it
 };
 
-std::array<AskedFault, 10> asked(const RecordingFaults& faults) {
+std::array<AskedFault, 11> asked(const RecordingFaults& faults) {
   const RecordingFaults none;
   return {AskedFault{"blind_from", faults.blind_from_s != none.blind_from_s, true},
           AskedFault{"missed", faults.missed != none.missed, true},
           AskedFault{"bias", faults.bias_m != none.bias_m},
+          AskedFault{"range_scale", faults.range_scale != none.range_scale},
           AskedFault{"outliers", faults.outliers != none.outliers},
           AskedFault{"latency", faults.latency_s != none.latency_s, true},
           AskedFault{"frozen_from", faults.frozen_from_s != none.frozen_from_s, true},
@@ -44,6 +45,7 @@ std::vector<Option> describe(RecordingFaults& faults) {
       {"blind_for", "s", 0.0, 1e9, "for how long", &faults.blind_for_s},
       {"missed", "", 0.0, 1.0, "part of the scans or sightings that are lost", &faults.missed},
       {"bias", "m", -1.0, 1.0, "added to every range", &faults.bias_m},
+      {"range_scale", "", 0.5, 2.0, "ranges are so many times as long", &faults.range_scale},
       {"outliers", "", 0.0, 1.0,
        "part of the beams, sightings or edges but odometry that measure anything up to the farthest",
        &faults.outliers},

@@ -48,8 +48,8 @@ class GraphSpoiler {
     const auto moves = [&](const Edge& edge) { return is_odometry(edge); };
     if (faults_.slip > 0.0 && !has(moves)) return "slip";
     if (faults_.outliers > 0.0 && std::ranges::all_of(out_.recording.edges, moves)) return "outliers";
-    if (faults_.bias_m != 0.0 && !has([](const auto& edge) { return edge.kind != EdgeKind::pose; }))
-      return "bias";
+    if (faults_.changes_ranges() && !has([](const auto& edge) { return edge.kind != EdgeKind::pose; }))
+      return faults_.bias_m != 0.0 ? "bias" : "range_scale";
     const bool has_sightings = has([](const auto& edge) { return edge.kind == EdgeKind::point; });
     if (faults_.wrong_ids > 0.0 && (points_.size() < 2 || !has_sightings)) return "wrong_ids";
     return {};
@@ -72,7 +72,7 @@ class GraphSpoiler {
       return faults_.slip > 0.0;
     }
     const double range_m = length(edge.measured);
-    const bool is_biased = edge.kind != EdgeKind::pose && faults_.bias_m != 0.0 && range_m > 0.0;
+    const bool is_biased = edge.kind != EdgeKind::pose && faults_.changes_ranges() && range_m > 0.0;
     if (is_biased) edge.measured.position = biased(range_m, faults_) / range_m * edge.measured.position;
     const bool is_outlier = faults_.outliers > 0.0 && outliers_.uniform() < faults_.outliers;
     if (is_outlier) make_outlier(edge);

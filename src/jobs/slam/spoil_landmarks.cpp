@@ -90,7 +90,7 @@ class LandmarkSpoiler {
 
   LandmarkSighting spoil(LandmarkSighting sighting) {
     const double range_m = norm(sighting.position);
-    if (faults_.bias_m != 0.0 && range_m > 0.0)
+    if (faults_.changes_ranges() && range_m > 0.0)
       sighting.position = biased(range_m, faults_) / range_m * sighting.position;
     if (faults_.outliers > 0.0 && outliers_.uniform() < faults_.outliers) {
       const double bearing_rad = outliers_.uniform(-pi, pi);

@@ -22,9 +22,10 @@ inline Pose2 counted(const Pose2& motion, const RecordingFaults& faults, double 
   return scaled(motion, 1.0 / (1.0 - faults.slip));
 }
 
-/// Returns what a range becomes with the bias, which leaves some of it.
+/// Returns what a range becomes with its scale and the bias, which leaves some of it.
 inline double biased(double range_m, const RecordingFaults& faults) {
   constexpr double least_m = 0.01;
+  range_m *= faults.range_scale;
   return faults.bias_m == 0.0 ? range_m : std::max(least_m, range_m + faults.bias_m);
 }
 

@@ -20,6 +20,7 @@ struct RecordingFaults {
   double blind_for_s = 1e9;       ///< for how long
   double missed = 0.0;            ///< fraction of the scans or sightings that are lost
   double bias_m = 0.0;            ///< added to every range
+  double range_scale = 1.0;       ///< times which every range is measured, before the bias
   double outliers = 0.0;          ///< fraction of the beams, sightings or edges that measure anything
   double latency_s = 0.0;         ///< a scan or sighting is recorded so long after it was measured
   double frozen_from_s = 1e9;     ///< from then on the last scan, or the last sightings, are repeated
@@ -32,6 +33,7 @@ struct RecordingFaults {
 
   /// Returns true if any fault was asked for.
   [[nodiscard]] bool any() const;
+  [[nodiscard]] bool changes_ranges() const { return bias_m != 0.0 || range_scale != 1.0; }
   [[nodiscard]] bool blind(double time_s) const {
     return time_s >= blind_from_s && time_s < blind_from_s + blind_for_s;
   }

@@ -190,6 +190,18 @@ TEST(DriveClaims, ATagThatIsMovedOnTheWayConfirmsNoWrongStop) {
   }
 }
 
+/// A tag that hangs about as far off as a stop may be teaches the robot that turns displace it, so that its
+/// place by another tag, seen before the turn back, seems to agree.
+TEST(DriveClaims, ATagThatHangsAFewCentimetresElsewhereConfirmsNoWrongStop) {
+  for (int seed = 1; seed <= testing::costly_cases(60); ++seed) {
+    Rng rng(static_cast<std::uint64_t>(seed));
+    DriveSimParams params = testing::usual_faults();
+    params.moved_tag = {1 + static_cast<std::int64_t>(rng.below(3)),
+                        (seed % 3 == 0 ? 1.0 : -1.0) * rng.uniform(0.025, 0.045)};
+    expect_true_claims(driven_unseen(one_tag_in_view(), params, static_cast<std::uint64_t>(seed)));
+  }
+}
+
 /// One tag is in view at most stops, so the robot looks round for another, which agrees.
 TEST(DriveClaims, ARobotThatSeesOneTagLooksRoundForAnother) {
   constexpr double most_look_s = 15.0;  // two turns and images in between, seldom twice
