@@ -28,7 +28,7 @@ function(outrider_precompile target group)
   set(headers outrider_headers_of_${group})
   if(NOT TARGET ${headers})
     file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/pch/${group}.cpp CONTENT "")
-    add_library(${headers} OBJECT ${PROJECT_BINARY_DIR}/pch/${group}.cpp)
+    add_library(${headers} OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/pch/${group}.cpp)
     target_precompile_headers(${headers} PRIVATE <algorithm> <array> <cmath> <functional> <limits> <map>
       <memory> <optional> <set> <span> <sstream> <string> <variant> <vector> <fmt/format.h> <tl/expected.hpp>
       ${GROUP_HEADERS})

@@ -9,6 +9,8 @@
 #include "outrider/core/units.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/cover/job.hpp"
+#include "outrider/jobs/cover/mission/mission.hpp"
+#include "outrider/jobs/cover/strokes/plan.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/log/motion_messages.hpp"
 #include "outrider/log/topics.hpp"

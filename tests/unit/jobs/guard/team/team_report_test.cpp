@@ -27,7 +27,9 @@ struct Judged {
     scenario.options = testing::quick();
     plan.parts.resize(2);
     team.records.resize(1);
-    team.records[0] = {.status = TargetStatus::reached, .reason = "hit", .done_s = 1.0};
+    team.records[0].status = TargetStatus::reached;
+    team.records[0].reason = "hit";
+    team.records[0].done_s = 1.0;
     team.robot_of = {0};
     team.robots.resize(2);
     team.robots[0].driven = {problem.start, {{0.0, {{-2, 0}, {2, 0}}}}};
