@@ -1,4 +1,5 @@
-// GuardMissionNode: the mission of the job guard (jobs/guard/mission/mission.hpp) with its robot behind topics.
+// GuardMissionNode: the mission of the job guard (jobs/guard/mission/mission.hpp) with its robot behind
+// topics.
 //
 //   odom, /tf     where the robot is on the map      ->   cmd_vel
 //   joint_states  the joints of the gun                   gun/command   sensor_msgs/JointState: where they

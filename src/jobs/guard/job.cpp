@@ -84,9 +84,7 @@ Job guard_job() {
           .sentence = "Hit every target in a yard with a ballistic water gun, soonest.",
           .example = "guard --world yard.sdf --targets cats.txt --start 0,-9.5,90 --out out --html",
           .blank = [] { return std::make_unique<GuardJob>(); },
-          .aliases = {{"planner", "plan.planner"},
-                      {"prove", "plan.prove"},
-                      {"unknown", "scout.unknown"}},
+          .aliases = {{"planner", "plan.planner"}, {"prove", "plan.prove"}, {"unknown", "scout.unknown"}},
           .summary = guard_summary};
 }
 
