@@ -2,6 +2,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -47,7 +48,7 @@ class BenchRun(unittest.TestCase):
             one = json.loads(path.read_text())
             self.assertEqual(one["name"], path.stem)
             self.assertTrue(any(one.get(kind) for kind in ("benchmarks", "rows", "lines")) and one["command"] and one["machine"])
-            self.assertNotIn(str(SOURCE), path.read_text())
+            self.assertNotRegex(path.read_text(), rf"(?<!\w){re.escape(str(SOURCE))}/")
 
 
 if __name__ == "__main__":

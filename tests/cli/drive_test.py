@@ -98,7 +98,7 @@ class Drive(ToolTest):
     def test_the_reason_names_the_causes_that_the_images_support(self):
         size, moved = "their places, tag_size and the camera right?", "was the robot moved, or a tag?"
         for words, says, not_says in ((["--faults-tag-scale", "1.3"], size, moved),
-                                      (["--map-tags", "1=2,1.6,180 2=1.5,2.5,-90 3=0,2,0"], size, moved),
+                                      (["--map-tags", "1=2,1.9,180 2=1.5,2.8,-90 3=0,2,0"], size, moved),
                                       (["--faults-kidnapped-at", "4", "--rules-relocalise", "1000"], moved, size)):
             answer = self.run_json("drive", "--scenario", WAYPOINTS / "closed_loop.yaml", *words, status=1)
             self.assertIn("lost: ", answer["reason"])

@@ -28,7 +28,8 @@ class Sbom(unittest.TestCase):
         lock = json.loads((SOURCE / "web/package-lock.json").read_text())["packages"]
         wanted = {path.rsplit("node_modules/", 1)[1] for path, entry in lock.items() if path and not entry.get("optional")}
         self.assertEqual(wanted - names, set())
-        self.assertLessEqual({"libboost-dev", "libyaml-cpp0.7"}, names)
+        self.assertIn("libboost-dev", names)
+        self.assertTrue(any(name.startswith("libyaml-cpp0.") for name in names), names)
 
 
 if __name__ == "__main__":

@@ -108,9 +108,10 @@ class SlamLaser(SlamCase):
         costly = "OUTRIDER_CASES" in os.environ
         cases = [("aces", 264), ("csail", 243)] + ([("aces", 132)] if costly else [])
         right = 0
+        logs = {name: laser_logs.read(self.laser_log(name)) for name, _ in cases}
         for name, at in cases:
             with self.subTest(f"{name} {at}"):
-                steps = laser_logs.read(self.laser_log(name))
+                steps = logs[name]
                 found, is_right = self.map_damaged(name, laser_logs.turned_once(steps, at))
                 self.assertTrue(is_right or found["status"] == "doubtful", found["mean_absolute_error_m"])
                 right += is_right
