@@ -180,12 +180,12 @@ SharedErrors stated_sds(const PoseGraph& graph, double noise) {
   return sds;
 }
 
-/// Returns the shift by which a solution contradicts the map, with that part of what is not seen; null if it
-/// does not.
-const MapShift* contradiction(const SharedSolution& solution, double least_gain, double unseen) {
+/// Returns the shift by which a solution contradicts the map, with one standard deviation of what is not
+/// seen; null if it does not.
+const MapShift* contradiction(const SharedSolution& solution, double least_gain) {
   if (!(solution.gain > least_gain)) return nullptr;
   for (const MapShift* const shift : {&solution.points, &solution.poses}) {
-    if (shift->moved_m + unseen * shift->unseen_m > shift->most_m) return shift;
+    if (shift->moved_m + shift->unseen_m > shift->most_m) return shift;
   }
   return nullptr;
 }
@@ -217,17 +217,15 @@ std::string why_not_believed(const SystematicErrors& errors) {
         "% off, with ranges {:+.2f} m and {:+.1f} % off, would move it by {:.2f} m",
         100.0 * along[0], 100.0 * along[1], along[3], 100.0 * along[4], points.unseen_m);
   }
-  const char* const sentence =
-      "the measurements are much more likely if odometry counts ways {:+.1f} % and turns {:+.1f} % too much "
-      "and ranges are {:+.2f} m and {:+.1f} % too long, so the map may be of a wrong size, by {:.2f} m";
   for (const SharedSolution* const one : {&errors.odometry, &errors.ranges}) {
-    const bool is_odometry = one == &errors.odometry;
-    const MapShift* const shift =
-        contradiction(*one, is_odometry ? most_gain : most_ranges_gain, is_odometry ? 1.0 : 0.0);
+    const MapShift* const shift = contradiction(*one, one == &errors.odometry ? most_gain : most_ranges_gain);
     if (shift == nullptr) continue;
     const SharedErrors& found = one->estimate;
-    return fmt::format(fmt::runtime(sentence), 100.0 * found[0], 100.0 * found[1], found[3], 100.0 * found[4],
-                       shift->moved_m);
+    return fmt::format(
+        "the measurements are much more likely if odometry counts ways {:+.1f} % and turns {:+.1f} % too "
+        "much "
+        "and ranges are {:+.2f} m and {:+.1f} % too long, so the map may be of a wrong size, by {:.2f} m",
+        100.0 * found[0], 100.0 * found[1], found[3], 100.0 * found[4], shift->moved_m);
   }
   return {};
 }

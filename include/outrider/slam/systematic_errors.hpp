@@ -59,10 +59,9 @@ SystematicErrors find_systematic_errors(const PoseGraph& graph, const std::vecto
 
 /// Returns why the size of a map is in doubt, as a clause; empty if it is not. It is in doubt
 /// - if one standard deviation of stated tolerances may move its points by more than they may be off;
-/// - if errors of odometry are significant (chi-square with five degrees of freedom, one time in 200), and
-/// with
-///   one standard deviation of what is not seen move the map by more than it may be off;
-/// - if errors of ranges are (two degrees, one time in 100) and move it by more themselves.
+/// - if errors of odometry are significant (chi-square with five degrees of freedom, one time in 200), or of
+///   ranges (two degrees, one time in 100), and with one standard deviation of what is not seen move the map
+///   by more than it may be off.
 std::string why_not_believed(const SystematicErrors& errors);
 
 }  // namespace outrider
