@@ -15,11 +15,14 @@ function heldCopy(server, folder, path, name) {
   return copy;
 }
 
+/** Poses that have come so far. A mission that plans is not held: by then it may have told where it starts, at time 0. */
+const samples = (page) => page.evaluate(() => Number(document.querySelector(".live-page").dataset.samples ?? 0));
+const atTheStart = 2;
+
 export const cases = ({ open, text, server, folder }) => ({
   async "a mission is drawn while it runs; who comes in the middle sees it from the start; it is cancelled, another is run"() {
     const held = heldCopy(server, folder, "waypoints/closed_loop.yaml", "held.yaml");
     const page = await open(`#live?scenario=${held}`);
-    const samples = (one) => one.evaluate(() => Number(document.querySelector(".live-page").dataset.samples ?? 0));
     const grows = (one, from) => until("more of the mission", async () => (await samples(one)) > from);
     await page.waitForSelector(".start button:enabled");
     assert.equal(await page.inputValue("#scenario"), held);
@@ -88,7 +91,7 @@ export const cases = ({ open, text, server, folder }) => ({
     for (const target of targets) if (await inked("--waiting", await place(...target)) > 8) ++seen;
     assert.ok(seen >= 20, `${seen} of ${targets.length} targets`);
     assert.match(await text(page, ".run-words"), /surveying|planning/);
-    assert.equal(await page.locator(".live-page").getAttribute("data-samples"), "0", "nothing has moved yet");
+    assert.ok(await samples(page) <= atTheStart, "nothing has moved yet");
     await page.click(".run-head .button");
     await page.waitForSelector('.live-page[data-state="cancelled"]');
     rmSync(join(folder, held));
@@ -107,7 +110,7 @@ export const cases = ({ open, text, server, folder }) => ({
     const takes = async () => Number((await text(page, ".why .about")).match(/takes ([\d.]+) s/)[1]);
     assert.match(await text(page, ".why li"), /^Stop 1 at \(.*serves \w+/);
     assert.ok(await takes() < 200);
-    assert.equal(await page.locator(".live-page").getAttribute("data-samples"), "0", "nothing has moved yet");
+    assert.ok(await samples(page) <= atTheStart, "nothing has moved yet");
     const tip = page.locator(".plan-view .tip");
     const frame = await page.locator(".plan-view canvas").boundingBox();
     const share = async () => await tip.isVisible() && /% of the targets can be hit from here/.test(await tip.textContent());
