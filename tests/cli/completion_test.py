@@ -62,7 +62,7 @@ class Completion(ToolTest):
 
     def test_bash_completes_values_that_are_one_of_few(self):
         planners = set(json.loads(self.run_tool("schema", "--job", "pursue").stdout)["properties"]["planner"]["enum"])
-        self.assertGreater(len(planners), 3)
+        self.assertGreater(len(planners), 1)
         self.assertEqual(self.bash("pursue", "--planner", ""), planners)
         self.assertEqual(self.bash("schema", "--as", "s"), {"schema", "scenario"})
         self.assertEqual(self.bash("completion", "z"), {"zsh"})

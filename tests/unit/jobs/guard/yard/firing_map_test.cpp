@@ -258,7 +258,7 @@ TEST(Survey, RefusesNumbersThatAreNoneOrOutOfRange) {
 TEST(GuardOptionsText, DescribeEveryMemberWithinItsRange) {
   GuardOptions options;
   ExecutionErrors errors;
-  EXPECT_EQ(describe(options).size(), 13U);
+  EXPECT_EQ(describe(options).size(), 12U);
   EXPECT_EQ(describe(errors).size(), 5U);
   for (const auto& list : {describe(options), describe(errors)}) {
     for (const Option& option : list) EXPECT_TRUE(assign(option, value_text(option))) << option.name;
