@@ -7,14 +7,14 @@ import numpy.typing as npt
 
 __version__: str
 
-Point = Sequence[float] | npt.NDArray[np.float64]
-Points = Sequence[Sequence[float]] | npt.NDArray[np.float64]
+Point = Sequence[float] | npt.NDArray[np.floating[Any]]
+Points = Sequence[Sequence[float]] | npt.NDArray[np.floating[Any]]
 Value = bool | int | float | str
 
 Cell = Sequence[int] | npt.NDArray[np.integer[Any]]
 """Column and row, which count from 0."""
 Cells = Sequence[Sequence[int]] | npt.NDArray[np.integer[Any]]
-Pose = Sequence[float] | npt.NDArray[np.float64]
+Pose = Sequence[float] | npt.NDArray[np.floating[Any]]
 """x, y in m and heading in rad."""
 
 class Row(TypedDict):

@@ -93,7 +93,7 @@ def test_what_is_no_pursuit_is_refused(changed, words):
                                        "guard_planners", "jobs"])
 def test_catalogues_are_listed(catalogue):
     rows = getattr(outrider, catalogue)()
-    assert len(rows) > 2
+    assert len(rows) >= 1
     for name, row in rows.items():
         assert row.keys() == {"sentence", "source", "guarantee", "options", "help"} and row["sentence"], name
         assert row["help"].keys() == row["options"].keys() and all(row["help"].values()), name
