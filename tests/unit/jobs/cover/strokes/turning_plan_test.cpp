@@ -42,7 +42,6 @@ struct Shape {
 Shape shape_of(const CoverPlan& plan) {
   Shape shape;
   const auto way = points_along(plan.track.start.position, plan.track.pieces, radians(0.5));
-  Vec2 before;
   for (std::size_t i = 1; i + 1 < way.size(); ++i) {
     const Vec2 in = way[i] - way[i - 1], out = way[i + 1] - way[i];
     const double turn = std::abs(std::atan2(cross(in, out), dot(in, out)));
