@@ -1,5 +1,5 @@
 // Reference methods beside those of the library: they compare, prove or bound, but run no robot. `make
-// research` builds them into the tool; the library does not have them.
+// research` builds them and outrider-research, the tool with them; the library does not have them.
 #pragma once
 
 #include <vector>

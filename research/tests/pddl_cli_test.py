@@ -202,6 +202,7 @@ class Pddl(ToolTest):
         self.followed()
 
     def test_what_is_wrong_gets_a_sentence(self):
+        self.write("deep.txt", "0: " + "(" * 100000 + ")" * 100000)
         self.write("plan.txt", "; ours\n0: (fly p0-0 p1-0) [2]\n")
         self.write("file", "")
         for flags, says in [
@@ -211,6 +212,8 @@ class Pddl(ToolTest):
                 (["--pddl", "--out", "file/x"], ["--out", "is no folder"]),
                 (["--pddl", "--validate", "plan.txt"], ["pddl.validate", "leave one of"]),
                 (["--pddl", "--pddl-stops", "-1"], ["--pddl-stops", "'-1'", "from 0 to 300"]),
+                (["--pddl", "--robots", "2"], ["pddl", "several robots"]),
+                (["--validate", "deep.txt"], ["deep.txt:1"]),
                 (["--pddl", "--arrivals-count", "2", "--arrivals-entrances=gate=-2,-2"],
                  ["pddl", "still yard"])]:
             with self.subTest(flags=flags):

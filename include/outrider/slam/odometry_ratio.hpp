@@ -36,9 +36,8 @@ struct OdometryRatio {
 OdometryRatio compare_with_odometry(std::span<const CountedStep> steps);
 
 /// Returns why the size of the map is in doubt, as a clause; empty if it is not: if the ratio of ways to that
-/// of turns is off by more than 3 % and 1.65 standard deviations. Of six recordings of real robots none is
-/// off by more than 1.4 %, and with ranges that are 5 or 10 % too long or too short all are, by 3.5 % and
-/// more.
+/// of turns is off by more than 3 % and two standard deviations. Of six recordings of real robots none is off
+/// by more than 1.4 %; with ranges that are 5 % too long or too short all six are in doubt.
 std::string why_not_believed(const OdometryRatio& ratio);
 
 }  // namespace outrider

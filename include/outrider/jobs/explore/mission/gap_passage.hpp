@@ -1,10 +1,9 @@
 // GapPassage: how a robot passes through places that its map calls too narrow.
 //
-// Where nothing else is left to see, the robot opens the roomiest way on which it may fit all the same. On
-// it, it looks at the gap from near (close_range.hpp), centres its path between the surfaces there, drives
-// slowly, and notes the width of a gap in which it does not fit. The width is judged before the robot is in
-// the gap: next to the rim, the noise of a corner narrows it. Until it is sure, the robot stands before the
-// gap.
+// If nothing else is left to see, the robot opens the roomiest passage in which it may fit all the same. It
+// looks at the gap from near (close_range.hpp), centres its path between the surfaces there, drives slowly,
+// and notes the width of a gap in which it does not fit. The width is judged before the robot is in the gap:
+// next to the rim, the noise of a corner narrows it. Until it is sure, the robot stands before the gap.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +18,7 @@
 
 namespace outrider {
 
-/// What the robot does on its path.
+/// The purpose of the path that the robot follows.
 enum class Driving { to_goal, home, back };
 
 class GapPassage {

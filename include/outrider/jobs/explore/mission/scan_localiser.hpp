@@ -18,7 +18,7 @@
 
 namespace outrider {
 
-/// What an observation came to.
+/// The effects of an observation.
 struct Localised {
   bool redrawn = false;      ///< the map was drawn anew, so that marks on it have to move
   bool corrected = false;    ///< a pose was corrected by more than two cells
@@ -45,7 +45,7 @@ class ScanLocaliser {
   [[nodiscard]] const Pose2& odometry() const { return odometry_; }
   [[nodiscard]] const Twist2& twist() const { return twist_; }  ///< recent velocity by odometry
   [[nodiscard]] double driven_m() const { return driven_m_; }   ///< distance by odometry
-  [[nodiscard]] double range_m() const { return range_m_; }     ///< of the range finder
+  [[nodiscard]] double range_m() const { return range_m_; }     ///< largest range of its scans
   [[nodiscard]] std::int64_t scans() const { return scans_; }
   [[nodiscard]] std::int64_t bad_scans() const { return bad_scans_; }  ///< those that could not be used
   [[nodiscard]] bool any_usable() const { return scans_ > bad_scans_; }
@@ -106,7 +106,7 @@ class ScanLocaliser {
   Twist2 twist_;
   Pose2 odometry_;
   Pose2 odometry_of_slam_;                ///< when the previous scan was measured
-  std::deque<TimedOdometry> odometries_;  ///< of the last seconds, for scans that come late
+  std::deque<TimedOdometry> odometries_;  ///< the last seconds of odometry, for scans that come late
   double driven_m_ = 0.0;
   double scan_s_ = 0.0;  ///< when the newest usable scan was measured
   double range_m_ = 3.5;
