@@ -78,7 +78,7 @@ TEST(CompactLabels, AreForgottenAtOnce) {
   EXPECT_EQ(labels.parent(2), 1U);
   EXPECT_EQ(labels.g(2), 5.0);
   EXPECT_EQ(labels.parent(3999), 2U);
-  for (const std::size_t states : {4000, 8000}) {
+  for (const std::size_t states : {4000U, 8000U}) {
     labels.begin(states);
     for (State s = 0; s < states; ++s) ASSERT_FALSE(labels.known(s) || labels.closed(s));
   }
