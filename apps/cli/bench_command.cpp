@@ -199,6 +199,19 @@ void add_cover_suite(Command& bench) {
   cover.footer("\nExample: outrider bench cover --seeds 1 --turning-radius 1");
 }
 
+void add_barn_suite(Command& bench) {
+  Command& barn =
+      bench.add("barn", "driving through clutter that nobody mapped: the worlds of the BARN Challenge");
+  auto asked = std::make_shared<Asked<bench::BarnRequest>>();
+  bench::BarnRequest& request = asked->request;
+  barn.option("--data", &request.data, "folder with static_even.json.gz").required().type("DIR");
+  add_names(barn, "--worlds", request.worlds, "numbers of worlds, such as 0,60; all unless given");
+  add_names(barn, "--rules", request.rules, "rules of motion [sampled,dwa]");
+  add_seeds(barn, request.seeds, "runs of each rule in each world, with seeds from 1 on [10]");
+  finish(barn, "bench barn", bench::measure_barn, asked);
+  barn.footer("\nExample: outrider bench barn --data DIR --worlds 0,60 --seeds 1");
+}
+
 }  // namespace
 
 void add_bench(Command& tool) {
@@ -211,6 +224,7 @@ void add_bench(Command& tool) {
   add_explore_suite(bench);
   add_drive_suite(bench);
   add_cover_suite(bench);
+  add_barn_suite(bench);
 }
 
 }  // namespace outrider::cli

@@ -107,4 +107,13 @@ struct CoverRequest {
 };
 Outcome<BenchResult> measure_cover(const CoverRequest& request, const BenchObserver& observer);
 
+/// Requests a benchmark of rules of motion in the worlds of the BARN Challenge, which nobody has mapped.
+struct BarnRequest {
+  std::string data;                 ///< folder with static_even.json.gz
+  std::vector<std::string> worlds;  ///< numbers; empty: all
+  std::vector<std::string> rules = {"sampled", "dwa"};
+  std::int64_t seeds = 10;  ///< runs of each rule in each world, seeds from 1
+};
+Outcome<BenchResult> measure_barn(const BarnRequest& request, const BenchObserver& observer);
+
 }  // namespace outrider::bench

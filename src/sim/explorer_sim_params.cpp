@@ -5,6 +5,7 @@ namespace outrider {
 std::vector<Option> describe(RangeFinderModel& laser) {
   return {
       {"beams", "", 4, 10'000, "of a turn, equally far apart", &laser.beams},
+      {"view", "deg", 1.0, 360.0, "angle about ahead that the laser sees", &laser.view_rad},
       {"rate", "Hz", 0.1, 100.0, "turns a second", &laser.rate_hz},
       {"least", "m", 0.0, 10.0, "what is nearer gives no reading", &laser.least_m},
       {"most", "m", 0.1, 100.0, "what is farther is not seen", &laser.most_m},

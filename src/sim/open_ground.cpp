@@ -1,5 +1,7 @@
 #include "outrider/sim/open_ground.hpp"
 
+#include <algorithm>
+
 namespace outrider {
 namespace {
 
@@ -25,6 +27,7 @@ OpenGround::OpenGround(const World& world, const RobotModel& robot, double climb
     : radius_m_(robot.radius_m), ground_({{0.0, 0.0}, {0.0, 0.0}}, {}) {
   std::vector<RoundedPolygon> pieces = obstacles(world, robot, climbs_m);
   bounds_ = box_around(pieces);
+  for (const RoundedPolygon& piece : pieces) boxes_.push_back(piece.bounds());
   if (!bounds_.empty())
     ground_ = CollisionMap(bounds_.grown(2.0 * (radius_m_ + farthest_m)), std::move(pieces));
 }
@@ -44,6 +47,15 @@ bool OpenGround::free(Segment s) const {
 double OpenGround::gap_m(Vec2 centre) const {
   if (bounds_.empty() || !bounds_.grown(radius_m_ + farthest_m).contains(centre)) return farthest_m;
   return ground_.clearance(centre, radius_m_ + farthest_m) - radius_m_;
+}
+
+double OpenGround::gap_m(const Footprint& footprint, const Pose2& pose) const {
+  double least_m = farthest_m;
+  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    if (boxes_[i].distance_to(pose.position) > footprint.outer_m() + least_m) continue;
+    least_m = std::min(least_m, footprint.gap_m(pose, ground_.obstacles()[i]));
+  }
+  return least_m;
 }
 
 double OpenGround::towards_nearest(Vec2 centre) const {

@@ -207,9 +207,12 @@ LaserScan RangeFinder::measured(const std::vector<double>& ranges_m, double time
                  {}};
   scan.ranges_m.reserve(static_cast<std::size_t>(model_.beams));
   constexpr float infinite = std::numeric_limits<float>::infinity();
-  for (const double exact : ranges_m) {
+  for (std::size_t beam = 0; beam < ranges_m.size(); ++beam) {
+    const double exact = ranges_m[beam];
     const double error_m = model_.noise_m * rng.normal();
-    const bool missed = rng.uniform() < model_.missed;
+    const bool out_of_view =
+        std::abs(wrap_angle(static_cast<double>(beam) * scan.step_rad)) > 0.5 * model_.view_rad;
+    const bool missed = rng.uniform() < model_.missed || out_of_view;
     const double measured = missed || exact < model_.least_m ? 0.0 : std::max(0.0, exact + error_m);
     const auto range_m = static_cast<float>(measured);
     scan.ranges_m.push_back(static_cast<double>(range_m) > scan.most_m ? infinite : range_m);

@@ -104,8 +104,8 @@ SimulatedRobot simulated_explorer(const World& world, const Pose2& start, const 
                                   const ExplorerSimParams& params, std::uint64_t seed) {
   const Rng rng(seed);
   return SimulatedRobot(
-      TwistBody(world, start, robot, params.wheels, rng.child("wheels"), params.faults,
-                rng.child("walk-ins")),
+      TwistBody(world, start, robot, params.wheels, rng.child("wheels"), params.faults, rng.child("walk-ins"),
+                params.footprint),
       {.laser = SimulatedLaser(world, params.laser, rng.child("laser"), params.faults, params.link)},
       params.faults.kidnapping, params.faults.clock);
 }

@@ -21,10 +21,11 @@ double nearer_by(double from, double to, double most) { return from + std::clamp
 
 TwistBody::TwistBody(const World& world, const Pose2& start, const RobotModel& robot,
                      const ExplorerWheels& wheels, const Rng& wheel_rng, const ExplorerFaults& faults,
-                     const Rng& walk_in_rng)
+                     const Rng& walk_in_rng, std::optional<Footprint> footprint)
     : robot_(robot),
       wheels_(wheels),
       faults_(faults),
+      footprint_(std::move(footprint)),
       ground_(world, robot, wheels.climbs_m),
       walk_ins_(world, start.position, wheels.climbs_m, faults.walk_ins, walk_in_rng),
       wheel_rng_(wheel_rng),
@@ -79,23 +80,35 @@ void TwistBody::pass(double duration_s) {
   const double grip = 1.0 - faults_.slip;
   Pose2 next = moved(pose_, {grip * on_wheels.ahead_mps, 0.0, grip * on_wheels.turn_radps}, duration_s);
   const Vec2 here = pose_.position;
-  const Vec2 way = next.position - here;
-  if (!free({here, next.position})) {
-    double open = 0.0;
-    double part = 0.5;
-    for (int i = 0; i < halvings; ++i, part *= 0.5) {
-      if (free({here, here + (open + part) * way})) open += part;
-    }
-    next.position = here + open * way;
+  const bool open =
+      footprint_ ? room_m(next) >= 0.0 || room_m(next) > room_m(pose_) : free({here, next.position});
+  if (!open) {
+    stop_at_contact(next);
     if (!touching_) ++contacts_;
     touching_ = touched_ = true;
     touch_rad_ = wrap_angle(towards_nearest(next.position) - next.heading_rad);
   } else if (touching_) {
-    touching_ = gap_m(next.position) < apart_m;
+    touching_ = room_m(next) < apart_m;
   }
   driven_m_ += distance(here, next.position);
   turned_rad_ += std::abs(next.heading_rad - pose_.heading_rad);
   pose_ = next;
+}
+
+/// The robot would touch something on the way to a pose: a disk turns and stops where it touches, a footprint
+/// does not move.
+void TwistBody::stop_at_contact(Pose2& next) {
+  if (footprint_) {
+    next = pose_;
+    return;
+  }
+  const Vec2 here = pose_.position, way = next.position - here;
+  double open = 0.0;
+  double part = 0.5;
+  for (int i = 0; i < halvings; ++i, part *= 0.5) {
+    if (free({here, here + (open + part) * way})) open += part;
+  }
+  next.position = here + open * way;
 }
 
 /// Returns true if the robot touches nothing new on the way. It may leave who has come too near.
@@ -106,8 +119,14 @@ bool TwistBody::free(Segment way) const {
          walk_ins_.gap_m({way.b, way.b}, robot_.radius_m) > walk_ins_.gap_m({way.a, way.a}, robot_.radius_m);
 }
 
-double TwistBody::gap_m(Vec2 centre) const {
-  return std::min(ground_.gap_m(centre), walk_ins_.gap_m({centre, centre}, robot_.radius_m));
+/// Returns the gap between the robot at a pose and what is nearest.
+double TwistBody::room_m(const Pose2& pose) const {
+  const Vec2 centre = pose.position;
+  if (!footprint_) return std::min(ground_.gap_m(centre), walk_ins_.gap_m({centre, centre}, robot_.radius_m));
+  double least_m = ground_.gap_m(*footprint_, pose);
+  for (const RoundedPolygon& disk : walk_ins_.disks())
+    least_m = std::min(least_m, footprint_->gap_m(pose, disk));
+  return least_m;
 }
 
 double TwistBody::towards_nearest(Vec2 centre) const {

@@ -13,13 +13,13 @@ namespace {
 
 /// How far to the right a layer stands; layers of one rank do not see each other.
 const std::map<std::string, int> rank = {
-    {"core", 0},       {"geometry", 1},     {"world", 2},      {"motion", 3},     {"search", 4},
-    {"path", 5},       {"pursuit", 5},      {"tour", 5},       {"ballistics", 5}, {"estimate", 5},
-    {"control", 5},    {"slam", 5},         {"log", 5},        {"picture", 6},    {"report", 6},
-    {"robot", 6},      {"io", 6},           {"sim", 7},        {"job", 7},        {"jobs/cover", 8},
-    {"jobs/drive", 8}, {"jobs/explore", 8}, {"jobs/fleet", 8}, {"jobs/plan", 8},  {"jobs/pursue", 8},
-    {"jobs/slam", 8},  {"jobs/guard", 9},   {"jobs", 10},      {"sweep", 10},     {"nodes", 11},
-    {"ros2", 12},
+    {"core", 0},        {"geometry", 1},   {"world", 2},        {"motion", 3},     {"search", 4},
+    {"path", 5},        {"pursuit", 5},    {"tour", 5},         {"ballistics", 5}, {"estimate", 5},
+    {"control", 5},     {"slam", 5},       {"log", 5},          {"picture", 6},    {"report", 6},
+    {"robot", 6},       {"io", 6},         {"navigate", 7},     {"sim", 8},        {"job", 8},
+    {"jobs/cover", 9},  {"jobs/drive", 9}, {"jobs/explore", 9}, {"jobs/fleet", 9}, {"jobs/plan", 9},
+    {"jobs/pursue", 9}, {"jobs/slam", 9},  {"jobs/guard", 10},  {"jobs", 11},      {"sweep", 11},
+    {"nodes", 12},      {"ros2", 13},
 };
 
 bool may_use(const std::string& layer, const std::string& used) {

@@ -4,11 +4,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "outrider/core/options.hpp"
 #include "outrider/core/planner_outage.hpp"
+#include "outrider/core/units.hpp"
 #include "outrider/geometry/pose.hpp"
+#include "outrider/motion/footprint.hpp"
 #include "outrider/motion/wheel_faults.hpp"
 #include "outrider/sim/clock_faults.hpp"
 #include "outrider/sim/kidnapping.hpp"
@@ -18,14 +21,15 @@ namespace outrider {
 
 /// A laser scanner that rotates about a vertical axis. All beams of a scan are measured at the same instant.
 struct RangeFinderModel {
-  std::int64_t beams = 360;  ///< number of beams per scan, evenly spaced over 360 degrees, the first ahead
-  double rate_hz = 5.0;      ///< scans per second
-  double least_m = 0.12;     ///< minimum range; a nearer obstacle gives no reading
-  double most_m = 3.5;       ///< maximum range; a farther obstacle is not seen
-  double noise_m = 0.01;     ///< standard deviation of a range
-  double missed = 0.0;       ///< fraction of the beams that give no reading
-  double height_m = 0.18;    ///< height of the scan plane above the floor
-  Pose2 robot_T_laser;       ///< mounting pose
+  std::int64_t beams = 360;    ///< number of beams per scan, evenly spaced over 360 degrees, the first ahead
+  double view_rad = 2.0 * pi;  ///< angle about ahead that it sees; the other beams give no reading
+  double rate_hz = 5.0;        ///< scans per second
+  double least_m = 0.12;       ///< minimum range; a nearer obstacle gives no reading
+  double most_m = 3.5;         ///< maximum range; a farther obstacle is not seen
+  double noise_m = 0.01;       ///< standard deviation of a range
+  double missed = 0.0;         ///< fraction of the beams that give no reading
+  double height_m = 0.18;      ///< height of the scan plane above the floor
+  Pose2 robot_T_laser;         ///< mounting pose
 };
 std::vector<Option> describe(RangeFinderModel& laser);
 
@@ -70,7 +74,8 @@ struct ExplorerSimParams {
   RangeFinderModel laser;
   ExplorerWheels wheels;
   ExplorerFaults faults = {};
-  LinkFaults link = {};  ///< of the link on which scans travel to the robot's computer
+  LinkFaults link = {};                     ///< of the link on which scans travel to the robot's computer
+  std::optional<Footprint> footprint = {};  ///< of the body; none: the disk of the robot model
 };
 
 }  // namespace outrider

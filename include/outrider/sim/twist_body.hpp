@@ -1,12 +1,12 @@
 // TwistBody: a differential-drive robot with a bumper that follows commanded twists.
 //
 // In steps of 5 ms its twist approaches the commanded twist within the limits of acceleration and speed. In
-// each step the disk of the robot is swept exactly along the motion. Obstacles are all solids higher than
-// what the wheels can climb and lower than the top of the robot. If the disk would touch one, the robot stays
-// in place and only turns, while its wheels slip and the encoders keep counting. A contact counts once until
-// the robot has left the obstacle. The odometry integrates the rotations of the wheels, each with its own
-// scale error and with noise that grows with the square root of the distance. Of the faults it has slip and a
-// stuck wheel.
+// each step the disk of the robot is swept exactly along the motion; a footprint, if it has one, is tried
+// exactly where the step ends. Obstacles are all solids higher than what the wheels can climb and lower than
+// the top of the robot. If the disk would touch one, the robot stays in place and only turns, while its
+// wheels slip and the encoders keep counting. A contact counts once until the robot has left the obstacle.
+// The odometry integrates the rotations of the wheels, each with its own scale error and with noise that
+// grows with the square root of the distance. Of the faults it has slip and a stuck wheel.
 //
 // The same world, start, model, random stream and commands give the same motion. O(nearby obstacles) per
 // step.
@@ -24,7 +24,8 @@ namespace outrider {
 class TwistBody {
  public:
   TwistBody(const World& world, const Pose2& start, const RobotModel& robot, const ExplorerWheels& wheels,
-            const Rng& wheel_rng, const ExplorerFaults& faults = {}, const Rng& walk_in_rng = Rng(0));
+            const Rng& wheel_rng, const ExplorerFaults& faults = {}, const Rng& walk_in_rng = Rng(0),
+            std::optional<Footprint> footprint = {});
 
   /// Begins a DriveTwist and returns its end time; other commands end at once.
   double begin(const Command& command);
@@ -50,7 +51,8 @@ class TwistBody {
  private:
   void pass(double duration_s);
   [[nodiscard]] bool free(Segment way) const;
-  [[nodiscard]] double gap_m(Vec2 centre) const;
+  [[nodiscard]] double room_m(const Pose2& pose) const;
+  void stop_at_contact(Pose2& next);
   [[nodiscard]] double towards_nearest(Vec2 centre) const;
   void speed_up(double duration_s);
   [[nodiscard]] Twist2 rolled() const;
@@ -60,6 +62,7 @@ class TwistBody {
   RobotModel robot_;
   ExplorerWheels wheels_;
   ExplorerFaults faults_;
+  std::optional<Footprint> footprint_;
   OpenGround ground_;
   WalkIns walk_ins_;
   Rng wheel_rng_;

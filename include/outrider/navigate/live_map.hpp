@@ -1,0 +1,80 @@
+// LiveMap: what stands around a robot by what its sensors show now, in a window that moves with the robot.
+//
+// A mark is a cell in which something was seen or touched, with the place where it was. Each reading that
+// ends there adds to the weight of the mark, up to eight; each scan whose beams pass it takes one away, so
+// what has gone is forgotten in a fraction of a second, and a reading that was wrong at once. What is out of
+// sight stays until it is `forget_s` old. What was touched stays longer, since the laser may not see it.
+// Where the robot has driven nothing stands, whatever noise does.
+//
+// Frames: the world of the localiser. A correction of the pose smears marks, which later beams then clear.
+// Thread rule: one at a time. O(beams + marks in range) per scan.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "outrider/core/options.hpp"
+#include "outrider/geometry/pose.hpp"
+#include "outrider/slam/laser_scan.hpp"
+#include "outrider/world/grid.hpp"
+
+namespace outrider {
+
+/// Options of the live map.
+struct LiveMapOptions {
+  double resolution_m = 0.05;  ///< side of a cell
+  double reach_m = 10.0;       ///< half the side of the window
+  double forget_s = 30.0;      ///< after which a mark out of sight is forgotten
+  double touch_s = 120.0;      ///< after which what was touched is forgotten
+};
+std::vector<Option> describe(LiveMapOptions& options);
+
+/// Something that stands in a cell.
+struct Mark {
+  Vec2 place;            ///< mean of the newest readings
+  double seen_s = 0.0;   ///< time of the newest reading
+  int weight = 0;        ///< 0: nothing stands there
+  bool touched = false;  ///< by the bumper
+};
+
+class LiveMap {
+ public:
+  /// Makes an empty map around a place.
+  LiveMap(const LiveMapOptions& options, Vec2 middle);
+
+  /// Moves the window, in whole cells, once the robot is a quarter of the reach from its middle.
+  void follow(Vec2 robot);
+  /// Moves all marks because the pose was corrected: from where they were to `correction` times that.
+  void correct(const Pose2& correction);
+  /// Notes a scan that was taken from there. Readings that are no numbers or out of range say nothing.
+  void note(const LaserScan& scan, const Pose2& world_T_laser);
+  /// Notes that the robot touched something there.
+  void note_touch(Vec2 place, double time_s);
+  /// Nothing but what was touched later stands within `radius_m` of a place where the robot is.
+  void keep_open(Vec2 place, double radius_m);
+  /// Forgets marks that are too old at that time.
+  void forget(double time_s);
+  /// Forgets all marks but those seen within the last `lately_s`.
+  void forget_but(double time_s, double lately_s);
+
+  [[nodiscard]] const GridFrame& frame() const { return cells_.frame; }
+  [[nodiscard]] const LiveMapOptions& options() const { return options_; }
+  [[nodiscard]] bool marked(Cell cell) const { return cells_.contains(cell) && cells_[cell] != 0; }
+  /// Returns all marks, in the order in which they were made.
+  [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
+  /// Counts changes: marks that came or went.
+  [[nodiscard]] std::uint64_t changes() const { return changes_; }
+
+ private:
+  void mark(Vec2 place, double time_s, int weight, bool touched);
+  template <class Gone>
+  void erase_marks(Gone gone);
+  void clear_seen_through(const LaserScan& scan, const Pose2& world_T_laser);
+
+  LiveMapOptions options_;
+  Grid<std::uint32_t> cells_;  // 0: no mark, else its index in marks_ plus one
+  std::vector<Mark> marks_;
+  std::uint64_t changes_ = 0;
+};
+
+}  // namespace outrider

@@ -1,0 +1,90 @@
+// LocalMotion: a rule that finds the next twist of a robot from what stands around it.
+//
+// Rows of local_motions():
+//   sampled  optimises motions of the real footprint under the real limits over the next seconds, by sampling
+//            (model predictive path integral): the time that is left to the goal at their end decides, and
+//            room beside them. Source: Williams, Drews, Goldfain, Rehg and Theodorou, Information theoretic
+//            model predictive control (IEEE Transactions on Robotics, 2018).
+//   dwa      the dynamic window approach: the best pair of constant speed and turn rate within reach. Source:
+//            Fox, Burgard and Thrun, The dynamic window approach to collision avoidance (1997).
+//
+// Whatever a rule proposes passes the same test before it is commanded: after it for one period, the robot
+// can brake without touching anything that is marked (can_brake()). If no proposal passes, it brakes.
+// Deterministic. Thread rule: one at a time.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "outrider/core/options.hpp"
+#include "outrider/motion/robot_model.hpp"
+#include "outrider/motion/twist.hpp"
+#include "outrider/navigate/goal_field.hpp"
+#include "outrider/navigate/surroundings.hpp"
+
+namespace outrider {
+
+/// The situation of a robot. All references must outlive the call.
+struct MotionState {
+  Pose2 pose;
+  Twist2 twist;  ///< present
+  const Footprint& footprint;
+  const RobotModel& robot;
+  const Surroundings& near;
+  const GoalField& field;
+  Vec2 goal;
+  double within_m = 0.1;   ///< of the goal the robot has arrived
+  double period_s = 0.05;  ///< until the next command
+};
+
+/// Options of the rules.
+struct LocalMotionOptions {
+  std::string rule = "sampled";  ///< row of local_motions()
+  double margin_m = 0.03;        ///< room beside the footprint that a motion keeps
+  double horizon_s = 2.0;        ///< time for which motions are predicted
+  std::int64_t samples = 160;    ///< motions sampled in each round
+  std::int64_t rounds = 2;       ///< rounds of sampling in each period
+  double wide_m = 0.3;           ///< room beside the footprint beyond which more is worth nothing
+  double room_weight = 1.5;      ///< seconds that a second without room costs at full speed
+};
+std::vector<Option> describe(LocalMotionOptions& options);
+
+/// What a rule proposes.
+struct MotionChoice {
+  Twist2 twist;            ///< to be commanded for a period
+  std::vector<Pose2> way;  ///< where it leads, a pose each 0.1 s; empty if the robot brakes
+  bool brakes = false;     ///< nothing better than to brake was found
+};
+
+class LocalMotion {
+ public:
+  virtual ~LocalMotion() = default;
+  virtual MotionChoice choose(const MotionState& state) = 0;
+
+ protected:
+  LocalMotion() = default;
+  LocalMotion(const LocalMotion&) = default;
+  LocalMotion& operator=(const LocalMotion&) = default;
+};
+
+struct LocalMotionRow {
+  std::string_view name;
+  std::string_view sentence;
+  std::unique_ptr<LocalMotion> (*make)(const LocalMotionOptions& options);
+};
+const std::vector<LocalMotionRow>& local_motions();
+
+/// Returns the twist after a time with a commanded one, under the limits of the robot.
+Twist2 twist_after(const Twist2& now, const Twist2& commanded, const RobotModel& robot, double duration_s);
+
+/// Returns true if the robot touches nothing that is marked when it is commanded a twist for a period and
+/// then brakes: the gap is at least `margin_m` then, or as it is now if that is less. Exact in space, with
+/// steps in time between which nothing can be reached.
+bool can_brake(const MotionState& state, const Twist2& commanded, double margin_m);
+
+/// Returns the pose after a twist that grows evenly from one to another; accurate to the third order.
+Pose2 moved_evenly(const Pose2& from, const Twist2& begin, const Twist2& end, double duration_s);
+
+}  // namespace outrider

@@ -1,0 +1,140 @@
+// Navigator: gets a robot where a mission wants it, around what its map does not have.
+//
+//   Navigator navigator(setup, start);
+//   for (;;) {
+//     const Situation now = navigator.perceive(robot.sense());
+//     robot.act(navigator.act(GoTo{goal}));
+//   }
+//
+// perceive() localises the robot, brings the live map up to date (live_map.hpp) and judges the progress.
+// act() plans anew when the map has changed (goal_field.hpp), finds the next motion (local_motion.hpp) and
+// recovers when nothing goes on: it forgets what it has not seen lately, turns to where the way leads, backs
+// off to where there is more room, and after all of that several times in vain gives up with a reason. Every
+// answer is a DriveTwist for one period. It never commands a motion from which the robot could not brake
+// before what is marked.
+//
+// Deterministic: a pure function of the observations and orders so far. Thread rule: one at a time.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "outrider/navigate/local_motion.hpp"
+#include "outrider/navigate/pose_estimator.hpp"
+#include "outrider/robot/command.hpp"
+#include "outrider/robot/observation.hpp"
+
+namespace outrider {
+
+/// Drive to a place, by any way that is safe and fast.
+struct GoTo {
+  Vec2 place;
+  double within_m = 0.1;
+};
+/// Stand where it is.
+struct Hold {};
+using Order = std::variant<GoTo, Hold>;
+
+/// How far an order is.
+struct Progress {
+  enum class State { underway, arrived, blocked, lost };
+  State state = State::underway;
+  std::optional<double> left_s = {};  ///< to the goal, as planned last; nothing if no way is known
+  std::string why = {};               ///< one sentence if it is blocked or lost
+};
+
+/// What a mission may know.
+struct Situation {
+  double time_s = 0.0;
+  Pose2 pose;    ///< world_T_robot, as believed
+  Twist2 twist;  ///< present
+  Progress progress;
+};
+
+/// Options of the navigator besides those of its parts.
+struct NavigatorOptions {
+  std::string localiser = "laser_mapping";  ///< row of pose_estimators()
+  double period_s = 0.05;                   ///< of commands
+  double plan_again_s = 0.2;                ///< least time between two plans
+  double patience_s = 3.0;                  ///< without progress, after which it recovers
+  double blind_s = 0.5;                     ///< without a scan, after which the robot stands
+  std::int64_t most_recoveries = 12;        ///< in a row, after which it gives up
+};
+std::vector<Option> describe(NavigatorOptions& options);
+
+/// The robot and the options of all parts.
+struct NavigatorSetup {
+  RobotModel robot;
+  Footprint footprint = Footprint::disk(0.26);
+  Pose2 robot_T_laser;
+  NavigatorOptions options;
+  LiveMapOptions map;
+  LocalMotionOptions motion;
+};
+
+class Navigator {
+ public:
+  /// Faults: bad_input if there is no such rule of motion or localiser.
+  static Outcome<Navigator> make(NavigatorSetup setup, const Pose2& start);
+
+  Situation perceive(const Observation& seen);
+  Command act(const Order& order);
+
+  [[nodiscard]] const LiveMap& map() const { return map_; }
+  [[nodiscard]] const GoalField& field() const { return field_; }
+  [[nodiscard]] const MotionChoice& motion() const { return choice_; }  ///< of the last command
+  [[nodiscard]] std::int64_t recoveries() const { return recoveries_; }
+
+ private:
+  Navigator(NavigatorSetup setup, const Pose2& start, std::unique_ptr<PoseEstimator> estimator,
+            std::unique_ptr<LocalMotion> motion);
+
+  /// The ways out of a place where nothing goes on, in the order in which they are tried.
+  enum class Recovery { none, forget, turn, back_off };
+
+  void note_odometry(const Observation& seen);
+  [[nodiscard]] Pose2 odometry_at(double time_s) const;
+  [[nodiscard]] Pose2 pose() const { return compose(estimator_->world_T_odometry(), track_.back().odometry); }
+  void take(const LaserScan& scan);
+  void judge(const GoTo& order);
+  void recover();
+  [[nodiscard]] Twist2 recovery_twist(const MotionState& state) const;
+  [[nodiscard]] MotionState state_of(const GoTo& order) const;
+
+  struct TimedOdometry {
+    double time_s = 0.0;
+    Pose2 odometry;
+  };
+
+  NavigatorSetup setup_;
+  std::unique_ptr<PoseEstimator> estimator_;
+  std::unique_ptr<LocalMotion> rule_;
+  LiveMap map_;
+  Surroundings near_;
+  GoalField field_;
+  MotionChoice choice_;
+  Twist2 commanded_;
+
+  double time_s_ = 0.0;
+  std::optional<double> scan_s_;
+  std::deque<TimedOdometry> track_;  // the last second
+  Twist2 twist_;
+  bool touching_ = false;
+
+  std::optional<GoTo> order_;
+  std::optional<double> planned_s_;
+  std::uint64_t planned_changes_ = 0;
+  std::optional<double> left_s_;
+  double least_left_s_ = 0.0;
+  double nearer_s_ = 0.0;  // when the time left last became less, or a recovery began
+  Recovery recovery_ = Recovery::none;
+  double recovers_until_s_ = 0.0;
+  std::int64_t recoveries_ = 0;  // in a row
+  Progress progress_;
+};
+
+}  // namespace outrider

@@ -1,0 +1,46 @@
+// PoseEstimator: where a robot is, by its odometry and what else it senses.
+//
+// Rows of pose_estimators():
+//   odometry       the odometry is believed
+//   laser_mapping  scans are matched with each other on a map that grows (laser_slam.hpp)
+//
+// Frames: the world begins at the start that the robot is given. Thread rule: one at a time.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "outrider/core/outcome.hpp"
+#include "outrider/geometry/pose.hpp"
+#include "outrider/slam/laser_scan.hpp"
+
+namespace outrider {
+
+class PoseEstimator {
+ public:
+  virtual ~PoseEstimator() = default;
+  /// Takes a scan that was measured where the odometry was `odometry_T_robot`.
+  virtual void take(const LaserScan& scan, const Pose2& odometry_T_robot) = 0;
+  /// Returns the pose of the frame of the odometry.
+  [[nodiscard]] virtual Pose2 world_T_odometry() const = 0;
+  /// Returns why the pose is not known any more; empty if it is.
+  [[nodiscard]] virtual std::string lost() const { return {}; }
+
+ protected:
+  PoseEstimator() = default;
+  PoseEstimator(const PoseEstimator&) = default;
+  PoseEstimator& operator=(const PoseEstimator&) = default;
+};
+
+struct PoseEstimatorRow {
+  std::string_view name;
+  std::string_view sentence;
+  /// `start` is the pose of the robot where its odometry begins. Fault: bad_input for a start that is not
+  /// finite.
+  Outcome<std::unique_ptr<PoseEstimator>> (*make)(const Pose2& start, const Pose2& robot_T_laser);
+};
+const std::vector<PoseEstimatorRow>& pose_estimators();
+
+}  // namespace outrider

@@ -1,0 +1,44 @@
+// Surroundings: what stands near a robot, for many questions about where its footprint would touch something.
+//
+// The distance from a place to the nearest mark is exact at the middles of the cells of a small grid, and
+// interpolated between them: at more than 0.15 m from every mark it is at most 3 mm too large, and half a
+// cell too small where two marks are equally far. The gap between a footprint and the marks is exact. look()
+// is O(marks * cells within most_m); then a query is O(1), and that of a footprint O(marks beside it). Thread
+// rule: const queries may run concurrently.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "outrider/motion/footprint.hpp"
+#include "outrider/navigate/live_map.hpp"
+
+namespace outrider {
+
+class Surroundings {
+ public:
+  /// Distances are told up to that.
+  static constexpr double most_m = 0.6;
+
+  /// Takes the marks of a map within `reach_m` of a place, in x and in y.
+  void look(const LiveMap& map, Vec2 middle, double reach_m);
+
+  /// Returns the places of the marks that were taken, tile by tile.
+  [[nodiscard]] const std::vector<Vec2>& places() const { return places_; }
+  /// Returns the distance from a place to the nearest mark, m, at most most_m; that outside the grid too.
+  [[nodiscard]] double clearance(Vec2 place) const;
+  /// Returns the distance from the footprint of a robot at a pose to the nearest mark, m, at most `most`; it
+  /// is negative where they overlap.
+  [[nodiscard]] double gap(const Footprint& footprint, const Pose2& pose, double most) const;
+
+ private:
+  void sort_into_tiles();
+
+  GridFrame frame_;
+  GridFrame tiles_;
+  std::vector<Vec2> places_;
+  std::vector<std::uint32_t> first_;  // tile -> its first place, one more at the end
+  std::vector<float> distance_m_;     // by cell
+};
+
+}  // namespace outrider

@@ -1,0 +1,182 @@
+#include "outrider/navigate/goal_field.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "navigate_grid.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double slowest_part = 0.25;  // of the speed, where the robot just has room
+constexpr double settled_s = 2.5;      // cells so much further away than the robot are not asked for
+constexpr double fast_units = 16.0;    // to cross a cell at full speed
+constexpr std::size_t ring = 128;      // more than a diagonal step takes
+constexpr double most_units = 1e9;
+constexpr std::uint8_t out_of_room = 70;  // to cross a cell beside the robot that has no room
+constexpr double beside_m = 0.15;
+constexpr std::array<Cell, 8> neighbours = {
+    {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+
+}  // namespace
+
+void GoalField::compute(const LiveMap& map, const Footprint& footprint, const RobotModel& robot,
+                        const GoalQuery& query, Vec2 place) {
+  frame_ = map.frame();
+  unit_s_ = frame_.resolution_m / robot.speed_mps / fast_units;
+  find_room(map, footprint, query, place);
+  time_.assign(frame_.size(), unknown);
+  buckets_.resize(ring);
+  for (auto& bucket : buckets_) bucket.clear();
+  waiting_ = 0;
+  edge_.clear();
+  seed(query);
+  spread(place);
+}
+
+/// Finds how fast the robot goes in each cell.
+void GoalField::find_room(const LiveMap& map, const Footprint& footprint, const GoalQuery& query,
+                          Vec2 place) {
+  std::vector<Vec2> places;
+  places.reserve(map.marks().size());
+  for (const Mark& mark : map.marks()) places.push_back(mark.place);
+  const double least = footprint.inner_m() + query.margin_m, aligned = footprint.outer_m() + query.margin_m;
+  spread_distances(frame_, places, aligned + query.wide_m, distance_m_);
+  pace_.resize(frame_.size());
+  for (std::size_t i = 0; i < frame_.size(); ++i) {
+    const auto room_m = static_cast<double>(distance_m_[i]);
+    const double part =
+        slowest_part + (1.0 - slowest_part) * std::clamp((room_m - aligned) / query.wide_m, 0.0, 1.0);
+    pace_[i] = room_m < least ? 0 : static_cast<std::uint8_t>(std::lround(fast_units / part));
+  }
+  for (int x = 0; x < frame_.width; ++x)
+    pace_[frame_.index({x, 0})] = pace_[frame_.index({x, frame_.height - 1})] = 0;
+  for (int y = 0; y < frame_.height; ++y)
+    pace_[frame_.index({0, y})] = pace_[frame_.index({frame_.width - 1, y})] = 0;
+  // A robot that stands too near to something can leave.
+  const Cell low = frame_.cell_at(place - Vec2{beside_m, beside_m}),
+             high = frame_.cell_at(place + Vec2{beside_m, beside_m});
+  for (int y = std::max(low.y, 1); y <= std::min(high.y, frame_.height - 2); ++y) {
+    for (int x = std::max(low.x, 1); x <= std::min(high.x, frame_.width - 2); ++x) {
+      std::uint8_t& pace = pace_[frame_.index({x, y})];
+      if (pace == 0) pace = out_of_room;
+    }
+  }
+}
+
+void GoalField::reach(std::size_t cell, Units time) {
+  if (pace_[cell] == 0 || time >= time_[cell]) return;
+  time_[cell] = time;
+  buckets_[time % ring].push_back(static_cast<std::uint32_t>(cell));
+  ++waiting_;
+}
+
+/// Reaches the cells around the goal, or if it lies outside those at the edge of the window: the times of
+/// these differ by what is left from there.
+void GoalField::seed(const GoalQuery& query) {
+  const Cell goal = frame_.cell_at(query.goal);
+  if (frame_.contains(goal)) {
+    const int near = static_cast<int>(query.within_m / frame_.resolution_m);
+    for (int y = -near; y <= near; ++y) {
+      for (int x = -near; x <= near; ++x) {
+        const Cell cell{goal.x + x, goal.y + y};
+        if (!frame_.contains(cell) ||
+            (cell != goal && distance(frame_.centre(cell), query.goal) > query.within_m))
+          continue;
+        reach(frame_.index(cell), 0);
+      }
+    }
+    return;
+  }
+  for (int y = 1; y + 1 < frame_.height; ++y) {
+    const bool whole_row = y == 1 || y + 2 == frame_.height;
+    for (int x = 1; x + 1 < frame_.width; x += whole_row ? 1 : std::max(1, frame_.width - 3)) {
+      const double away_m = distance(frame_.centre({x, y}), query.goal);
+      const double units = std::min(away_m / frame_.resolution_m * fast_units, most_units);
+      edge_.emplace_back(static_cast<Units>(units), static_cast<std::uint32_t>(frame_.index({x, y})));
+    }
+  }
+  std::ranges::sort(edge_, std::greater{});
+}
+
+void GoalField::spread(Vec2 place) {
+  const Cell cell = frame_.cell_at(place);
+  const std::size_t robot = frame_.contains(cell) ? frame_.index(cell) : frame_.size();
+  // Nothing leads over the edge of the window, so every cell that is reached has eight neighbours.
+  std::array<std::size_t, 8> to{};
+  for (std::size_t n = 0; n < to.size(); ++n) {
+    const auto width = static_cast<std::ptrdiff_t>(frame_.width);
+    to[n] = static_cast<std::size_t>(neighbours[n].y * width + neighbours[n].x);  // wraps: added modulo 2^64
+  }
+  Units last = unknown;
+  for (Units now = edge_.empty() ? 0 : edge_.back().first; (waiting_ > 0 || !edge_.empty()) && now <= last;
+       ++now) {
+    for (; !edge_.empty() && edge_.back().first < now + ring / 2; edge_.pop_back())
+      reach(edge_.back().second, edge_.back().first);
+    auto& bucket = buckets_[now % ring];
+    for (const std::size_t at : bucket) {
+      if (time_[at] != now) continue;
+      if (at == robot) last = now + static_cast<Units>(settled_s / unit_s_);
+      for (std::size_t n = 0; n < to.size(); ++n) {
+        const std::size_t next = at + to[n];
+        const Units step = (Units{pace_[at]} + pace_[next]) / 2;
+        reach(next, now + (n < 4 ? step : (step * 181) / 128));  // 181 / 128: the square root of 2
+      }
+    }
+    waiting_ -= bucket.size();
+    bucket.clear();
+  }
+}
+
+std::optional<double> GoalField::time_s(Vec2 place) const {
+  const double x = (place.x - frame_.origin.x) / frame_.resolution_m - 0.5;
+  const double y = (place.y - frame_.origin.y) / frame_.resolution_m - 0.5;
+  const double u = x - std::floor(x), v = y - std::floor(y);
+  const Cell low{static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y))};
+  double sum = 0.0, weights = 0.0;
+  for (const int up : {0, 1}) {
+    for (const int right : {0, 1}) {
+      const Units units = units_at({low.x + right, low.y + up});
+      const double weight = (up != 0 ? v : 1.0 - v) * (right != 0 ? u : 1.0 - u);
+      if (units == unknown) continue;
+      sum += weight * static_cast<double>(units);
+      weights += weight;
+    }
+  }
+  if (weights < 1e-3) return std::nullopt;
+  return sum / weights * unit_s_;
+}
+
+std::optional<Vec2> GoalField::downhill(Vec2 place) const {
+  const double step_m = 2.0 * frame_.resolution_m;
+  const auto here = time_s(place);
+  if (!here) return std::nullopt;
+  const auto slope = [&](Vec2 along) {
+    return time_s(place - along).value_or(*here) - time_s(place + along).value_or(*here);
+  };
+  const Vec2 fall{slope({step_m, 0.0}), slope({0.0, step_m})};
+  if (squared_norm(fall) == 0.0) return std::nullopt;
+  return (1.0 / norm(fall)) * fall;
+}
+
+std::vector<Vec2> GoalField::way(Vec2 place, double most_m) const {
+  std::vector<Vec2> points = {place};
+  Cell at = frame_.cell_at(place);
+  for (double gone_m = 0.0; gone_m < most_m;) {
+    Cell best = at;
+    Units least = units_at(at);
+    for (const Cell& step : neighbours) {
+      const Cell next{at.x + step.x, at.y + step.y};
+      if (units_at(next) < least) best = next, least = units_at(next);
+    }
+    if (best == at) break;
+    at = best;
+    gone_m += distance(points.back(), frame_.centre(at));
+    points.push_back(frame_.centre(at));
+  }
+  return points;
+}
+
+}  // namespace outrider

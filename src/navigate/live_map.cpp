@@ -1,0 +1,161 @@
+#include "outrider/navigate/live_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "outrider/core/units.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr int weight_of_reading = 2;
+constexpr int most_weight = 8;
+constexpr double newest_part = 0.3;       // of a reading in the mean of its mark
+constexpr double beyond_cells = 1.5;      // a beam that ends so far behind a mark has passed it
+constexpr std::int64_t beams_beside = 1;  // those next to the beam through a mark have to pass it as well
+
+GridFrame window(const LiveMapOptions& options, Vec2 middle) {
+  const Vec2 reach{options.reach_m, options.reach_m};
+  return covering({middle - reach, middle + reach}, options.resolution_m);
+}
+
+/// Returns the range of a reading, infinite if nothing is in range, or a negative number if it says nothing.
+double range_of(const LaserScan& scan, std::size_t beam) {
+  const auto range_m = static_cast<double>(scan.ranges_m[beam]);
+  if (std::isnan(range_m) || range_m < scan.least_m) return -1.0;
+  return range_m > scan.most_m ? std::numeric_limits<double>::infinity() : range_m;
+}
+
+/// Returns true if the beams around that bearing all end beyond a range.
+bool passes(const LaserScan& scan, double bearing_rad, double beyond_m) {
+  const auto beams = static_cast<std::int64_t>(scan.ranges_m.size());
+  const double turn = 2.0 * pi;
+  const double ahead = bearing_rad - scan.first_rad;
+  const double wrapped = ahead - turn * std::floor(ahead / turn);
+  const auto nearest = static_cast<std::int64_t>(std::lround(wrapped / scan.step_rad));
+  const bool whole_turn = static_cast<double>(beams) * scan.step_rad > turn - 0.5 * scan.step_rad;
+  for (std::int64_t beam = nearest - beams_beside; beam <= nearest + beams_beside; ++beam) {
+    const std::int64_t at = whole_turn ? (beam + beams) % beams : beam;
+    if (at < 0 || at >= beams) return false;
+    if (range_of(scan, static_cast<std::size_t>(at)) <= beyond_m) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<Option> describe(LiveMapOptions& options) {
+  return {
+      {"resolution", "m", 0.01, 0.5, "side of a cell of the live map", &options.resolution_m},
+      {"reach", "m", 1.0, 30.0, "half the side of the live map, which moves with the robot",
+       &options.reach_m},
+      {"forget", "s", 0.1, 1e6, "time after which what is out of sight is forgotten", &options.forget_s},
+      {"touch", "s", 0.1, 1e6, "time after which what was touched is forgotten", &options.touch_s},
+  };
+}
+
+LiveMap::LiveMap(const LiveMapOptions& options, Vec2 middle)
+    : options_(options), cells_(window(options, middle)) {}
+
+template <class Gone>
+void LiveMap::erase_marks(Gone gone) {
+  std::size_t kept = 0;
+  for (const Mark& mark : marks_) {
+    const Cell cell = cells_.frame.cell_at(mark.place);
+    if (!cells_.contains(cell) || gone(mark)) {
+      if (cells_.contains(cell)) cells_[cell] = 0;
+      ++changes_;
+      continue;
+    }
+    marks_[kept++] = mark;
+    cells_[cell] = static_cast<std::uint32_t>(kept);
+  }
+  marks_.resize(kept);
+}
+
+void LiveMap::follow(Vec2 robot) {
+  const Vec2 middle = 0.5 * (frame().bounds().low + frame().bounds().high);
+  const Vec2 off = robot - middle;
+  if (std::max(std::abs(off.x), std::abs(off.y)) < 0.25 * options_.reach_m) return;
+  const double cell_m = options_.resolution_m;
+  cells_.frame.origin =
+      frame().origin + cell_m * Vec2{std::round(off.x / cell_m), std::round(off.y / cell_m)};
+  std::ranges::fill(cells_.cells, 0U);
+  erase_marks([](const Mark&) { return false; });
+}
+
+void LiveMap::correct(const Pose2& correction) {
+  const std::vector<Mark> before = std::exchange(marks_, {});
+  std::ranges::fill(cells_.cells, 0U);
+  for (const Mark& known : before) {
+    const Vec2 place = correction * known.place;
+    const Cell cell = frame().cell_at(place);
+    if (!cells_.contains(cell) || cells_[cell] != 0) continue;
+    marks_.push_back(known);
+    marks_.back().place = place;
+    cells_[cell] = static_cast<std::uint32_t>(marks_.size());
+  }
+  ++changes_;
+}
+
+void LiveMap::mark(Vec2 place, double time_s, int weight, bool touched) {
+  const Cell cell = frame().cell_at(place);
+  if (!cells_.contains(cell)) return;
+  std::uint32_t& number = cells_[cell];
+  if (number == 0) {
+    marks_.push_back({place, time_s, weight, touched});
+    number = static_cast<std::uint32_t>(marks_.size());
+    ++changes_;
+    return;
+  }
+  Mark& known = marks_[number - 1];
+  // The mean of places in one cell is in that cell.
+  if (!known.touched) known.place = (1.0 - newest_part) * known.place + newest_part * place;
+  known.weight = std::min(known.weight + weight, most_weight);
+  known.seen_s = time_s;
+  known.touched |= touched;
+}
+
+void LiveMap::clear_seen_through(const LaserScan& scan, const Pose2& world_T_laser) {
+  const double beyond_m = beyond_cells * options_.resolution_m;
+  for (Mark& mark : marks_) {
+    if (mark.touched) continue;
+    const Vec2 local = world_T_laser.to_local(mark.place);
+    const double away_m = norm(local);
+    if (away_m < scan.least_m || away_m + beyond_m > scan.most_m) continue;
+    if (passes(scan, heading_of(local), away_m + beyond_m)) --mark.weight;
+  }
+  erase_marks([](const Mark& mark) { return mark.weight <= 0; });
+}
+
+void LiveMap::note(const LaserScan& scan, const Pose2& world_T_laser) {
+  if (!check(scan) || !finite(world_T_laser)) return;
+  clear_seen_through(scan, world_T_laser);
+  for (std::size_t beam = 0; beam < scan.ranges_m.size(); ++beam) {
+    const double range_m = range_of(scan, beam);
+    if (range_m < 0.0 || !std::isfinite(range_m)) continue;
+    const double bearing_rad = scan.first_rad + static_cast<double>(beam) * scan.step_rad;
+    mark(world_T_laser * (range_m * direction(bearing_rad)), scan.time_s, weight_of_reading, false);
+  }
+}
+
+void LiveMap::note_touch(Vec2 place, double time_s) {
+  if (finite(place)) mark(place, time_s, most_weight, true);
+}
+
+void LiveMap::keep_open(Vec2 place, double radius_m) {
+  erase_marks([&](const Mark& mark) { return !mark.touched && distance(mark.place, place) < radius_m; });
+}
+
+void LiveMap::forget(double time_s) {
+  erase_marks([&](const Mark& mark) {
+    return time_s - mark.seen_s > (mark.touched ? options_.touch_s : options_.forget_s);
+  });
+}
+
+void LiveMap::forget_but(double time_s, double lately_s) {
+  erase_marks([&](const Mark& mark) { return time_s - mark.seen_s > lately_s; });
+}
+
+}  // namespace outrider

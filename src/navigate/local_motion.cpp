@@ -1,0 +1,81 @@
+#include "outrider/navigate/local_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamic_window.hpp"
+#include "sampled_motion.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double brake_step_s = 0.02;
+constexpr double rounding_m = 1e-4;  // by which a gap may become less because of rounding
+
+double nearer(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
+
+}  // namespace
+
+std::vector<Option> describe(LocalMotionOptions& options) {
+  return {
+      choice_option("rule", "how the next motion is found", &options.rule, names_of(local_motions())),
+      {"margin", "m", 0.0, 1.0, "room beside the footprint that a motion keeps", &options.margin_m},
+      {"horizon", "s", 0.2, 10.0, "time for which motions are predicted", &options.horizon_s},
+      {"samples", "", 8, 10000, "motions sampled in each round", &options.samples},
+      {"rounds", "", 1, 20, "rounds of sampling in each period", &options.rounds},
+      {"wide", "m", 0.01, 2.0, "room beside the footprint beyond which more is worth nothing",
+       &options.wide_m},
+      {"room_weight", "", 0.0, 100.0, "seconds that a second without room costs at full speed",
+       &options.room_weight},
+  };
+}
+
+const std::vector<LocalMotionRow>& local_motions() {
+  static const std::vector<LocalMotionRow> rows = {
+      {"sampled", "optimises motions of the footprint in time by sampling", make_sampled_motion},
+      {"dwa", "the dynamic window approach, as a baseline", make_dynamic_window},
+  };
+  return rows;
+}
+
+Twist2 twist_after(const Twist2& now, const Twist2& commanded, const RobotModel& robot, double duration_s) {
+  const double ahead = std::clamp(commanded.ahead_mps, -robot.speed_mps, robot.speed_mps);
+  const double turn = std::clamp(commanded.turn_radps, -robot.turn_rate_radps, robot.turn_rate_radps);
+  return {nearer(now.ahead_mps, ahead, robot.acceleration_mps2 * duration_s), 0.0,
+          nearer(now.turn_radps, turn, robot.turn_acceleration_radps2 * duration_s)};
+}
+
+Pose2 moved_evenly(const Pose2& from, const Twist2& begin, const Twist2& end, double duration_s) {
+  const double way_m = 0.5 * (begin.ahead_mps + end.ahead_mps) * duration_s;
+  const double turned_rad = 0.5 * (begin.turn_radps + end.turn_radps) * duration_s;
+  return {from.position + way_m * direction(from.heading_rad + 0.5 * turned_rad),
+          from.heading_rad + turned_rad};
+}
+
+bool can_brake(const MotionState& state, const Twist2& commanded, double margin_m) {
+  const double enough_m = 0.5 * Surroundings::most_m;
+  double gap_m = state.near.gap(state.footprint, state.pose, enough_m);
+  const double least_m = std::min(margin_m, gap_m - rounding_m);
+  Pose2 pose = state.pose;
+  Twist2 twist = state.twist;
+  double left_s = state.period_s;
+  while (left_s > 0.0 || twist.ahead_mps != 0.0 || twist.turn_radps != 0.0) {
+    const double step_s = left_s > 0.0 ? std::min(brake_step_s, left_s) : brake_step_s;
+    const Twist2 next = twist_after(twist, left_s > 0.0 ? commanded : Twist2{}, state.robot, step_s);
+    pose = moved_evenly(pose, twist, next, step_s);
+    const double moved_m =
+        (std::max(std::abs(twist.ahead_mps), std::abs(next.ahead_mps)) +
+         state.footprint.outer_m() * std::max(std::abs(twist.turn_radps), std::abs(next.turn_radps))) *
+        step_s;
+    const double before_m = gap_m;
+    gap_m = state.near.gap(state.footprint, pose, enough_m);
+    // Between the two poses no point of the footprint is more than half the way from where it is at one of
+    // them.
+    if (gap_m < least_m || (before_m + gap_m - moved_m < 0.0 && least_m >= 0.0)) return false;
+    twist = next;
+    left_s -= step_s;
+  }
+  return true;
+}
+
+}  // namespace outrider

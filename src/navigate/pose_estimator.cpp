@@ -1,0 +1,83 @@
+#include "outrider/navigate/pose_estimator.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "outrider/slam/laser_slam.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double match_s = 0.1;  // a scan is matched no sooner after the last one
+constexpr double lost_m = 3.0;   // standard deviation of the position at which the robot is lost
+
+class BelievedOdometry final : public PoseEstimator {
+ public:
+  explicit BelievedOdometry(const Pose2& start) : start_(start) {}
+  void take(const LaserScan&, const Pose2&) override {}
+  [[nodiscard]] Pose2 world_T_odometry() const override { return start_; }
+
+ private:
+  Pose2 start_;
+};
+
+class LaserMapping final : public PoseEstimator {
+ public:
+  LaserMapping(LaserSlam slam, const Pose2& start) : slam_(std::move(slam)), world_T_odometry_(start) {}
+
+  void take(const LaserScan& scan, const Pose2& odometry_T_robot) override {
+    if (taken_ && scan.time_s - taken_s_ < match_s - 1e-9) return;
+    const Pose2 motion = wrap_heading(relative_pose(taken_ ? odometry_ : Pose2{}, odometry_T_robot));
+    const auto step = slam_.advance(motion, scan);
+    if (!step) return;
+    taken_ = true;
+    taken_s_ = scan.time_s;
+    odometry_ = odometry_T_robot;
+    world_T_odometry_ = compose(step->pose, inverse(odometry_T_robot));
+    const Eigen::Matrix3d covariance = slam_.pose_covariance();
+    const double sigma_m = std::sqrt(std::max(covariance(0, 0), covariance(1, 1)));
+    lost_ =
+        sigma_m > lost_m
+            ? fmt::format("its position has a standard deviation of {:.2f} m by laser and odometry", sigma_m)
+            : std::string{};
+  }
+  [[nodiscard]] Pose2 world_T_odometry() const override { return world_T_odometry_; }
+  [[nodiscard]] std::string lost() const override { return lost_; }
+
+ private:
+  LaserSlam slam_;
+  Pose2 world_T_odometry_;
+  Pose2 odometry_;  // of the scan that was taken last
+  bool taken_ = false;
+  double taken_s_ = 0.0;
+  std::string lost_;
+};
+
+Outcome<std::unique_ptr<PoseEstimator>> make_odometry(const Pose2& start, const Pose2&) {
+  if (!finite(start)) return bad_input("the start must be finite");
+  return std::make_unique<BelievedOdometry>(start);
+}
+
+Outcome<std::unique_ptr<PoseEstimator>> make_laser_mapping(const Pose2& start, const Pose2& robot_T_laser) {
+  LaserSlamOptions options;
+  options.robot_T_laser = robot_T_laser;
+  options.draw_late = true;
+  options.odometry_turn_per_distance_rad = 0.1;
+  auto slam = LaserSlam::begin(options, start);
+  if (!slam) return pass_on(slam);
+  return std::make_unique<LaserMapping>(std::move(*slam), start);
+}
+
+}  // namespace
+
+const std::vector<PoseEstimatorRow>& pose_estimators() {
+  static const std::vector<PoseEstimatorRow> rows = {
+      {"odometry", "the odometry is believed", make_odometry},
+      {"laser_mapping", "scans are matched with each other on a map that grows", make_laser_mapping},
+  };
+  return rows;
+}
+
+}  // namespace outrider

@@ -1,0 +1,77 @@
+#include "outrider/navigate/goal_field.hpp"
+
+#include <gtest/gtest.h>
+
+namespace outrider {
+namespace {
+
+const Footprint disk = Footprint::disk(0.2);
+
+RobotModel fast() {
+  RobotModel robot;
+  robot.speed_mps = 1.0;
+  return robot;
+}
+
+/// A wall across the map at x = 1, open where |y - gap_y| < half.
+void wall(LiveMap& map, double gap_y, double half) {
+  for (double y = -9.9; y < 9.9; y += 0.04) {
+    if (std::abs(y - gap_y) >= half) map.note_touch({1.0, y}, 0.0);
+  }
+}
+
+TEST(GoalField, IsTheStraightWayOnOpenGround) {
+  GoalField field;
+  field.compute(LiveMap({}, {}), disk, fast(), {{4.0, 0.0}}, {});
+  EXPECT_NEAR(field.time_s({}).value_or(0.0), 4.0, 0.15);
+  const auto down = field.downhill({});
+  ASSERT_TRUE(down);
+  EXPECT_GT(down->x, 0.95);
+}
+
+TEST(GoalField, LeadsThroughTheDoor) {
+  LiveMap map({}, {});
+  wall(map, 3.0, 0.6);
+  GoalField field;
+  field.compute(map, disk, fast(), {{2.0, 0.0}}, {});
+  const auto time_s = field.time_s({});
+  ASSERT_TRUE(time_s);
+  EXPECT_GT(*time_s, distance(Vec2{}, Vec2{1.0, 3.0}) + distance(Vec2{1.0, 3.0}, Vec2{2.0, 0.0}) - 0.5);
+  const auto way = field.way({}, 20.0);
+  EXPECT_LT(distance(way.back(), Vec2{2.0, 0.0}), 0.15);
+  for (const Vec2 point : way) {
+    for (const Mark& mark : map.marks()) EXPECT_GT(distance(point, mark.place), disk.inner_m() - 0.05);
+  }
+}
+
+TEST(GoalField, KnowsNoWayThroughADoorThatIsTooNarrow) {
+  LiveMap map({}, {});
+  wall(map, 3.0, 0.15);
+  GoalField field;
+  field.compute(map, disk, fast(), {{2.0, 0.0}}, {});
+  EXPECT_FALSE(field.time_s({}));
+  EXPECT_FALSE(field.downhill({}));
+}
+
+TEST(GoalField, GoesToTheEdgeOfTheWindowForAGoalBeyond) {
+  LiveMap map({}, {});
+  wall(map, -2.0, 0.6);
+  GoalField field;
+  field.compute(map, disk, fast(), {{60.0, 0.0}}, {});
+  const auto time_s = field.time_s({});
+  ASSERT_TRUE(time_s);
+  EXPECT_GT(*time_s, 59.0);
+  EXPECT_LT(*time_s, 66.0);
+  EXPECT_GT(field.way({}, 40.0).back().x, 9.0);
+}
+
+TEST(GoalField, ARobotThatStandsTooNearToSomethingCanLeave) {
+  LiveMap map({}, {});
+  map.note_touch({0.05, 0.0}, 0.0);
+  GoalField field;
+  field.compute(map, disk, fast(), {{4.0, 0.0}}, {});
+  EXPECT_TRUE(field.time_s({}));
+}
+
+}  // namespace
+}  // namespace outrider

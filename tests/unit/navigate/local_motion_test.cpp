@@ -1,0 +1,120 @@
+// The contract of the rules of motion: whatever stands around a robot, what they command never leads it where
+// it could not brake, and on open ground they arrive.
+#include "outrider/navigate/local_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "outrider/core/rng.hpp"
+
+namespace outrider {
+namespace {
+
+const Footprint body({{{-0.21, -0.165}, {0.21, -0.165}, {0.21, 0.165}, {-0.21, 0.165}}, 0.0});
+
+RobotModel quick_robot() {
+  RobotModel robot;
+  robot.speed_mps = 1.5;
+  robot.acceleration_mps2 = 2.0;
+  robot.turn_rate_radps = 2.0;
+  return robot;
+}
+
+/// A robot that obeys exactly among marks that do not change.
+struct ObedientRobot {
+  LiveMap map = LiveMap(LiveMapOptions{}, Vec2{});
+  RobotModel robot = quick_robot();
+  Pose2 pose;
+  Twist2 twist;
+  double nearest_m = 1.0;  ///< gap so far
+
+  /// Drives until it arrives or the time is over; returns whether it arrived.
+  bool to(Vec2 goal, LocalMotion& rule, double limit_s) {
+    GoalField field;
+    field.compute(map, body, robot, {goal}, pose.position);
+    Surroundings near;
+    for (double t = 0.0; t < limit_s; t += 0.05) {
+      near.look(map, pose.position, 4.0);
+      const MotionState state{pose, twist, body, robot, near, field, goal};
+      const MotionChoice choice = rule.choose(state);
+      for (int i = 0; i < 10; ++i) {
+        const Twist2 next = twist_after(twist, choice.twist, robot, 0.005);
+        pose = moved_evenly(pose, twist, next, 0.005);
+        twist = next;
+        for (const Mark& mark : map.marks())
+          nearest_m = std::min(nearest_m, body.gap_m(pose.to_local(mark.place)));
+      }
+      if (distance(pose.position, goal) < 0.1) return true;
+    }
+    return false;
+  }
+};
+
+class EachRule : public testing::TestWithParam<std::string> {
+ protected:
+  std::unique_ptr<LocalMotion> rule() { return find_row(local_motions(), "rule", GetParam(), "")->make({}); }
+};
+
+TEST_P(EachRule, ArrivesOnOpenGround) {
+  for (const Vec2 goal : {Vec2{3.0, 0.0}, Vec2{-2.0, 1.0}, Vec2{0.0, -2.5}}) {
+    ObedientRobot one;
+    EXPECT_TRUE(one.to(goal, *rule(), 15.0)) << goal.x << ' ' << goal.y;
+  }
+}
+
+TEST_P(EachRule, NeverTouchesWhatIsMarked) {
+  Rng rng(7);
+  for (int world = 0; world < 12; ++world) {
+    ObedientRobot one;
+    for (int i = 0; i < 60; ++i) {
+      const Vec2 place{rng.uniform(-1.0, 6.0), rng.uniform(-2.5, 2.5)};
+      if (norm(place) > 0.5) one.map.note_touch(place, 0.0);
+    }
+    one.to({5.0, 0.0}, *rule(), 8.0);
+    EXPECT_GT(one.nearest_m, 0.0) << world;
+  }
+}
+
+TEST_P(EachRule, GivesTheSameCommandsAgain) {
+  const auto end = [&] {
+    ObedientRobot one;
+    one.map.note_touch({1.5, 0.1}, 0.0);
+    one.to({3.0, 0.0}, *rule(), 2.0);
+    return one.pose;
+  };
+  EXPECT_EQ(end(), end());
+}
+
+INSTANTIATE_TEST_SUITE_P(LocalMotions, EachRule, testing::ValuesIn(names_of(local_motions())),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST(LocalMotion, BrakingIsForeseen) {
+  LiveMap map({}, {});
+  map.note_touch({1.0, 0.0}, 0.0);
+  Surroundings near;
+  near.look(map, {}, 3.0);
+  const GoalField none;
+  const RobotModel robot = quick_robot();
+  const auto brakes_at = [&](double speed_mps) {
+    return can_brake({{}, {speed_mps, 0.0, 0.0}, body, robot, near, none, {}}, {speed_mps, 0.0, 0.0}, 0.0);
+  };
+  // It has 0.79 m; at v it needs 0.05 s v + v^2 / 4 m.
+  EXPECT_TRUE(brakes_at(1.5));
+  EXPECT_TRUE(
+      can_brake({{{0.2, 0.0}, 0.0}, {1.4, 0.0, 0.0}, body, robot, near, none, {}}, {1.4, 0.0, 0.0}, 0.0));
+  EXPECT_FALSE(
+      can_brake({{{0.3, 0.0}, 0.0}, {1.5, 0.0, 0.0}, body, robot, near, none, {}}, {1.5, 0.0, 0.0}, 0.0));
+}
+
+TEST(LocalMotion, TheSweepOfATurnIsForeseen) {
+  LiveMap map({}, {});
+  map.note_touch({0.15, 0.2}, 0.0);  // beside the robot, within reach of its corners
+  Surroundings near;
+  near.look(map, {}, 3.0);
+  const GoalField none;
+  const RobotModel robot = quick_robot();
+  EXPECT_FALSE(can_brake({{}, {0.0, 0.0, 1.5}, body, robot, near, none, {}}, {0.0, 0.0, 2.0}, 0.0));
+  EXPECT_TRUE(can_brake({{}, {}, body, robot, near, none, {}}, {0.3, 0.0, 0.0}, 0.0));
+}
+
+}  // namespace
+}  // namespace outrider

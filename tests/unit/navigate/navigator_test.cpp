@@ -1,0 +1,124 @@
+// A navigator in a closed loop with a simulated robot whose laser sees what no map has.
+#include "outrider/navigate/navigator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "outrider/sim/simulated_robot.hpp"
+
+namespace outrider {
+namespace {
+
+NavigatorSetup small_robot() {
+  NavigatorSetup setup;
+  setup.robot.radius_m = 0.25;
+  setup.robot.speed_mps = 1.0;
+  setup.robot.acceleration_mps2 = 2.0;
+  setup.robot.turn_rate_radps = 2.0;
+  setup.footprint = Footprint({{{-0.2, -0.15}, {0.2, -0.15}, {0.2, 0.15}, {-0.2, 0.15}}, 0.0});
+  return setup;
+}
+
+ExplorerSimParams devices(const NavigatorSetup& setup) {
+  ExplorerSimParams params;
+  params.laser.rate_hz = 20.0;
+  params.laser.most_m = 8.0;
+  params.footprint = setup.footprint;
+  return params;
+}
+
+Solid box_at(Vec2 middle, Vec2 size) {
+  return {"box", {{middle.x, middle.y, 0.5}, {}}, BoxShape{{0.5 * size.x, 0.5 * size.y, 0.5}}};
+}
+
+struct Result {
+  Progress progress;
+  Pose2 truth;
+  std::int64_t contacts = 0;
+  double time_s = 0.0;
+};
+
+Result drive(const World& world, const NavigatorSetup& setup, Vec2 goal, double limit_s,
+             const ExplorerSimParams& params) {
+  SimulatedRobot robot = simulated_explorer(world, {}, setup.robot, params, 5);
+  auto navigator = Navigator::make(setup, {});
+  Result result;
+  while (robot.time_s() < limit_s) {
+    result.progress = navigator->perceive(robot.sense()).progress;
+    if (result.progress.state != Progress::State::underway) break;
+    robot.act(navigator->act(GoTo{goal, 0.15}));
+  }
+  const auto& body = robot.body<TwistBody>();
+  return {result.progress, body.pose(), body.contacts(), robot.time_s()};
+}
+
+TEST(Navigator, DrivesAroundWhatNobodyToldItOf) {
+  World world;
+  world.solids = {box_at({2.0, 0.0}, {0.4, 2.0}), box_at({4.0, 1.5}, {0.4, 3.0}),
+                  box_at({0.0, -5.0}, {12.0, 0.2})};
+  for (const auto& localiser : names_of(pose_estimators())) {
+    NavigatorSetup setup = small_robot();
+    setup.options.localiser = localiser;
+    const Result result = drive(world, setup, {6.0, 0.0}, 60.0, devices(setup));
+    EXPECT_EQ(result.progress.state, Progress::State::arrived) << localiser << result.progress.why;
+    EXPECT_LT(distance(result.truth.position, Vec2{6.0, 0.0}), localiser == "odometry" ? 1.0 : 0.3)
+        << localiser;
+    EXPECT_EQ(result.contacts, 0) << localiser;
+    EXPECT_LT(result.time_s, 20.0) << localiser;
+  }
+}
+
+TEST(Navigator, SaysThatThereIsNoWay) {
+  World world;
+  const double side = 4.0;
+  world.solids = {box_at({side, 0.0}, {0.2, 2.0 * side}), box_at({-side, 0.0}, {0.2, 2.0 * side}),
+                  box_at({0.0, side}, {2.0 * side, 0.2}), box_at({0.0, -side}, {2.0 * side, 0.2})};
+  NavigatorSetup setup = small_robot();
+  setup.options.most_recoveries = 3;
+  const Result result = drive(world, setup, {7.0, 0.0}, 120.0, devices(setup));
+  EXPECT_EQ(result.progress.state, Progress::State::blocked);
+  EXPECT_NE(result.progress.why.find("(7.00, 0.00)"), std::string::npos) << result.progress.why;
+  EXPECT_EQ(result.contacts, 0);
+}
+
+TEST(Navigator, StandsWithoutScans) {
+  World world;
+  NavigatorSetup setup = small_robot();
+  ExplorerSimParams params = devices(setup);
+  params.faults.blind_from_s = 1.0;
+  const Result result = drive(world, setup, {6.0, 0.0}, 10.0, params);
+  EXPECT_EQ(result.progress.state, Progress::State::underway);
+  EXPECT_GT(result.truth.position.x, 0.1);
+  EXPECT_LT(result.truth.position.x, 2.5);
+}
+
+TEST(Navigator, BearsObservationsThatMakeNoSense) {
+  auto navigator = Navigator::make(small_robot(), {});
+  Observation seen;
+  const double nan = std::nan("");
+  for (int i = 0; i < 50; ++i) {
+    seen.time_s = i % 7 == 3 ? 0.0 : 0.05 * i;  // the clock jumps back
+    seen.odometry = i % 5 == 2 ? Pose2{{nan, 0.0}, nan} : Pose2{{0.01 * i, 0.0}, 0.0};
+    seen.scan = LaserScan{seen.time_s, 0.0, 0.1, 0.1, 5.0, std::vector<float>(i % 3 == 0 ? 0 : 63, 3.0F)};
+    const Situation now = navigator->perceive(seen);
+    EXPECT_TRUE(finite(now.pose)) << i;
+    const Command command = navigator->act(GoTo{{2.0, 0.0}});
+    const Twist2 twist = std::get<DriveTwist>(command).twist;
+    EXPECT_TRUE(std::isfinite(twist.ahead_mps) && std::isfinite(twist.turn_radps)) << i;
+  }
+}
+
+TEST(Navigator, RefusesUnknownRows) {
+  NavigatorSetup setup = small_robot();
+  setup.motion.rule = "sample";
+  const auto refused = Navigator::make(setup, {});
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().sentence.find("sampled"), std::string::npos) << refused.error().sentence;
+  setup.motion.rule = "dwa";
+  setup.options.localiser = "gps";
+  EXPECT_FALSE(Navigator::make(setup, {}));
+}
+
+}  // namespace
+}  // namespace outrider
