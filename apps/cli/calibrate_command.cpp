@@ -73,7 +73,7 @@ Outcome<Recorded> runs_of(const CalibrateCommand& command) {
   DriveJob job;
   if (auto ok = read_scenario(job, command.record); !ok) return pass_on(ok);
   job.scenario.calibration.clear();
-  auto setup = load_drive(job.scenario);
+  auto setup = load_wheel_drive(job.scenario);
   if (!setup) return pass_on(setup);
   auto runs = record_runs(setup->task, setup->sim, static_cast<int>(command.repeats), command.measured_m,
                           command.measured_rad, static_cast<std::uint64_t>(command.seed));

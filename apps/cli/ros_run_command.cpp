@@ -73,7 +73,7 @@ MadeNode make_explorer(const MissionRequest& request) {
 MadeNode make_driver(const MissionRequest& request) {
   DriveJob job;
   if (auto ok = read_scenario(job, request.file); !ok) return pass_on(ok);
-  auto setup = load_drive(job.scenario);
+  auto setup = load_wheel_drive(job.scenario);
   if (!setup) return pass_on(setup);
   warn(setup->warnings);
   return std::make_unique<DriveMissionNode>(

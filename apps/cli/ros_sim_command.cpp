@@ -135,7 +135,7 @@ int simulate_driver(SimRequest& request, const Command& words, const std::stop_t
     return print_fault(ok.error(), false);
   DriveJob job;
   if (auto ok = read_scenario(job, request.file); !ok) return print_fault(ok.error(), false);
-  const auto setup = load_drive(job.scenario);
+  const auto setup = load_wheel_drive(job.scenario);
   if (!setup) return print_fault(setup.error(), false);
   warn(setup->warnings);
   if (request.images && !setup->rendered) {

@@ -78,11 +78,17 @@ std::string text_of(DriveEnd end) {
   return "";
 }
 
+DriveTask wheel_task(const py::handle& path, const py::dict& set) {
+  const auto job = load_task_of<DriveJob>(path, std::nullopt, set);
+  if (job->scenario.loop == "laser")
+    refuse("a drive by laser is simulated only, by run(); here give closed or open", "loop");
+  return job->setup->task;
+}
+
 /// A drive that one thread steps at a time.
 class Driving {
  public:
-  Driving(const py::handle& path, const py::dict& set)
-      : mission_(begin(load_task_of<DriveJob>(path, std::nullopt, set)->setup->task)) {}
+  Driving(const py::handle& path, const py::dict& set) : mission_(begin(wheel_task(path, set))) {}
 
   std::optional<Command> step(Observation seen) {
     const auto turn = turn_.take("mission");

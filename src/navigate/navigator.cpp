@@ -15,6 +15,11 @@ constexpr double touch_ahead_m = 0.03;  // of the footprint, where a bumper was 
 constexpr double measured_part = 0.3;   // of the measured twist in the believed one
 constexpr double back_off_mps = 0.2;
 constexpr double turn_s = 2.5;
+constexpr double leave_part = 1.5;  // of within_m: a robot at its place may be so far off while it turns
+constexpr double at_rest_mps = 0.03;
+constexpr double at_rest_radps = 0.05;
+constexpr double instant_s = 1e-9;
+constexpr double around_m = 0.5;  // that is looked at beyond where a motion may lead
 constexpr double back_off_s = 1.5;
 
 }  // namespace
@@ -80,13 +85,14 @@ Pose2 Navigator::odometry_at(double time_s) const {
   return track_.front().odometry;
 }
 
-/// Takes a scan. If it corrects the pose, what is marked moves along, since it was seen from about here.
+/// Takes a scan. If it corrects earlier poses too, what is marked moves along, since it was seen from about
+/// here.
 void Navigator::take(const LaserScan& scan) {
   const Pose2 then = odometry_at(scan.time_s);
   const Pose2 before = estimator_->world_T_odometry();
-  estimator_->take(scan, then);
+  const bool corrected = estimator_->take(scan, then);
   const Pose2 after = estimator_->world_T_odometry();
-  if (after != before) map_.correct(compose(after, inverse(before)));
+  if (corrected) map_.correct(compose(after, inverse(before)));
   map_.note(scan, compose(compose(after, then), setup_.robot_T_laser));
   scan_s_ = scan.time_s;
 }
@@ -106,7 +112,7 @@ Situation Navigator::perceive(const Observation& seen) {
   }
   map_.forget(time_s_);
   if (order_) judge(*order_);
-  return {time_s_, here, twist_, progress_};
+  return {time_s_, here, estimator_->covariance(), twist_, progress_};
 }
 
 /// Judges how far the order is.
@@ -116,10 +122,19 @@ void Navigator::judge(const GoTo& order) {
     progress_ = {Progress::State::lost, {}, std::move(lost)};
     return;
   }
-  if (distance(pose().position, order.place) <= order.within_m) {
+  const Pose2 here = pose();
+  const double away_m = distance(here.position, order.place);
+  if (order.heading_rad) {
+    at_place_ = away_m <= (at_place_ ? leave_part : 1.0) * order.within_m;
+    const bool stands =
+        std::abs(twist_.ahead_mps) < at_rest_mps && std::abs(twist_.turn_radps) < at_rest_radps;
+    if (at_place_ && stands &&
+        std::abs(wrap_angle(*order.heading_rad - here.heading_rad)) <= order.within_rad)
+      progress_ = {Progress::State::arrived, 0.0};
+  } else if (away_m <= order.within_m) {
     progress_ = {Progress::State::arrived, 0.0};
-    return;
   }
+  if (progress_.state == Progress::State::arrived) return;
   progress_.left_s = left_s_;
 }
 
@@ -140,32 +155,57 @@ Command Navigator::act(const Order& order) {
     nearer_s_ = time_s_;
     return DriveTwist{{}, until_s};
   }
-  if (!order_ || order_->place != go->place || order_->within_m != go->within_m) {
-    order_ = *go;
-    progress_ = {};
-    planned_s_.reset();
-    recovery_ = Recovery::none;
-    recoveries_ = 0;
-    left_s_.reset();
-    least_left_s_ = std::numeric_limits<double>::infinity();
-    nearer_s_ = time_s_;
-    judge(*go);
-  }
+  if (!order_ || *order_ != *go) begin(*go);
   if (progress_.state != Progress::State::underway) return DriveTwist{{}, until_s};
+  plan(*go);
+  note_progress();
+  if (progress_.state != Progress::State::underway) return DriveTwist{{}, until_s};
+  const MotionState state = state_of(*go);
+  if (at_place_) {
+    commanded_ = turn_at_place(state, *go->heading_rad);
+  } else if (recovery_ == Recovery::turn || recovery_ == Recovery::back_off) {
+    commanded_ = recovery_twist(state);
+  } else {
+    choice_ = rule_->choose(state);
+    commanded_ = choice_.twist;
+  }
+  return DriveTwist{commanded_, until_s};
+}
 
+/// A new order.
+void Navigator::begin(const GoTo& order) {
+  order_ = order;
+  progress_ = {};
+  planned_s_.reset();
+  recovery_ = Recovery::none;
+  recoveries_ = 0;
+  at_place_ = false;
+  left_s_.reset();
+  least_left_s_ = std::numeric_limits<double>::infinity();
+  nearer_s_ = time_s_;
+  judge(order);
+}
+
+/// Looks around, and plans anew if something has come or gone.
+void Navigator::plan(const GoTo& order) {
   const Vec2 here = pose().position;
-  if (!planned_s_ ||
-      (time_s_ - *planned_s_ >= setup_.options.plan_again_s - 1e-9 && map_.changes() != planned_changes_)) {
+  const bool due = !planned_s_ || time_s_ - *planned_s_ >= setup_.options.plan_again_s - instant_s;
+  if (due && (!planned_s_ || map_.changes() != planned_changes_)) {
     field_.compute(map_, setup_.footprint, setup_.robot,
-                   {go->place, go->within_m, setup_.motion.wide_m, setup_.motion.margin_m}, here);
+                   {order.place, order.within_m, setup_.motion.wide_m, setup_.motion.margin_m}, here);
     planned_s_ = time_s_;
     planned_changes_ = map_.changes();
   }
-  const double reach_m = setup_.robot.speed_mps * setup_.motion.horizon_s + setup_.footprint.outer_m() + 0.5;
+  const double reach_m =
+      setup_.robot.speed_mps * setup_.motion.horizon_s + setup_.footprint.outer_m() + around_m;
   near_.look(map_, here, std::min(reach_m, setup_.map.reach_m));
   left_s_ = field_.time_s(here);
-  if (left_s_ && *left_s_ < least_left_s_ - better_s) {
-    least_left_s_ = *left_s_;
+}
+
+/// Notes whether the robot gets nearer in time, and recovers if it does not.
+void Navigator::note_progress() {
+  if (at_place_ || (left_s_ && *left_s_ < least_left_s_ - better_s)) {
+    least_left_s_ = left_s_.value_or(least_left_s_);
     nearer_s_ = time_s_;
     if (recovery_ == Recovery::none) recoveries_ = 0;
   }
@@ -175,16 +215,15 @@ Command Navigator::act(const Order& order) {
     least_left_s_ = left_s_.value_or(std::numeric_limits<double>::infinity());
   }
   if (recovery_ == Recovery::none && time_s_ - nearer_s_ > setup_.options.patience_s) recover();
-  if (progress_.state != Progress::State::underway) return DriveTwist{{}, until_s};
+}
 
-  const MotionState state = state_of(*go);
-  if (recovery_ == Recovery::turn || recovery_ == Recovery::back_off) {
-    commanded_ = recovery_twist(state);
-  } else {
-    choice_ = rule_->choose(state);
-    commanded_ = choice_.twist;
-  }
-  return DriveTwist{commanded_, until_s};
+Twist2 Navigator::turn_at_place(const MotionState& state, double heading_rad) const {
+  const double off_rad = wrap_angle(heading_rad - state.pose.heading_rad);
+  // From that rate it comes to rest at the heading.
+  const double rate = std::sqrt(setup_.robot.turn_acceleration_radps2 * std::abs(off_rad));
+  const double most = std::min({rate, setup_.robot.turn_rate_radps, std::abs(off_rad) / state.period_s});
+  const Twist2 turn{0.0, 0.0, std::copysign(most, off_rad)};
+  return can_brake(state, turn, setup_.motion.margin_m) ? turn : Twist2{};
 }
 
 /// Begins the next way out, or gives up.

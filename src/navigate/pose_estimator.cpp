@@ -16,7 +16,7 @@ constexpr double lost_m = 3.0;   // standard deviation of the position at which 
 class BelievedOdometry final : public PoseEstimator {
  public:
   explicit BelievedOdometry(const Pose2& start) : start_(start) {}
-  void take(const LaserScan&, const Pose2&) override {}
+  bool take(const LaserScan&, const Pose2&) override { return false; }
   [[nodiscard]] Pose2 world_T_odometry() const override { return start_; }
 
  private:
@@ -27,23 +27,25 @@ class LaserMapping final : public PoseEstimator {
  public:
   LaserMapping(LaserSlam slam, const Pose2& start) : slam_(std::move(slam)), world_T_odometry_(start) {}
 
-  void take(const LaserScan& scan, const Pose2& odometry_T_robot) override {
-    if (taken_ && scan.time_s - taken_s_ < match_s - 1e-9) return;
+  bool take(const LaserScan& scan, const Pose2& odometry_T_robot) override {
+    if (taken_ && scan.time_s - taken_s_ < match_s - 1e-9) return false;
     const Pose2 motion = wrap_heading(relative_pose(taken_ ? odometry_ : Pose2{}, odometry_T_robot));
     const auto step = slam_.advance(motion, scan);
-    if (!step) return;
+    if (!step) return false;
     taken_ = true;
     taken_s_ = scan.time_s;
     odometry_ = odometry_T_robot;
     world_T_odometry_ = compose(step->pose, inverse(odometry_T_robot));
-    const Eigen::Matrix3d covariance = slam_.pose_covariance();
-    const double sigma_m = std::sqrt(std::max(covariance(0, 0), covariance(1, 1)));
+    covariance_ = slam_.pose_covariance();
+    const double sigma_m = std::sqrt(std::max(covariance_(0, 0), covariance_(1, 1)));
     lost_ =
         sigma_m > lost_m
             ? fmt::format("its position has a standard deviation of {:.2f} m by laser and odometry", sigma_m)
             : std::string{};
+    return step->closed_loop;
   }
   [[nodiscard]] Pose2 world_T_odometry() const override { return world_T_odometry_; }
+  [[nodiscard]] Eigen::Matrix3d covariance() const override { return covariance_; }
   [[nodiscard]] std::string lost() const override { return lost_; }
 
  private:
@@ -52,6 +54,7 @@ class LaserMapping final : public PoseEstimator {
   Pose2 odometry_;  // of the scan that was taken last
   bool taken_ = false;
   double taken_s_ = 0.0;
+  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
   std::string lost_;
 };
 

@@ -23,6 +23,7 @@
 #include <variant>
 #include <vector>
 
+#include "outrider/core/units.hpp"
 #include "outrider/navigate/local_motion.hpp"
 #include "outrider/navigate/pose_estimator.hpp"
 #include "outrider/robot/command.hpp"
@@ -30,10 +31,14 @@
 
 namespace outrider {
 
-/// Drive to a place, by any way that is safe and fast.
+/// Drive to a place, by any way that is safe and fast. Without a heading, to pass by there; with one, to
+/// stand there with it.
 struct GoTo {
   Vec2 place;
   double within_m = 0.1;
+  std::optional<double> heading_rad = {};
+  double within_rad = radians(5.0);
+  friend bool operator==(const GoTo&, const GoTo&) = default;
 };
 /// Stand where it is.
 struct Hold {};
@@ -50,8 +55,9 @@ struct Progress {
 /// What a mission may know.
 struct Situation {
   double time_s = 0.0;
-  Pose2 pose;    ///< world_T_robot, as believed
-  Twist2 twist;  ///< present
+  Pose2 pose;                                            ///< world_T_robot, as believed
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of x, y and heading in the world
+  Twist2 twist;                                          ///< present
   Progress progress;
 };
 
@@ -103,6 +109,10 @@ class Navigator {
   void judge(const GoTo& order);
   void recover();
   [[nodiscard]] Twist2 recovery_twist(const MotionState& state) const;
+  [[nodiscard]] Twist2 turn_at_place(const MotionState& state, double heading_rad) const;
+  void begin(const GoTo& order);
+  void plan(const GoTo& order);
+  void note_progress();
   [[nodiscard]] MotionState state_of(const GoTo& order) const;
 
   struct TimedOdometry {
@@ -131,6 +141,7 @@ class Navigator {
   std::optional<double> left_s_;
   double least_left_s_ = 0.0;
   double nearer_s_ = 0.0;  // when the time left last became less, or a recovery began
+  bool at_place_ = false;  // it stands there and turns to the heading
   Recovery recovery_ = Recovery::none;
   double recovers_until_s_ = 0.0;
   std::int64_t recoveries_ = 0;  // in a row

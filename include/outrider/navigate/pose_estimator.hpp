@@ -7,6 +7,7 @@
 // Frames: the world begins at the start that the robot is given. Thread rule: one at a time.
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -21,10 +22,14 @@ namespace outrider {
 class PoseEstimator {
  public:
   virtual ~PoseEstimator() = default;
-  /// Takes a scan that was measured where the odometry was `odometry_T_robot`.
-  virtual void take(const LaserScan& scan, const Pose2& odometry_T_robot) = 0;
+  /// Takes a scan that was measured where the odometry was `odometry_T_robot`. Returns true if that corrected
+  /// earlier poses too, so that what was seen from there lies elsewhere.
+  virtual bool take(const LaserScan& scan, const Pose2& odometry_T_robot) = 0;
   /// Returns the pose of the frame of the odometry.
   [[nodiscard]] virtual Pose2 world_T_odometry() const = 0;
+  /// Returns the covariance of x, y and heading in the world, m^2, m rad, rad^2; zero if odometry is
+  /// believed.
+  [[nodiscard]] virtual Eigen::Matrix3d covariance() const { return Eigen::Matrix3d::Zero(); }
   /// Returns why the pose is not known any more; empty if it is.
   [[nodiscard]] virtual std::string lost() const { return {}; }
 

@@ -15,6 +15,13 @@ Outcome<Warnings> DriveJob::load() {
 Status DriveJob::run(Run& run, const RunWatch& watch) {
   RunSteps steps(watch, 1);
   if (auto ok = steps.next("driving"); !ok) return ok;
+  if (scenario.loop == "laser") {
+    auto report = run_laser_drive(setup->task, scenario.height_m, scenario.laser,
+                                  static_cast<std::uint64_t>(scenario.seed), run.log, steps.inner());
+    if (!report) return pass_on(report);
+    run.report = std::move(*report);
+    return {};
+  }
   run.report = run_drive(setup->task, setup->sim, setup->rendered, static_cast<std::uint64_t>(scenario.seed),
                          run.log, steps.inner());
   if (setup->plan) {
@@ -26,7 +33,7 @@ Status DriveJob::run(Run& run, const RunWatch& watch) {
 
 Job drive_job() {
   return {.name = "drive",
-          .sentence = "Drive to waypoints by the tags in sight, or open loop by time.",
+          .sentence = "Drive to waypoints by tags, by laser around what stands in the way, or by time.",
           .example = "drive --scenario scenarios/waypoints/closed_loop.yaml --loop open",
           .blank = [] { return std::make_unique<DriveJob>(); },
           .summary = drive_summary};

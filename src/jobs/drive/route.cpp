@@ -134,7 +134,7 @@ Outcome<DriveRoute> plan_route(const DriveTask& task, const CollisionMap& ground
   return route;
 }
 
-Status check_waypoints(const DriveTask& task, const CollisionMap& ground) {
+Status check_waypoints(const DriveTask& task, const CollisionMap& ground, bool straight) {
   Vec2 from = task.start.position;
   for (std::size_t i = 0; i <= task.waypoints.size(); ++i) {
     const Vec2 at = i == 0 ? from : task.waypoints[i - 1].pose.position;
@@ -149,7 +149,7 @@ Status check_waypoints(const DriveTask& task, const CollisionMap& ground) {
                       task.radius_m),
           where);
     }
-    if (!ground.segment_free({from, at}, task.radius_m)) {
+    if (straight && !ground.segment_free({from, at}, task.radius_m)) {
       return bad_input(fmt::format("the straight way to {} at {:g},{:g} touches an obstacle; put waypoints "
                                    "around it, or give a goal and a planner",
                                    name, at.x, at.y),

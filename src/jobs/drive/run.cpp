@@ -26,38 +26,15 @@ constexpr double belief_every_s = 0.2;
 constexpr double look_around_m = 1.0;  ///< beyond the radius: more clearance is not told
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The way straight from waypoint to waypoint, the turns from heading to heading where it stops, and the
-/// least time on the way with rounded corners.
-struct Ideal {
-  double driven_m = 0.0;
-  double turned_rad = 0.0;
-  double time_s = 0.0;
-};
-Ideal ideal_of(const DriveTask& task) {
-  Ideal ideal;
-  Vec2 from = task.start.position;
-  double heading_rad = task.start.heading_rad;
-  const bool turns_to_go = !task.closed_loop || task.follow.mode == "rotate_then_go";
-  for (const Waypoint& waypoint : task.waypoints) {
-    const Vec2 way = waypoint.pose.position - from;
-    ideal.driven_m += norm(way);
-    if (turns_to_go && norm(way) > 0.0) {
-      ideal.turned_rad += std::abs(wrap_angle(heading_of(way) - heading_rad));
-      heading_rad = heading_of(way);
-    }
-    if (waypoint.stop) {
-      ideal.turned_rad += std::abs(wrap_angle(waypoint.pose.heading_rad - heading_rad));
-      heading_rad = waypoint.pose.heading_rad;
-    }
-    from = waypoint.pose.position;
-  }
-  FollowOptions follow = task.follow;
-  if (turns_to_go) follow.mode = "rotate_then_go";
-  const double pause_s = task.closed_loop ? task.rules.settle_s : task.rules.rest_s;
-  ideal.time_s = ideal_time_s(task.start, task.waypoints, follow, task.chassis, pause_s);
-  return ideal;
-}
+bool turns_to_go(const DriveTask& task) { return !task.closed_loop || task.follow.mode == "rotate_then_go"; }
 
+/// Returns the least time on the way with rounded corners.
+double ideal_s(const DriveTask& task) {
+  FollowOptions follow = task.follow;
+  if (turns_to_go(task)) follow.mode = "rotate_then_go";
+  const double pause_s = task.closed_loop ? task.rules.settle_s : task.rules.rest_s;
+  return ideal_time_s(task.start, task.waypoints, follow, task.chassis, pause_s);
+}
 /// Logs the drive.
 class Recorder {
  public:
@@ -225,7 +202,7 @@ std::string status_of(DriveEnd end) {
 /// Returns what the drive came to.
 Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Recorder& recorder) {
   const DriveTask& task = mission.task;
-  const Ideal ideal = ideal_of(task);
+  const DriveLegs ideal = straight_legs(task);
   const WheelBody& motion = robot.body<WheelBody>();
   const double too_near_m = task.radius_m - recorder.clearance_m;
   const bool touched = too_near_m > 0.0;
@@ -245,7 +222,7 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
                     {"turned_rad", motion.turned_rad()},
                     {"ideal_rad", ideal.turned_rad},
                     {"tag_fraction", static_cast<double>(mission.used) / images},
-                    {"ideal_s", ideal.time_s},
+                    {"ideal_s", ideal_s(task)},
                     {"time_s", came_to_the_end ? mission.arrivals.back().time_s : motion.time_s()},
                     {"clearance_m", recorder.clearance_m},
                     {"deviation_m", recorder.deviation_m},
@@ -259,6 +236,26 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
 }
 
 }  // namespace
+
+DriveLegs straight_legs(const DriveTask& task) {
+  DriveLegs legs;
+  Vec2 from = task.start.position;
+  double heading_rad = task.start.heading_rad;
+  for (const Waypoint& waypoint : task.waypoints) {
+    const Vec2 way = waypoint.pose.position - from;
+    legs.driven_m += norm(way);
+    if (turns_to_go(task) && norm(way) > 0.0) {
+      legs.turned_rad += std::abs(wrap_angle(heading_of(way) - heading_rad));
+      heading_rad = heading_of(way);
+    }
+    if (waypoint.stop) {
+      legs.turned_rad += std::abs(wrap_angle(waypoint.pose.heading_rad - heading_rad));
+      heading_rad = waypoint.pose.heading_rad;
+    }
+    from = waypoint.pose.position;
+  }
+  return legs;
+}
 
 SimulatedRobot simulated_driver(const DriveTask& task, const DriveSimParams& params, bool rendered,
                                 std::uint64_t seed) {

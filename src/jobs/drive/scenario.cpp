@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "outrider/io/scenario.hpp"
 #include "outrider/io/sdf.hpp"
 #include "outrider/io/text.hpp"
@@ -118,8 +121,28 @@ Status check_outage(const DriveScenario& scenario) {
                    key);
 }
 
+/// A drive by laser has wheels of its own, and finds its way itself.
+Status check_laser(const DriveScenario& scenario) {
+  if (!scenario.planner.empty())
+    return bad_input("a drive by laser finds its way itself; leave the planner out and give waypoints",
+                     "planner");
+  const RangeFinderModel& laser = scenario.laser.laser;
+  if (laser.least_m >= laser.most_m)
+    return bad_input(fmt::format("'{:g}' is not valid; expected less than laser.most, which is {:g} m",
+                                 laser.least_m, laser.most_m),
+                     "laser.least");
+  if (scenario.laser.footprint.empty()) return {};
+  if (auto shape = parse_footprint(scenario.laser.footprint); !shape)
+    return bad_input(shape.error().sentence, "navigator.footprint");
+  return {};
+}
+
 Status check_arguments(const DriveScenario& scenario) {
-  if (auto ok = check_argument(scenario.loop, "loop", "closed", "open"); !ok) return ok;
+  if (scenario.loop != "laser") {
+    if (auto ok = check_argument(scenario.loop, "loop", "closed", "open or laser"); !ok) return ok;
+  } else if (auto ok = check_laser(scenario); !ok) {
+    return ok;
+  }
   if (auto ok = check_argument(scenario.sight, "sight", "rendered", "modelled"); !ok) return ok;
   if (scenario.goal.empty() != scenario.planner.empty()) {
     return bad_input("a goal and a planner go together; give both, or waypoints",
@@ -159,8 +182,8 @@ Outcome<DriveTask> robot_from(const DriveScenario& scenario) {
   if (!chassis) return pass_on(chassis);
   task.chassis = std::move(*chassis);
   task.radius_m = scenario.radius_m;
-  task.closed_loop = scenario.loop == "closed";
-  if (task.closed_loop && task.follow.mode == "holonomic" && !task.chassis.moves_sideways()) {
+  task.closed_loop = scenario.loop != "open";
+  if (scenario.loop == "closed" && task.follow.mode == "holonomic" && !task.chassis.moves_sideways()) {
     return bad_input(
         fmt::format("a {} chassis does not move sideways; take rotate_then_go", scenario.chassis),
         "follow.mode");
@@ -191,7 +214,7 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
   camera.push_back(describe_link(scenario.robot_file));
   link.push_back({"patience", "s", 0.05, 1e9, "without a command after which the wheels stop",
                   &scenario.sim.patience_s});
-  return {
+  std::vector<OptionGroup> groups = {
       {"",
        "the drive",
        {file_option("world", "SDF file of the world; empty: open ground", &scenario.world),
@@ -211,7 +234,8 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
          &scenario.tag_size_m},
         {"tag_family", "", 0, 0, "family of the tags, such as tag36h11 or tagStandard41h12",
          &scenario.tag_family},
-        {"loop", "", 0, 0, "closed (by tags) or open (by time)", &scenario.loop},
+        {"loop", "", 0, 0, "closed (by tags), open (by time) or laser (around what stands in the way)",
+         &scenario.loop},
         {"sight", "", 0, 0, "rendered (images, tags detected in them) or modelled (corners with errors)",
          &scenario.sight},
         {"chassis", "", 0, 0, "mecanum, differential or holonomic", &scenario.chassis},
@@ -236,6 +260,8 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
        describe(scenario.sim)},
       {"link", "how commands travel to the simulated robot", link},
   };
+  std::ranges::move(describe(scenario.laser), std::back_inserter(groups));
+  return groups;
 }
 
 Outcome<DriveSetup> load_drive(const DriveScenario& given) {
@@ -272,9 +298,17 @@ Outcome<DriveSetup> load_drive(const DriveScenario& given) {
     setup.plan = std::move(route->plan);
     setup.path_clearance_m = way_clearance_m(setup.plan->waypoints, ground);
   }
-  if (auto ok = check_waypoints(setup.task, ground); !ok) return pass_on(ok);
-  for (std::string& warning : tag_warnings(setup.task)) setup.warnings.push_back(std::move(warning));
+  if (auto ok = check_waypoints(setup.task, ground, scenario.loop != "laser"); !ok) return pass_on(ok);
+  if (scenario.loop != "laser")
+    for (std::string& warning : tag_warnings(setup.task)) setup.warnings.push_back(std::move(warning));
   return setup;
+}
+
+Outcome<DriveSetup> load_wheel_drive(const DriveScenario& scenario) {
+  if (scenario.loop == "laser")
+    return bad_input("a drive by laser is simulated only, by 'outrider run'; here give closed or open",
+                     "loop");
+  return load_drive(scenario);
 }
 
 }  // namespace outrider

@@ -54,8 +54,8 @@ std::string drive_summary(const Report& report) {
     reached += outcome == "reached" ? 1 : 0;
     unconfirmed += outcome == "unconfirmed" ? 1 : 0;
   }
-  std::string text =
-      fmt::format("{}, {} loop: {} of {} stops reached", printable(report.world_name), loop, reached, stops);
+  std::string text = fmt::format("{}, {}: {} of {} stops reached", printable(report.world_name),
+                                 loop == "laser" ? "by laser" : loop + " loop", reached, stops);
   if (unconfirmed > 0) text += fmt::format(", {} unconfirmed,", unconfirmed);
   text += fmt::format(" in {}\n\n", duration_text(metric(report, "time_s")));
   text += "       x, m    y, m     deg       s  off x, mm    y, mm      deg\n";
@@ -67,7 +67,8 @@ std::string drive_summary(const Report& report) {
   if (std::isfinite(metric(report, "ideal_s")))
     text += fmt::format("  time       {:.1f} s, ideal {:.1f} s\n", metric(report, "time_s"),
                         metric(report, "ideal_s"));
-  text += fmt::format("  clearance  {:.3f} m at least\n", metric(report, "clearance_m"));
+  if (std::isfinite(metric(report, "clearance_m")))
+    text += fmt::format("  clearance  {:.3f} m at least\n", metric(report, "clearance_m"));
   if (std::isfinite(metric(report, "path_m"))) {
     text += fmt::format("  path       {:.3f} m, {:.3f} m clear\n", metric(report, "path_m"),
                         metric(report, "path_clearance_m"));

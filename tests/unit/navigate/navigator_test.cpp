@@ -47,7 +47,7 @@ Result drive(const World& world, const NavigatorSetup& setup, Vec2 goal, double 
   while (robot.time_s() < limit_s) {
     result.progress = navigator->perceive(robot.sense()).progress;
     if (result.progress.state != Progress::State::underway) break;
-    robot.act(navigator->act(GoTo{goal, 0.15}));
+    robot.act(navigator->act(GoTo{goal, 0.15, 0.0}));
   }
   const auto& body = robot.body<TwistBody>();
   return {result.progress, body.pose(), body.contacts(), robot.time_s()};

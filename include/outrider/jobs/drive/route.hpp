@@ -49,7 +49,8 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& points, double thin_m, const 
 /// O(points obstacles).
 double way_clearance_m(const std::vector<Vec2>& points, const CollisionMap& ground);
 
-/// Refuses waypoints where the robot cannot stand, and straight lines between waypoints that are blocked.
-Status check_waypoints(const DriveTask& task, const CollisionMap& ground);
+/// Refuses waypoints where the robot cannot stand, and if it drives `straight` from one to the next, straight
+/// lines between them that are blocked.
+Status check_waypoints(const DriveTask& task, const CollisionMap& ground, bool straight = true);
 
 }  // namespace outrider

@@ -36,6 +36,13 @@ namespace outrider {
 Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,
                  Log& log, const RunWatch& watch = {});
 
+/// The way straight from waypoint to waypoint, and the turns from heading to heading where it stops.
+struct DriveLegs {
+  double driven_m = 0.0;
+  double turned_rad = 0.0;
+};
+DriveLegs straight_legs(const DriveTask& task);
+
 /// Logs what stands still: the world, the tags, the camera and the waypoints.
 void log_start(Log& log, const DriveTask& task, std::uint64_t seed);
 

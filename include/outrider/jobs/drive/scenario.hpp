@@ -9,9 +9,12 @@
 //   goal: "2.5,2.5,45"
 //   planner: visibility_graph               # a path planner of 'outrider list'
 //
+// With `loop: laser` the navigator drives there by a range finder, around what stands in the way.
+//
 // describe() has the other keys: the robot, its loop (open or closed), the source of images (rendered or
-// modelled), and the sections follow, pid, reckoning, localise, camera, rules, route, faults and link. The
-// sections faults and link hold what the robot does not know.
+// modelled), and the sections follow, pid, reckoning, localise, camera, rules, route, laser, wheels,
+// navigator, live_map, motion, faults and link. The sections faults and link hold what the robot does not
+// know.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +24,7 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/io/robot_file.hpp"
+#include "outrider/jobs/drive/laser_drive.hpp"
 #include "outrider/jobs/drive/route.hpp"
 #include "outrider/jobs/drive/task.hpp"
 #include "outrider/sim/drive_sim_params.hpp"
@@ -40,7 +44,7 @@ struct DriveScenario {
   std::string map_tags;         ///< where the robot believes the tags; empty: as `tags`
   double tag_size_m = default_tag_size_m;  ///< side of a tag
   std::string tag_family = "tag36h11";     ///< of all tags
-  std::string loop = "closed";             ///< or open
+  std::string loop = "closed";             ///< or open, or laser
   std::string sight = "rendered";          ///< or modelled
   std::string chassis = "mecanum";         ///< or differential, holonomic
   double wheel_radius_m = 0.03;            ///< of each wheel
@@ -52,6 +56,7 @@ struct DriveScenario {
   std::int64_t seed = 1;                   ///< of the simulation
   DriveRouteOptions route;                 ///< of planned paths
   DriveSimParams sim;                      ///< errors of the simulated robot
+  LaserDriveOptions laser;                 ///< of a drive by laser
   DriveTask task;                          ///< the other settings
 };
 
@@ -71,5 +76,8 @@ struct DriveSetup {
 /// Reads the files and the texts. Faults: bad_input with the file and line, or the key; start_blocked,
 /// goal_blocked, no_path and the like from the planner.
 Outcome<DriveSetup> load_drive(const DriveScenario& scenario);
+
+/// The same for what commands wheels itself (DriveMission). Faults: bad_input besides, for a drive by laser.
+Outcome<DriveSetup> load_wheel_drive(const DriveScenario& scenario);
 
 }  // namespace outrider
