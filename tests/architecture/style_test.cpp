@@ -39,7 +39,7 @@ bool is_the_tool(const Source& s) {
   return s.path.starts_with("apps/cli/") && !owner;
 }
 
-/// What a process is confined to holds for every file that it reads: so there is one place that opens them.
+/// Limits that a process sets for reading hold for every file, because one place opens them all.
 /// The others write, or open what is the server's own.
 bool opens_through_the_gate(const Source& s) {
   static const std::set<std::string> others = {"src/io/file_lock.cpp",

@@ -130,7 +130,7 @@ class TeamPlanner {
     return {};
   }
 
-  /// What has become of a split.
+  /// The outcome of planning a split.
   enum class Planned : std::uint8_t { timed, blocked, before };
 
   /// Gives the parts of the split that was planned last to the robots such that the sum of the squared

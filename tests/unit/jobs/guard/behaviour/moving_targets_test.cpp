@@ -45,7 +45,7 @@ GuardProblem yard(bool with_errors) {
 
 const std::vector<double> often_at_the_pond = {12.0, 0.3, 0.3, 0.3, 3.0};
 
-/// What was seen of earlier intruders: their walks under another seed, every half second.
+/// Returns the observations of earlier intruders: their walks under another seed, every half second.
 std::vector<Track> past(const GuardProblem& problem, const FiringMap& firing_map,
                         const WanderOptions& options) {
   const auto walks = draw_walks(problem, firing_map, often_at_the_pond, options, 999, 600.0);

@@ -117,7 +117,7 @@ TEST(Survivors, AtTwoPlacesTakeTheSumOfTheSeries) {
     const TourProblem& table = one.table;
     const Policy policy = policies().front();
 
-    // By hand: all missions of both intruders with at most 12 survivals between them.
+    // All missions of both intruders with at most 12 survivals between them, by hand.
     struct State {
       std::vector<PendingTarget> pending;
       RobotState from;
@@ -172,7 +172,7 @@ TEST(Survivors, AtTwoPlacesTakeTheSumOfTheSeries) {
   }
 }
 
-/// What the plan expects is what missions take, simulated by other code, on average.
+/// Missions take on average the time that the plan expects; they are simulated by other code.
 TEST(Survivors, TakeOnAverageWhatIsExpected) {
   Rng rng(63);
   for (int y = 0; y < cases(1); ++y) {

@@ -213,7 +213,7 @@ TEST(TaskBoard, GoesElsewhereWhenThePlaceReachedHasNoShot) {
   EXPECT_EQ(nowhere.board().records()[0].pose.position, behind);
 }
 
-/// What has no shot with the margin is tried without it in the second pass.
+/// A target that has no shot with the margin is tried without it in the second pass.
 TEST(TaskBoard, GivesTheMarginUpInTheSecondPass) {
   GuardProblem problem = open_yard();
   problem.targets = {{"slit", {0, 1.5, 0}, {0.4, 0.2, 0.4}, 0.0}};

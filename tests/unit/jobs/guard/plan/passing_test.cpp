@@ -54,7 +54,8 @@ Case planned_case(GuardProblem problem) {
   return {std::move(problem), std::move(*firing_map), std::move(*plan), std::move(passing)};
 }
 
-/// Where a robot is and how fast, that long after it left a place on its way to another, by small steps.
+/// Returns the place and speed of a robot that long after it left a place on its way to another, by small
+/// steps.
 Platform own_platform(const RobotModel& robot, Vec2 from, Vec2 to, double after_s) {
   constexpr int steps = 20000;
   const double total = own_duration(norm(to - from), robot.speed_mps, robot.acceleration_mps2);

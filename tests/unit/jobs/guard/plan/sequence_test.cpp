@@ -87,7 +87,7 @@ double brute_force(const Case& c, ArrivalObjective objective) {
                      c.from.time_s, 0.0, c.from.heading_rad, 0.0, 0.0);
 }
 
-/// Where turning and aiming take no time and nobody is on the way, nothing is lost.
+/// Nothing is lost when turning and aiming take no time and nobody is on the way.
 TEST(BestSequence, IsTheBestOfAll) {
   Rng rng(31);
   for (int i = 0; i < cases(200); ++i) {

@@ -25,7 +25,7 @@ using testing::LoggedTarget;
 using testing::replay_shots;
 using testing::Replayed;
 
-/// Where somebody at the place of a target is, and how large.
+/// Returns the box of somebody at the place of a target.
 auto boxes_of(const GuardProblem& problem) {
   return [&problem](const LoggedTarget& target, double shot_s, double) {
     return testing::box_in(problem, target, shot_s);  // who was hit goes on only then
@@ -84,7 +84,7 @@ bool came(const Run& run, const std::string& name) {
   });
 }
 
-/// What several missions with limited stores had in them, so that a test shows something.
+/// The counts of several missions with limited stores, so that a test shows something.
 struct Premises {
   int missions = 0;
   int done = 0;
@@ -198,7 +198,7 @@ TEST(Combinations, IntrudersKeepComingOverHills) {
   EXPECT_GT(on_slopes, 0);
 }
 
-/// Where a walk is, by hand.
+/// Returns the place of a walk, by hand.
 Vec2 place_on(const Walk& walk, double time_s) {
   for (std::size_t i = walk.knots.size() - 1; i > 0; --i) {
     const auto& a = walk.knots[i - 1];

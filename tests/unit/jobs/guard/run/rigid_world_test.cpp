@@ -93,7 +93,7 @@ TEST_F(RigidBodies, AThinWallStopsABallFromAnySide) {
   }
 }
 
-/// What a thrown ball touches first: a body, or nothing within 2 s.
+/// Returns the body that a thrown ball touches first, or nothing within 2 s.
 std::vector<std::size_t> first_touch(RigidWorld& bodies, const Flight& flight) {
   const std::size_t ball = bodies.throw_ball(flight, 0).value();
   std::vector<std::size_t> touched;

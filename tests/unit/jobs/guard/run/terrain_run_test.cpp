@@ -105,7 +105,7 @@ TEST(TerrainRun, OnHillsTheBoundHoldsShotsHitAndDrivesAreOnTheSurface) {
         }
       }
     }
-    // What was driven is as long as the track on the surface.
+    // The driven way is as long as the track on the surface.
     double along = 0.0;
     for (const auto& path : testing::driven_paths(mission.run.log)) {
       for (std::size_t k = 1; k < path.size(); ++k) along += field.length({path[k - 1], path[k]});

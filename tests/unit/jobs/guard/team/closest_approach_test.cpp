@@ -13,7 +13,7 @@ namespace {
 
 using testing::cases;
 
-/// Where a robot is, by the functions that move simulated robots.
+/// Returns the place of a robot, by the functions that move simulated robots.
 Vec2 place_at(const RobotModel& robot, const TimedDrives& driven, double time_s) {
   Pose2 pose = driven.start;
   for (const TimedDrive& drive : driven.drives) {

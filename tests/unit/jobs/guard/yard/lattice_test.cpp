@@ -23,7 +23,7 @@ FiringMap surveyed(const GuardProblem& problem, double resolution_m) {
   return std::move(*firing_map);
 }
 
-/// By cell, metres from one of them.
+/// Returns for each cell the metres from one of them.
 std::vector<double> ways_from(const Lattice& lattice, const FiringMap& firing_map, std::size_t cell) {
   Field field(firing_map.frame.size(), endless);
   field[cell] = 0;
