@@ -301,7 +301,7 @@ Response App::catalogue(const Request&, const Parts&) {
 Outcome<KnownMap> App::read_known_map(const Folder& folder, const std::string& path,
                                       const std::stop_token& stop) {
   const auto read = settings_.read(folder, {{"map", path}}, stop);
-  return read ? unpacked(*read) : Outcome<KnownMap>(tl::unexpected(read.error()));
+  return read ? unpacked(*read) : Outcome<KnownMap>(pass_on(read));
 }
 
 /// Reads a map from uploaded files; the first one that is not an image is the map.

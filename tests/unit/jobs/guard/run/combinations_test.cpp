@@ -74,7 +74,7 @@ Outcome<Run> run_arrivals(const GuardProblem& problem, const ArrivalOptions& arr
     scenario.intruders = std::move(*intruders);
   }
   const auto guard = prepare_guard(std::move(scenario));
-  if (!guard) return tl::unexpected<Fault>(guard.error());
+  if (!guard) return pass_on(guard);
   return logged_run({}, [&](Log& log) { return run_guard(**guard, log); });
 }
 
