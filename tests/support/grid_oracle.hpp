@@ -1,4 +1,4 @@
-// A slow second opinion about paths on grids, written from the definitions in grid_ground.hpp alone:
+// A slow second opinion about paths on grids, written from the definitions in grid_map.hpp alone:
 // legs against every blocked cell in exact fractions, shortest paths over all pairs of vertices.
 #pragma once
 
