@@ -9,7 +9,7 @@
 #include "outrider/jobs/guard/run/run.hpp"
 #include "support/guard_replay.hpp"
 #include "support/guard_runs.hpp"
-#include "support/guard_yard.hpp"
+#include "support/planned_yard.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_terrain.hpp"
 
@@ -17,9 +17,11 @@ namespace outrider {
 namespace {
 
 using testing::cases;
+using testing::coarse;
 using testing::expect_everybody_accounted_for;
 using testing::expect_sound_stores;
 using testing::Ledger;
+using testing::limit_stores;
 using testing::logged_run;
 using testing::LoggedTarget;
 using testing::replay_shots;
@@ -30,23 +32,6 @@ auto boxes_of(const GuardProblem& problem) {
   return [&problem](const LoggedTarget& target, double shot_s, double) {
     return testing::box_in(problem, target, shot_s);  // who was hit goes on only then
   };
-}
-
-GuardOptions coarse() {
-  GuardOptions options = testing::from_rest();
-  options.resolution_m = 0.25;
-  options.stops = 60;
-  options.refinements = 0;
-  options.iterations = 50;
-  return options;
-}
-
-/// A tank of two shots and a small battery; the well and the dock are beside the start.
-void limit_stores(GuardProblem& problem) {
-  problem.supplies.tank = 2.0;
-  problem.supplies.battery_wh = 0.5;
-  problem.supplies.stations = {{"well", problem.start.position + Vec2{0.5, 0.0}, true, false},
-                               {"dock", problem.start.position + Vec2{-0.5, 0.0}, false, true}};
 }
 
 ArrivalOptions eight_intruders() {
@@ -100,7 +85,7 @@ Premises run_with_limited_stores(const ArrivalOptions& arrivals, std::uint64_t f
   for (int i = 0; i < yards; ++i) {
     Rng rng(first_yard + static_cast<std::uint64_t>(i));
     GuardProblem problem = testing::random_guard_problem(rng, 3, 4, 3.0);
-    limit_stores(problem);
+    limit_stores(problem, 0.5);
     problem.supplies.battery_wh = rng.uniform(0.15, 0.5);
     const auto run = run_arrivals(problem, arrivals, 1 + static_cast<std::uint64_t>(i % 3), i % 2 != 0);
     if (!run) {
@@ -333,7 +318,7 @@ TEST(Combinations, WithoutAWellTheMissionEndsWhenTheTankIsEmpty) {
   for (const double leave : {1.0, 0.5}) {
     Rng rng(380);
     GuardProblem problem = testing::random_guard_problem(rng, 0, 4, 3.0);
-    limit_stores(problem);
+    limit_stores(problem, 0.5);
     problem.supplies.stations.erase(problem.supplies.stations.begin());
     ArrivalOptions arrivals = eight_intruders();
     arrivals.leave = leave;
@@ -361,7 +346,7 @@ TEST(Combinations, WithoutAChargerInReachTheMissionEnds) {
   for (const bool far_charger : {true, false}) {
     Rng rng(390);
     GuardProblem problem = testing::random_guard_problem(rng, 0, 4, 3.0);
-    limit_stores(problem);
+    limit_stores(problem, 0.5);
     problem.supplies.battery_wh = 0.06;
     problem.supplies.stations.pop_back();
     if (far_charger) problem.supplies.stations.push_back({"dock", {0.0, 2.6}, false, true});

@@ -22,7 +22,7 @@ using testing::random_guard_problem;
 
 Vec3 vec3_of(const auto& v) { return {v.x, v.y, v.z}; }
 
-GuardProblem open_yard() {
+GuardProblem one_target() {
   GuardProblem problem;
   problem.world.bounds = {{-5, -5}, {5, 5}};
   problem.world.solids = {floor_at(0)};
@@ -38,7 +38,7 @@ FiringMap site_of(const GuardProblem& problem) {
 }
 
 TEST(SimulatedGuard, ArrivesUniformlyWithinTheErrors) {
-  const GuardProblem problem = open_yard();
+  const GuardProblem problem = one_target();
   const FiringMap firing_map = site_of(problem);
   Log log;
   auto robot = simulated_guard(problem, firing_map, log, 5);
@@ -71,7 +71,7 @@ TEST(SimulatedGuard, ArrivesUniformlyWithinTheErrors) {
 
 /// A drive ends with an error of the heading. The next one begins with it, and the log says so.
 TEST(SimulatedGuard, LogsWhereADriveBegins) {
-  GuardProblem problem = open_yard();
+  GuardProblem problem = one_target();
   problem.errors.heading_rad = 0.2;
   const FiringMap firing_map = site_of(problem);
   Log log;
@@ -114,7 +114,7 @@ TEST(SimulatedGuard, NeverArrivesInsideAnObstacle) {
 }
 
 TEST(SimulatedGuard, MovesAsItsModelAndAddsItUp) {
-  GuardProblem problem = open_yard();
+  GuardProblem problem = one_target();
   problem.errors = {0.0, 0.0, {0.0, 0.0}};
   const FiringMap firing_map = site_of(problem);
   Log log;
@@ -162,7 +162,7 @@ TEST(SimulatedGuard, MovesAsItsModelAndAddsItUp) {
 }
 
 TEST(SimulatedGuard, BringsTheBarrelWhereItIsTold) {
-  const GuardProblem problem = open_yard();
+  const GuardProblem problem = one_target();
   const FiringMap firing_map = site_of(problem);
   Log log;
   auto robot = simulated_guard(problem, firing_map, log, 1);
@@ -179,7 +179,7 @@ TEST(SimulatedGuard, BringsTheBarrelWhereItIsTold) {
 }
 
 TEST(SimulatedGuard, GoesOnWhileABallIsInTheAirAndTellsWhenItHasLanded) {
-  const GuardProblem problem = open_yard();
+  const GuardProblem problem = one_target();
   const FiringMap firing_map = site_of(problem);
   Log log;
   auto robot = simulated_guard(problem, firing_map, log, 7);
@@ -202,7 +202,7 @@ TEST(SimulatedGuard, GoesOnWhileABallIsInTheAirAndTellsWhenItHasLanded) {
 }
 
 TEST(SimulatedGuard, TurnsItsGunDuringADrive) {
-  GuardProblem problem = open_yard();
+  GuardProblem problem = one_target();
   problem.errors.position_m = problem.errors.heading_rad = 0.0;
   problem.gun.pitch_rate_radps = 0.15;
   const FiringMap firing_map = site_of(problem);
@@ -222,7 +222,7 @@ TEST(SimulatedGuard, TurnsItsGunDuringADrive) {
 }
 
 TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
-  const GuardProblem problem = open_yard();
+  const GuardProblem problem = one_target();
   const FiringMap firing_map = site_of(problem);
   Log log;
   auto robot = simulated_guard(problem, firing_map, log, 9);
@@ -264,7 +264,7 @@ TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
 
 TEST(SimulatedGuard, TheReferenceRuleIsTheBallNearTheBase) {
   Rng rng(102);
-  GuardProblem problem = open_yard();
+  GuardProblem problem = one_target();
   int counted = 0;
   int uncounted = 0;
   for (int i = 0; i < cases(100); ++i) {
@@ -289,7 +289,7 @@ TEST(SimulatedGuard, TheReferenceRuleIsTheBallNearTheBase) {
 }
 
 TEST(SimulatedGuard, SameSeedSameRunOtherSeedOtherRun) {
-  const GuardProblem problem = open_yard();
+  const GuardProblem problem = one_target();
   const FiringMap firing_map = site_of(problem);
   const auto end = [&](std::uint64_t seed) {
     Log log;
