@@ -115,6 +115,22 @@ TEST(Style, EveryHeaderOpensWithItsManual) {
   }
 }
 
+TEST(Style, CommentsBeginWithASentence) {
+  const std::regex fragment(R"(\s*///?<? (Of|Whether|Who|What|By|Those|Where)\b.*)");
+  EXPECT_TRUE(std::regex_match("  /// Of the disk, m.", fragment));
+  for (const Source& source : sources({"include", "src", "apps", "research", "tests", "bench", "examples"})) {
+    if (source.path.find("/io/") != std::string::npos || source.path.find("/slam/") != std::string::npos)
+      continue;
+    bool goes_on = false;
+    for (const std::string& line : lines(source.text)) {
+      const std::size_t begin = line.find_first_not_of(' ');
+      const bool comment = begin != std::string::npos && line.compare(begin, 2, "//") == 0;
+      EXPECT_FALSE(comment && !goes_on && std::regex_match(line, fragment)) << source.path << ": " << line;
+      goes_on = comment;
+    }
+  }
+}
+
 constexpr std::size_t longest_file = 500;
 constexpr std::size_t longest_of_nine_in_ten = 300;
 constexpr std::size_t longest_function = 75;

@@ -20,6 +20,12 @@ inline GuardOptions coarse() {
   return options;
 }
 
+inline FiringMap firing_map_of(const GuardProblem& problem, const GuardOptions& options) {
+  auto firing_map = build_firing_map(problem, options);
+  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+  return std::move(*firing_map);
+}
+
 struct PlannedYard {
   GuardProblem problem;
   FiringMap firing_map;
@@ -27,11 +33,10 @@ struct PlannedYard {
 };
 
 inline PlannedYard planned_yard(GuardProblem problem, const GuardOptions& options) {
-  auto firing_map = build_firing_map(problem, options);
-  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
-  auto plan = plan_guard(problem, *firing_map, options, {});
+  FiringMap firing_map = firing_map_of(problem, options);
+  auto plan = plan_guard(problem, firing_map, options, {});
   EXPECT_TRUE(plan.has_value()) << plan.error().sentence;
-  return {std::move(problem), std::move(*firing_map), std::move(*plan)};
+  return {std::move(problem), std::move(firing_map), std::move(*plan)};
 }
 
 struct ArrivalsYard : PlannedYard {
