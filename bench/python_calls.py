@@ -1,4 +1,4 @@
-"""What a call from Python adds to a query: at most 5 us one by one, and 0.2 us in arrays.
+"""The price of a call from Python over a query: at most 5 us one by one, and 0.2 us in arrays.
 
     PYTHONPATH=build/python python3 bench/python_calls.py build/bench/call_bench
 """

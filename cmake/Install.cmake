@@ -108,7 +108,7 @@ install(DIRECTORY include/outrider DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPO
 
 include(${CMAKE_CURRENT_LIST_DIR}/PkgConfig.cmake)
 
-# What man and the shells know of the tool: it writes that itself, anew whenever it is built.
+# Pages for man and completions for the shells: the tool writes them itself, anew whenever it is built.
 set(manual ${PROJECT_BINARY_DIR}/manual)
 add_custom_command(OUTPUT ${manual}/outrider.1.gz
   COMMAND outrider manual --out ${manual}

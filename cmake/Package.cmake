@@ -79,7 +79,7 @@ logs, with arrays of numpy."
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${scripts}/postinst ${scripts}/prerm)
 endif()
 
-# What every Debian package says of its licence and its release; the date is that of the newest in CHANGELOG.md.
+# The licence and the release of every Debian package; the date is that of the newest in CHANGELOG.md.
 file(READ ${PROJECT_SOURCE_DIR}/CHANGELOG.md changes)
 string(REGEX MATCH "\n## \\[${PROJECT_VERSION}\\] - ([0-9-]+)\n" ignored "${changes}")
 set(released ${CMAKE_MATCH_1})

@@ -1,4 +1,4 @@
-// What a `throw` calls: here it ends the module, because only broken invariants throw.
+// The end of a `throw`: here it ends the module, because only broken invariants throw.
 #include <cstddef>
 
 extern "C" {

@@ -9,7 +9,7 @@
  * A ground and a planner serve until others are set. Lengths are in metres, options as in `outrider plan`.
  */
 
-/** What Outrider refuses, or the proof that there is no path. */
+/** A refusal of Outrider, or the proof that there is no path. */
 export class Fault extends Error {
   constructor({ code, sentence, where }) {
     super(where ? `${where}: ${sentence}` : sentence);
@@ -20,7 +20,7 @@ export class Fault extends Error {
 
 const notThere = 52;  // ENOSYS of WASI
 
-/** What the module asks of the system: the time, and nothing else. */
+/** The calls of the module to the system: the time, and nothing else. */
 function system(module, memory) {
   const calls = Object.fromEntries(WebAssembly.Module.imports(module).map(({ name }) => [name, () => notThere]));
   calls.clock_time_get = (clock, precision, at) => {

@@ -45,7 +45,7 @@ struct StoredRun {
   Log log;
 };
 
-/// Returns the report of a log without its end: the run never came to its own.
+/// Returns the report of a log without its end, because the run ended before its report was written.
 Outcome<Report> report_of_cut(const std::string& path, const StoredLog& stored) {
   const auto* info = stored.log.latest<outrider_msgs::RunInfo>(topic::run);
   if (info == nullptr) {

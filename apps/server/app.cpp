@@ -29,45 +29,6 @@ constexpr std::string_view data_policy = "default-src 'none'; frame-ancestors 'n
 
 std::size_t planning_slots() { return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 64); }
 
-/// Splits a path and decodes each part on its own, so that an encoded slash stays within its part.
-Outcome<std::vector<std::string>> parts_of(std::string_view path) {
-  std::vector<std::string> parts;
-  path.remove_prefix(std::min<std::size_t>(1, path.size()));
-  for (bool more = true; more;) {
-    const std::size_t slash = path.find('/');
-    more = slash != std::string_view::npos;
-    auto part = percent_decoded(path.substr(0, slash));
-    if (!part) return pass_on(part);
-    if (part->find('/') != std::string::npos) return bad_input("a name holds a slash", "path");
-    parts.push_back(std::move(*part));
-    if (more) path.remove_prefix(slash + 1);
-  }
-  return parts;
-}
-
-/// Returns the values of the names in the pattern; nothing if the path does not match.
-std::optional<std::vector<std::string>> matched(std::string_view pattern,
-                                                const std::vector<std::string>& path) {
-  std::vector<std::string> found;
-  const auto wanted = *parts_of(pattern);
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    if (i >= path.size()) return std::nullopt;
-    if (wanted[i] == "{path}") {
-      std::string rest = path[i];
-      for (std::size_t k = i + 1; k < path.size(); ++k) rest += "/" + path[k];
-      found.push_back(std::move(rest));
-      return found;
-    }
-    if (wanted[i].starts_with('{')) {
-      found.push_back(path[i]);
-    } else if (wanted[i] != path[i]) {
-      return std::nullopt;
-    }
-  }
-  if (wanted.size() != path.size()) return std::nullopt;
-  return found;
-}
-
 /// Decodes the files of a request about a map.
 Outcome<std::vector<NamedContent>> files_of(const Json& list) {
   std::vector<NamedContent> files;
@@ -226,12 +187,12 @@ Response App::dispatch(const Request& request) {
   }
   const auto values = shared_.values.take(memory_of_json(request.body));
   if (!values) return error_response(503, "too_many", "too much is being asked at the same time; ask again");
-  const auto path = parts_of(request.path);
+  const auto path = path_parts(request.path);
   if (!path) return error_response(path.error());
   std::string allowed;
   const std::string method = request.method == "HEAD" ? "GET" : request.method;
   for (const Endpoint& row : table()) {
-    const auto parts = matched(row.pattern, *path);
+    const auto parts = match_path(row.pattern, *path);
     if (!parts) continue;
     if (row.method == method) return (this->*row.handler)(request, *parts);
     allowed += (allowed.empty() ? "" : ", ") + std::string(row.method);
@@ -301,7 +262,7 @@ Response App::catalogue(const Request&, const Parts&) {
 Outcome<KnownMap> App::read_known_map(const Folder& folder, const std::string& path,
                                       const std::stop_token& stop) {
   const auto read = settings_.read(folder, {{"map", path}}, stop);
-  return read ? unpacked(*read) : Outcome<KnownMap>(tl::unexpected(read.error()));
+  return read ? unpacked(*read) : Outcome<KnownMap>(pass_on(read));
 }
 
 /// Reads a map from uploaded files; the first one that is not an image is the map.

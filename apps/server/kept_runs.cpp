@@ -123,7 +123,7 @@ Json kept_state(const std::string& id, const Folder& served) {
   const std::string text = file->part(0, file->bytes());
   if (memory_of_json(text) > most_state_bytes) return {};
   const auto state = parse_json(text, "state.json");
-  const auto run = state ? kept_run_from_json(*state) : Outcome<KeptRun>(tl::unexpected(state.error()));
+  const auto run = state ? kept_run_from_json(*state) : Outcome<KeptRun>(pass_on(state));
   return run && run->id == id ? *state : Json();
 }
 

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <nlohmann/json.hpp>
@@ -67,6 +68,43 @@ Outcome<std::string> percent_decoded(std::string_view text) {
     i += 2;
   }
   return decoded;
+}
+
+Outcome<std::vector<std::string>> path_parts(std::string_view path) {
+  std::vector<std::string> parts;
+  path.remove_prefix(std::min<std::size_t>(1, path.size()));
+  for (bool more = true; more;) {
+    const std::size_t slash = path.find('/');
+    more = slash != std::string_view::npos;
+    auto part = percent_decoded(path.substr(0, slash));
+    if (!part) return pass_on(part);
+    if (part->find('/') != std::string::npos) return bad_input("a name holds a slash", "path");
+    parts.push_back(std::move(*part));
+    if (more) path.remove_prefix(slash + 1);
+  }
+  return parts;
+}
+
+std::optional<std::vector<std::string>> match_path(std::string_view pattern,
+                                                   const std::vector<std::string>& path) {
+  std::vector<std::string> found;
+  const auto wanted = *path_parts(pattern);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (i >= path.size()) return std::nullopt;
+    if (wanted[i] == "{path}") {
+      std::string rest = path[i];
+      for (std::size_t k = i + 1; k < path.size(); ++k) rest += "/" + path[k];
+      found.push_back(std::move(rest));
+      return found;
+    }
+    if (wanted[i].starts_with('{')) {
+      found.push_back(path[i]);
+    } else if (wanted[i] != path[i]) {
+      return std::nullopt;
+    }
+  }
+  if (wanted.size() != path.size()) return std::nullopt;
+  return found;
 }
 
 std::string text_of(const nlohmann::ordered_json& value) {

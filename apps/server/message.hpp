@@ -75,6 +75,12 @@ void apply_range(const Request& request, Response& response);
 /// Decodes percent-encoding such as %41. Faults on a percent sign without two hexadecimal digits.
 Outcome<std::string> percent_decoded(std::string_view text);
 
+/// Splits a path and decodes each part on its own, so that an encoded slash stays within its part.
+Outcome<std::vector<std::string>> path_parts(std::string_view path);
+/// Returns the values of the names in the pattern (Route); nothing if the path does not match.
+std::optional<std::vector<std::string>> match_path(std::string_view pattern,
+                                                   const std::vector<std::string>& path);
+
 /// Returns the JSON as text; bytes that are not valid UTF-8 become U+FFFD.
 std::string text_of(const nlohmann::ordered_json& value);
 Response json_response(const nlohmann::ordered_json& value, int status = 200);

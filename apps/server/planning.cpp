@@ -33,7 +33,10 @@ Outcome<std::shared_ptr<const KnownMap>> map_of(Fields& fields, PlanningMemory& 
     return bad_input("this map is not known any more; post it again", "map");
   }
   const Json* shape = fields.object(cells != 0 ? "grid" : "polygons");
-  if (shape == nullptr) return tl::unexpected(fields.end().error());
+  if (shape == nullptr) {
+    auto refused = fields.end();
+    return pass_on(refused);
+  }
   auto map = cells != 0 ? grid_map_from_json(*shape, "grid") : polygon_map_from_json(*shape, "polygons");
   if (!map) return pass_on(map);
   return memory.maps.keep(std::move(*map));

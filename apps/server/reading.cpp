@@ -27,7 +27,7 @@ constexpr std::size_t most_answer_bytes = std::size_t{64} << 20U;
 
 Outcome<Json> packed_map(const std::string& path) {
   const auto read = read_map(path);
-  return read ? Outcome<Json>(packed(read->map)) : tl::unexpected(read.error());
+  return read ? Outcome<Json>(packed(read->map)) : pass_on(read);
 }
 
 Outcome<Json> changed_yard(const Json& request, const std::string& path) {
@@ -145,8 +145,8 @@ int serve_reader(const std::vector<Job>& jobs) {
   try {
     const auto question = parse_json(text, "question");
     const auto folder = Folder::open(".");
-    auto found = !question ? Outcome<Json>(tl::unexpected(question.error()))
-                 : !folder ? Outcome<Json>(tl::unexpected(folder.error()))
+    auto found = !question ? Outcome<Json>(pass_on(question))
+                 : !folder ? Outcome<Json>(pass_on(folder))
                            : answer_reading(*question, *folder, jobs);
     answer = found ? std::move(*found) : fault_json(found.error());
   } catch (const std::bad_alloc&) {

@@ -2,7 +2,7 @@
 
 
 class Fault(Exception):
-    """What Outrider refuses or cannot do."""
+    """Outrider refused a request or could not fulfil it; each kind of fault has its class."""
 
     code = "fault"
 
@@ -39,7 +39,7 @@ class NoPath(Fault):
 
 
 class NoShot(Fault):
-    """Of all flights of the stated resolution none hits the target."""
+    """No flight of the stated resolution hits the target."""
 
     code = "no_shot"
 

@@ -27,7 +27,7 @@ class Row(TypedDict):
     help: dict[str, str]
 
 class Guarantee(TypedDict):
-    """What a path planner promises: `most_ratio` is how many times the least cost its cost is at most."""
+    """The promise of a path planner: `most_ratio` is how many times the least cost its cost is at most."""
 
     complete: bool
     most_ratio: float
@@ -81,7 +81,7 @@ class PolygonMap:
         """Counter-clockwise."""
     @property
     def radius(self) -> float:
-        """Of the disk, m."""
+        """Radius of the disk, m."""
 
 class Plan:
     """A path with its cost and a proven lower bound."""
@@ -97,7 +97,7 @@ class Plan:
         """Proven: no path of the planner's class costs less."""
     @property
     def length(self) -> float:
-        """Of the path, m."""
+        """Length of the path, m."""
     @property
     def expansions(self) -> int:
         """States that the search expanded."""
@@ -114,13 +114,13 @@ class PathPlanner:
         """In the catalogue."""
     @property
     def sentence(self) -> str:
-        """What it does."""
+        """A sentence on what the planner does."""
     @property
     def paper(self) -> str:
         """Its source."""
     @property
     def guarantee(self) -> Guarantee:
-        """Whether it is complete, by how much its cost may exceed the least one, and in words."""
+        """The promises: completeness, by how much the cost may exceed the least one, and both in words."""
     @property
     def options(self) -> dict[str, Value]:
         """Present values by name; path_planners() says what each means. Angles in degrees."""
@@ -176,7 +176,7 @@ class Run:
         """One sentence that says why it is not done; empty if it is."""
     @property
     def warnings(self) -> list[str]:
-        """What was repaired in the inputs or left out of them."""
+        """Sentences on what was repaired in the inputs or left out of them."""
     @property
     def metrics(self) -> dict[str, float]:
         """As in run.json; names end with their units."""
@@ -185,7 +185,7 @@ class Run:
         """Every option of the run with its value and unit, by key."""
     @property
     def tables(self) -> dict[str, dict[str, list[Any]]]:
-        """By name: a list of values for each column, as pandas.DataFrame takes it."""
+        """The tables by name: a list of values for each column, as pandas.DataFrame takes it."""
     @property
     def log(self) -> dict[str, npt.NDArray[np.void]]:
         """Messages as records, by topic; sequences as arrays of their own, such as "scan/ranges"."""
@@ -233,7 +233,7 @@ def check(plan: CoverPlan, problem: CoverProblem) -> None:
     """Verifies a plan by code that shares nothing with the planners; raises BadInput if it is wrong."""
 
 class PursuitGuarantee(TypedDict):
-    """What a pursuit planner promises."""
+    """The promise of a pursuit planner."""
 
     complete: bool
     optimal: bool
@@ -305,13 +305,13 @@ class PursuitPlanner:
         """In the catalogue."""
     @property
     def sentence(self) -> str:
-        """What it does."""
+        """A sentence on what the planner does."""
     @property
     def paper(self) -> str:
         """Its source."""
     @property
     def guarantee(self) -> PursuitGuarantee:
-        """Whether it is complete and optimal, and in words."""
+        """The promises: completeness and optimality, and both in words."""
     @property
     def options(self) -> dict[str, Value]:
         """Present values by name; pursuit_planners() says what each means."""
@@ -359,7 +359,7 @@ class CoverPlan:
         """The track from its start, with arcs in steps of at most 5 degrees; shape (n, 2)."""
     @property
     def length(self) -> float:
-        """Of the track, m."""
+        """Length of the track, m."""
     @property
     def turned(self) -> float:
         """Turned in place and along arcs, rad."""
@@ -388,10 +388,10 @@ class CoverPlanner:
         """In the catalogue."""
     @property
     def sentence(self) -> str:
-        """What it does."""
+        """A sentence on what the method does."""
     @property
     def guarantee(self) -> str:
-        """What it promises."""
+        """The promise of the method, in words."""
     @property
     def options(self) -> dict[str, Value]:
         """Present values by name; angles in degrees."""
@@ -399,7 +399,7 @@ class CoverPlanner:
         """Plans a track; Ctrl-C ends it."""
 
 class CoverProof:
-    """What is proven of a track, from the track and the area alone. Fractions are of what the robot can reach."""
+    """The proof of a track, from the track and the area alone. Fractions are of what the robot can reach."""
 
     @property
     def planned_fraction(self) -> float:
@@ -421,10 +421,10 @@ class CoverProof:
         """No more is left out than the problem allows."""
     @property
     def missed(self) -> npt.NDArray[np.float64]:
-        """What is left out, the largest first: x, y, area in m2; shape (n, 3)."""
+        """The parts that are left out, the largest first: x, y, area in m2; shape (n, 3)."""
 
 def prove(plan: CoverPlan, problem: CoverProblem) -> CoverProof:
-    """What is proven of a track; raises BadInput if it is no track of the problem."""
+    """Returns what is proven of a track; raises BadInput if it is no track of the problem."""
 
 class OccupancyGrid:
     """A map of free (0), occupied (1) and unknown (2) cells, read-only; row 0 has the lowest y."""
@@ -463,10 +463,10 @@ class FrontierMap:
         """
     @property
     def frontiers(self) -> list[Frontier]:
-        """By id; `points` are the centres of its cells, `group` is equal for those that hang together."""
+        """The frontiers by id; `points` are the centres of its cells, `group` is equal for those that hang together."""
     @property
     def ground(self) -> GridMap:
-        """Where the robot may stand: known free cells, far enough from what is occupied."""
+        """The places where the robot may stand: known free cells, far enough from what is occupied."""
 
 class PoseGraphSolution:
     """The most likely poses of a graph."""
@@ -485,10 +485,10 @@ class PoseGraphSolution:
         """converged or not_converged. PoseGraph.lower_bound() says how near the least cost is."""
     @property
     def start(self) -> str:
-        """Of the best descent."""
+        """Start of the best descent."""
     @property
     def iterations(self) -> int:
-        """Of the best descent."""
+        """Iterations of the best descent."""
     @property
     def refused(self) -> list[int]:
         """Edges that robust "gnc" refused."""
@@ -525,7 +525,7 @@ class PoseGraph:
     def lower_bound(self, poses: npt.NDArray[np.float64]) -> float:
         """Proven: no poses cost less. Good at poses of low cost."""
     def covariances(self, poses: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-        """Of each pose given the first; shape (n, 3, 3)."""
+        """Covariance of each pose given the first; shape (n, 3, 3)."""
     def g2o(self, poses: npt.NDArray[np.float64]) -> str:
         """The graph as g2o text."""
 
@@ -558,7 +558,7 @@ class PoseGraph3:
     def lower_bound(self, poses: npt.NDArray[np.float64]) -> float:
         """Proven: no poses cost less. Good at poses of low cost."""
     def covariances(self, poses: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-        """Of each pose given the first, of position and rotation; shape (n, 6, 6)."""
+        """Covariance of each pose given the first, of position and rotation; shape (n, 6, 6)."""
     def g2o(self, poses: npt.NDArray[np.float64]) -> str:
         """The graph as g2o text."""
 
@@ -616,7 +616,7 @@ class LaserSlam:
         """x, y in m and heading in rad, as estimated now."""
     @property
     def covariance(self) -> npt.NDArray[np.float64]:
-        """Of x, y and heading of the last kept scan; shape (3, 3)."""
+        """Covariance of x, y and heading of the last kept scan; shape (3, 3)."""
     @property
     def trajectory(self) -> npt.NDArray[np.float64]:
         """The start and the pose after each step; shape (n, 3)."""
@@ -672,7 +672,7 @@ class LandmarkSlam:
         """x, y in m and heading in rad, as estimated now."""
     @property
     def covariance(self) -> npt.NDArray[np.float64]:
-        """Of x, y and heading; shape (3, 3)."""
+        """Covariance of x, y and heading; shape (3, 3)."""
     @property
     def trajectory(self) -> npt.NDArray[np.float64]:
         """The start and the pose after each step; shape (n, 3)."""
@@ -681,7 +681,7 @@ class LandmarkSlam:
         """The landmarks as arrays, one entry each."""
     @property
     def cost(self) -> float:
-        """Of the estimate, half a chi-squared."""
+        """Cost of the estimate, half a chi-squared."""
     @property
     def state(self) -> str:
         """All that it knows as text, for load()."""
@@ -699,7 +699,7 @@ class TagImage:
         """Time of exposure, s."""
     @property
     def corners(self) -> dict[int, npt.NDArray[np.float64]]:
-        """By id."""
+        """The corners by id, px; shape (4, 2)."""
 
 class ShotResult:
     """The outcome of one shot: the target by its number, whether it was hit, and when the ball landed, s."""
@@ -710,7 +710,7 @@ class ShotResult:
         """Number of the target."""
     @property
     def hit(self) -> bool:
-        """Whether it was hit."""
+        """True if the shot hit the target."""
     @property
     def landed(self) -> float:
         """When the flight ended, s."""
@@ -741,7 +741,7 @@ class TargetArrival:
         """When it is there, s."""
 
 class TargetObservation:
-    """Where a target was seen, m, and when, s."""
+    """A place where a target was seen, m, and the time, s."""
 
     def __init__(self, *, target: int, time: float, position: Point) -> None: ...
     @property
@@ -755,7 +755,7 @@ class TargetObservation:
         """m."""
 
 class TargetReport:
-    """What a target detector tells since the last observation."""
+    """The observations of a target detector since the last observation."""
 
     def __init__(
         self,
@@ -789,7 +789,7 @@ class GridObservation:
         """Shape (m, 2)."""
 
 class Observation:
-    """What a robot senses: the time in s, the pose by odometry since the start, and what its devices add.
+    """The measurements of a robot: the time in s, the pose by odometry since the start, and what its devices add.
 
     `touching`: it touched something since the last observation; `touch`: the bearing of that in rad, if known. `gun`:
     yaw and pitch of the barrel relative to the robot, rad. A robot that knows its pose in the world gives that as
@@ -834,7 +834,7 @@ class Observation:
         """Yaw and pitch relative to the robot, rad."""
     @property
     def shots(self) -> list[ShotResult]:
-        """Those that ended since the last observation."""
+        """The shots that ended since the last observation."""
     @property
     def stores(self) -> StoreLevels | None:
         """Set if water or charge is limited."""
@@ -867,13 +867,13 @@ class FollowPiece:
 
     @property
     def from_point(self) -> tuple[float, float]:
-        """Where it begins, m."""
+        """Start of the piece, m."""
     @property
     def to_point(self) -> tuple[float, float]:
-        """Where it ends, m."""
+        """End of the piece, m."""
     @property
     def turn(self) -> float:
-        """Of the arc, rad; 0 for a leg."""
+        """Angle of the arc, rad; 0 for a leg."""
     @property
     def backward(self) -> bool:
         """The robot drives it in reverse."""
@@ -914,13 +914,13 @@ class FireInPassing:
         """Time of the shot, counted from the beginning of the leg, s."""
     @property
     def yaw(self) -> float:
-        """Of the barrel in the world, rad."""
+        """Yaw of the barrel in the world, rad."""
     @property
     def pitch(self) -> float:
-        """Of the barrel, rad."""
+        """Pitch of the barrel, rad."""
     @property
     def speed(self) -> float:
-        """Of the ball at the muzzle, m/s; the velocity of the robot is added."""
+        """Speed of the ball at the muzzle, m/s; the velocity of the robot is added."""
 
 class FollowWaypoints:
     """Turn in place towards the next waypoint, drive straight to it and stop, until the last one.
@@ -964,13 +964,13 @@ class Fire:
         """Number of the target."""
     @property
     def yaw(self) -> float:
-        """Of the barrel in the world, rad."""
+        """Yaw of the barrel in the world, rad."""
     @property
     def pitch(self) -> float:
-        """Of the barrel, rad."""
+        """Pitch of the barrel, rad."""
     @property
     def speed(self) -> float:
-        """Of the ball at the muzzle, m/s."""
+        """Speed of the ball at the muzzle, m/s."""
     @property
     def until_landed(self) -> bool:
         """The command ends when the ball has landed; otherwise at once, and the outcome is told later."""
@@ -1001,7 +1001,7 @@ Command = (
 )
 
 class Robot(Protocol):
-    """What carries a mission out: any class with these two methods."""
+    """A robot, real or simulated, that carries a mission out: any class with these two methods."""
 
     def sense(self) -> Observation:
         """Returns what it senses now; each event since the last observation once."""
@@ -1009,7 +1009,7 @@ class Robot(Protocol):
         """Carries the command out and returns when it is done."""
 
 class Mission(Protocol):
-    """What answers each observation with a command: any class with this method; None ends the mission."""
+    """A mission answers each observation with a command: any class with this method; None ends the mission."""
 
     def step(self, observation: Observation, /) -> Command | None:
         """Returns the next command, or None when the mission is over."""
@@ -1029,7 +1029,7 @@ class ExploreMission:
         """Returns the next command, or None when the mission is over."""
     @property
     def pose(self) -> npt.NDArray[np.float64]:
-        """Where it believes to be."""
+        """The pose that the robot believes to have."""
     @property
     def stop_reason(self) -> str:
         """complete, left_over, budget, leak, stuck, lost or blind; empty while it explores."""
@@ -1081,10 +1081,10 @@ class DriveMission:
         """Why it is not done."""
     @property
     def pose(self) -> npt.NDArray[np.float64]:
-        """Where it believes to be."""
+        """The pose that the robot believes to have."""
     @property
     def start(self) -> npt.NDArray[np.float64]:
-        """Where it starts."""
+        """The pose at the start."""
     @property
     def waypoints(self) -> npt.NDArray[np.float64]:
         """Shape (n, 3)."""
@@ -1093,7 +1093,7 @@ class DriveMission:
         """The stops at which it stood; `doubt` is empty where the tags confirm it."""
     @property
     def tags(self) -> dict[int, npt.NDArray[np.float64]]:
-        """By id: the corners in the world, m, in the order of TagImage; shape (4, 3)."""
+        """The tags by id: their corners in the world, m, in the order of TagImage; shape (4, 3)."""
     @property
     def camera(self) -> RobotCamera:
         """Sides in px, camera matrix, distortion (k1, k2, p1, p2, k3), and its place on the robot in m.
@@ -1148,10 +1148,10 @@ class GuardMission:
         """Why not every target was hit."""
     @property
     def start(self) -> npt.NDArray[np.float64]:
-        """Where the robot starts: x, y in m and heading in rad."""
+        """The pose at the start: x, y in m and heading in rad."""
     @property
     def stops(self) -> npt.NDArray[np.float64]:
-        """Of the plan for targets that stand still; shape (n, 2)."""
+        """The stops of the plan for targets that stand still; shape (n, 2)."""
     @property
     def cost(self) -> float:
         """Time of that plan if every shot hits, s."""
@@ -1160,13 +1160,13 @@ class GuardMission:
         """Proven of that plan, as in run.json, s."""
     @property
     def targets(self) -> list[GuardTarget]:
-        """What has become of each: waiting, reached, failed or unreachable, with a sentence."""
+        """The targets with their status: waiting, reached, failed or unreachable, with a sentence."""
     @property
     def intruders(self) -> list[GuardIntruder]:
-        """Those that the scenario lets come: the place of each, and when it enters and is there, s."""
+        """The intruders that the scenario lets come: the place of each, and when it enters and is there, s."""
     @property
     def stations(self) -> list[GuardStation]:
-        """Where stores are filled."""
+        """The stations that fill the stores."""
 
 class PursuitMission:
     """Catches the target of a problem with one robot or a team, and plans again while it learns where the target goes.
@@ -1235,7 +1235,7 @@ class World:
     def solids(self) -> Solids:
         """Boxes around them have the shape (n, 2, 3)."""
     def outlines(self, *, height: float = 0.2) -> list[Outline]:
-        """What stands in the way of a robot of that height: convex corners, grown by a radius."""
+        """The obstacles of a robot of that height: convex corners, grown by a radius."""
     def clearances(self, points: Points, *, height: float = 0.2, most: float = 10.0) -> npt.NDArray[np.float64]:
         """The distance of each point to the nearest obstacle or edge, at most `most`; negative inside."""
     def polygons(self, radius: float, *, height: float = 0.2) -> PolygonMap:

@@ -19,7 +19,7 @@ import numpy.typing as npt
 from ._outrider import CoverPlan, CoverProblem, GridMap, OccupancyGrid, Plan, Run
 
 Axes = Any
-"""Of matplotlib, which has no types."""
+"""The type of the axes; matplotlib has no types."""
 Ground = GridMap | OccupancyGrid
 
 _BLOCKED, _UNKNOWN, _FREE = (0.25, 0.27, 0.3), (0.8, 0.82, 0.85), (1.0, 1.0, 1.0)

@@ -87,7 +87,7 @@ def test_what_is_no_edge_is_refused(arguments):
 
 
 def scan_of_room(pose, size=(6.0, 4.0), beams=180):
-    """What a laser sees in an empty room with a step in its wall, by rays against the four walls."""
+    """Returns the ranges of a laser in an empty room with a step in its wall, by rays against the four walls."""
     bearings = pose[2] + np.arange(beams) * 2 * math.pi / beams
     c, s = np.cos(bearings), np.sin(bearings)
     with np.errstate(divide="ignore"):

@@ -20,7 +20,7 @@ std::string plain(double value) {
   return text == "-0" ? "0" : text;
 }
 
-/// What the domain has to know of supplies.
+/// The kinds of supplies that the domain describes.
 struct Ends {
   bool water;
   bool charge;

@@ -130,7 +130,7 @@ class PddlGuardJob final : public GuardJob {
   PddlOptions pddl_;
 };
 
-/// Of a problem that was written as PDDL, or a plan that was judged, in place of a mission.
+/// Returns the text for a problem that was written as PDDL, or a plan that was judged, in place of a mission.
 std::string pddl_summary(const Report& report) {
   const double makespan_s = metric(report, "makespan_s");
   if (!std::isnan(metric(report, "our_makespan_s"))) {

@@ -1,4 +1,5 @@
-// What the job guard does instead of a mission: writes its decision problem as PDDL, or judges a plan for it.
+// A task of the job guard that writes its decision problem as PDDL, or judges a plan for it, instead of a
+// mission.
 #pragma once
 
 #include "outrider/job/job.hpp"

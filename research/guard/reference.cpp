@@ -6,7 +6,7 @@
 
 #include "outrider/ballistics/sight.hpp"
 #include "outrider/tour/solve.hpp"
-#include "plan/assemble.hpp"
+#include "plan/plan_clock.hpp"
 
 namespace outrider {
 namespace {

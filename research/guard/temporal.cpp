@@ -13,7 +13,7 @@ namespace {
 
 constexpr double gaps = 1e-7;  // of the time of a plan
 
-/// Whether anything can be done at the stop beside leaving it.
+/// Returns true if the robot can do anything at the stop except leave it.
 bool is_useful(const SupplyProblem& problem, std::size_t stop) {
   return !problem.table.services[stop].empty() ||
          std::ranges::count(problem.stations, stop, &TourStation::stop) > 0;

@@ -134,7 +134,7 @@ class Pddl(ToolTest):
         return (self.folder / "pddl" / name).read_text()
 
     def followed(self):
-        """What the files say of our plan, and when it ends."""
+        """Carries our plan out by the files, and returns its end."""
         world = Interpreter(self.text("domain.pddl"), self.text("problem.pddl"))
         end = 0.0
         for start, (name, *words), duration in lines_of(self.text("plan.txt")):

@@ -124,7 +124,7 @@ Status McapReader::load_due() {
 }
 
 Outcome<std::optional<LogMessage>> McapReader::next() {
-  if (!state_) return tl::unexpected<Fault>(state_.error());
+  if (!state_) return pass_on(std::as_const(state_));  // kept for the next call
   if (current_ && current_->next < current_->places.size()) {
     loaded_.push_back(std::move(current_));
     std::push_heap(loaded_.begin(), loaded_.end(), later);
@@ -133,7 +133,7 @@ Outcome<std::optional<LogMessage>> McapReader::next() {
     current_.reset();
   }
   state_ = load_due();
-  if (!state_) return tl::unexpected<Fault>(state_.error());
+  if (!state_) return pass_on(std::as_const(state_));  // kept for the next call
   if (loaded_.empty()) return std::nullopt;
   std::pop_heap(loaded_.begin(), loaded_.end(), later);
   current_ = std::move(loaded_.back());

@@ -22,7 +22,7 @@ constexpr double careful = 0.5;     // of the deceleration, since messages come 
 constexpr std::uint64_t most_expansions = 20'000'000;
 
 /// Returns true if something at that point is not on the map.
-bool is_strange(Vec2 point, const CoverageArea& ground, bool transfers) {
+bool is_unmapped(Vec2 point, const CoverageArea& ground, bool transfers) {
   if (!transfers && !contains(ground.area, point)) return false;
   return std::ranges::all_of(
       ground.area, [&](const RingedPolygon& part) { return distance_to_border(part, point) > on_map_m; });
@@ -131,13 +131,13 @@ void CoverMissionNode::finish() {
 }
 
 /// Notes what the newest scan shows and the map does not have.
-void CoverMissionNode::note_strange() {
+void CoverMissionNode::note_unmapped() {
   const auto points = new_scan_on_map();
   if (!points) return;
-  strange_.clear();
+  unmapped_.clear();
   for (const Vec2 point : *points) {
     const Vec2 at = work_->task.problem.frame.to_local(point);
-    if (is_strange(at, work_->plan.ground, work_->task.problem.transfers)) strange_.push_back(at);
+    if (is_unmapped(at, work_->plan.ground, work_->task.problem.transfers)) unmapped_.push_back(at);
   }
 }
 
@@ -152,12 +152,12 @@ void CoverMissionNode::go_on(const Pose2& pose) {
     work.driver.begin(std::get<FollowPiece>(*next), now_s());
     twist = work.driver.twist(now_s(), pose);
   }
-  note_strange();
+  note_unmapped();
   const CoverProblem& problem = work.task.problem;
   StopRule rule;
   rule.radius_m = problem.radius_m();
   rule.braking_mps2 = careful * problem.pace.acceleration_mps2;
-  if (const auto thing = in_the_way(strange_, pose, *twist, rule)) {
+  if (const auto thing = in_the_way(unmapped_, pose, *twist, rule)) {
     work.driver.stopped();
     moved_on_s_ = now_s();
     command({});

@@ -116,25 +116,25 @@ Pose2 DriveMissionNode::moved_since(double time_s) const {
 }
 
 /// Notes what the newest scan shows and the map does not have.
-void DriveMissionNode::note_strange() {
-  if (!scan().came_s() || scan().time_s() == strange_s_) return;
-  strange_s_ = scan().time_s();
-  strange_.clear();
+void DriveMissionNode::note_unmapped() {
+  if (!scan().came_s() || scan().time_s() == unmapped_s_) return;
+  unmapped_s_ = scan().time_s();
+  unmapped_.clear();
   const Pose2 world_T_then =
-      compose(mission_->reckoning.belief.world_T_robot, inverse(moved_since(strange_s_)));
-  std::ranges::copy_if(scan().points(), std::back_inserter(strange_), [&](Vec2 point) {
+      compose(mission_->reckoning.belief.world_T_robot, inverse(moved_since(unmapped_s_)));
+  std::ranges::copy_if(scan().points(), std::back_inserter(unmapped_), [&](Vec2 point) {
     return solids_->surface_distance(world_T_then * point, 2.0 * on_map_m) > on_map_m;
   });
 }
 
 /// Returns what is in the way, on the map.
 std::optional<Vec2> DriveMissionNode::thing_ahead() {
-  note_strange();
+  note_unmapped();
   StopRule rule;
   rule.radius_m = task_.radius_m;
   rule.braking_mps2 = 0.5 * braking_mps2;
-  const Pose2 then_T_now = moved_since(strange_s_);
-  const auto thing = in_the_way(strange_, then_T_now, std::max(clock_.rate(), least_rate) * twist_, rule);
+  const Pose2 then_T_now = moved_since(unmapped_s_);
+  const auto thing = in_the_way(unmapped_, then_T_now, std::max(clock_.rate(), least_rate) * twist_, rule);
   if (!thing) return std::nullopt;
   return compose(mission_->reckoning.belief.world_T_robot, inverse(then_T_now)) * *thing;
 }

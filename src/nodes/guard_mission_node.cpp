@@ -162,8 +162,8 @@ bool GuardMissionNode::follow(const FollowWaypoints& drive, const Pose2& pose) {
 /// Returns true if nothing is in the way; else the robot stands. Ends the mission of a robot that is stuck.
 bool GuardMissionNode::may_drive(const Twist2& twist, const Pose2& pose) {
   if (const auto points = new_scan_on_map()) {
-    strange_.clear();
-    std::ranges::copy_if(*points, std::back_inserter(strange_), [&](Vec2 point) {
+    unmapped_.clear();
+    std::ranges::copy_if(*points, std::back_inserter(unmapped_), [&](Vec2 point) {
       return solids_.surface_distance(point, 2.0 * on_map_m) > on_map_m;
     });
   }
@@ -171,7 +171,7 @@ bool GuardMissionNode::may_drive(const Twist2& twist, const Pose2& pose) {
   StopRule rule;
   rule.radius_m = robot.radius_m - options_.clearance_m;
   rule.braking_mps2 = careful * robot.acceleration_mps2;
-  if (const auto thing = in_the_way(strange_, pose, twist, rule)) {
+  if (const auto thing = in_the_way(unmapped_, pose, twist, rule)) {
     driver_.stopped();
     moved_on_s_ = now_s();
     stands_ = true;

@@ -134,7 +134,7 @@ void PursueMissionNode::step(const Pose2& pose) {
 }
 
 /// Returns true if something at that point is not on the map, and not the target.
-bool PursueMissionNode::is_strange(Vec2 point) const {
+bool PursueMissionNode::is_unmapped(Vec2 point) const {
   if (target_ && distance(point, *target_) <= options_.cell_m) return false;
   const auto can_enter = [&](Vec2 at) {
     const Cell cell = cell_of(at);
@@ -152,14 +152,14 @@ bool PursueMissionNode::is_strange(Vec2 point) const {
 void PursueMissionNode::drive(const Pose2& pose) {
   const Twist2 twist = driver_.twist(now_s(), pose).value_or(Twist2{});
   if (const auto points = new_scan_on_map()) {
-    strange_.clear();
-    std::ranges::copy_if(*points, std::back_inserter(strange_),
-                         [&](Vec2 point) { return is_strange(point); });
+    unmapped_.clear();
+    std::ranges::copy_if(*points, std::back_inserter(unmapped_),
+                         [&](Vec2 point) { return is_unmapped(point); });
   }
   StopRule rule;
   rule.radius_m = options_.radius_m;
   rule.braking_mps2 = careful * options_.pace.acceleration_mps2;
-  if (const auto thing = in_the_way(strange_, pose, twist, rule)) {
+  if (const auto thing = in_the_way(unmapped_, pose, twist, rule)) {
     driver_.stopped();
     command({});
     stand_before(*thing, pose.position);

@@ -76,7 +76,7 @@ Outcome<SupplyTour> solve_supplied(const SupplyProblem& problem, const SupplyOpt
   tour.steps = tour::steps_of(*supplied, best.choices);
   tour.dropped = std::move(best.dropped);
   const auto after = levels(problem, tour.steps);  // the judge has the last word
-  if (!after) return tl::unexpected(after.error());
+  if (!after) return pass_on(after);
   tour.cost_s = after->empty() ? 0.0 : after->back().time_s;
   return tour;
 }

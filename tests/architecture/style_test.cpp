@@ -39,7 +39,7 @@ bool is_the_tool(const Source& s) {
   return s.path.starts_with("apps/cli/") && !owner;
 }
 
-/// What a process is confined to holds for every file that it reads: so there is one place that opens them.
+/// Limits that a process sets for reading hold for every file, because one place opens them all.
 /// The others write, or open what is the server's own.
 bool opens_through_the_gate(const Source& s) {
   static const std::set<std::string> others = {"src/io/file_lock.cpp",
@@ -112,6 +112,22 @@ TEST(Style, EveryHeaderOpensWithItsManual) {
     if (!source.path.ends_with(".hpp")) continue;
     EXPECT_TRUE(source.text.starts_with("// ")) << source.path;
     EXPECT_NE(source.text.find("\n#pragma once\n"), std::string::npos) << source.path;
+  }
+}
+
+TEST(Style, CommentsBeginWithASentence) {
+  const std::regex fragment(R"(\s*///?<? (Of|Whether|Who|What|By|Those|Where)\b.*)");
+  EXPECT_TRUE(std::regex_match("  /// Of the disk, m.", fragment));
+  for (const Source& source : sources({"include", "src", "apps", "research", "tests", "bench", "examples"})) {
+    if (source.path.find("/io/") != std::string::npos || source.path.find("/slam/") != std::string::npos)
+      continue;
+    bool goes_on = false;
+    for (const std::string& line : lines(source.text)) {
+      const std::size_t begin = line.find_first_not_of(' ');
+      const bool comment = begin != std::string::npos && line.compare(begin, 2, "//") == 0;
+      EXPECT_FALSE(comment && !goes_on && std::regex_match(line, fragment)) << source.path << ": " << line;
+      goes_on = comment;
+    }
   }
 }
 

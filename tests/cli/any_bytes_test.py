@@ -107,7 +107,7 @@ class AnyBytes(ToolTest):
 
 
 class Echo(ToolTest):
-    """What is repeated of an input is short, and turns no text, whatever its length."""
+    """Messages repeat little of an input, and turn no text, whatever its length."""
     LONG = "9" * 100_000
     TURNED = "a\u202eb\u2066c\u200fd\u061ce"
 

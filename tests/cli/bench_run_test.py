@@ -1,4 +1,4 @@
-"""What `make bench` writes for the docs site: a file for each program and suite, with command, machine and commit."""
+"""The files that `make bench` writes for the docs site: one a program and suite, with command, machine and commit."""
 import json
 import os
 import pathlib

@@ -41,7 +41,7 @@ class Stopped:
 
 
 def more_runs():
-    """What no published scenario does: (name, words)."""
+    """Cases that no published scenario has: (name, words)."""
     yard = str(SOURCE / "scenarios/yard/yard.yaml")
     gallery = str(SOURCE / "scenarios/maps/gallery.map")
     unknown = str(SOURCE / "scenarios/explore/unknown_yard.yaml")
@@ -136,7 +136,7 @@ def complaint_of(status, output, errors, folder):
 
 
 def processor_s(pid):
-    """What a process has worked so far, to 10 ms."""
+    """Returns the processor time of a process so far, to 10 ms."""
     try:
         fields = pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
     except OSError:

@@ -33,7 +33,7 @@ class Explore(ToolTest):
         self.assertEqual({path.name for path in (self.folder / "out").iterdir()},
                          {"run.json", "run.mcap", "run.svg", "track.csv", "map.yaml", "map.pgm"} | set(["explore.html"] * len(PAGE)))
         self.assertGreater(len((self.folder / "out/track.csv").read_text().splitlines()), 20)
-        # What was mapped is a world to explore as well, once more with another seed.
+        # The map of the exploration is a world to explore as well, once more with another seed.
         self.explore("out/map.yaml", "--start=-0.8,-0.5,30", "--seed", "2")
 
     def test_a_scenario_repeats_and_flags_win(self):

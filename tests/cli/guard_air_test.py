@@ -108,7 +108,7 @@ class Trees(ToolTest):
         hits = {shot.target: shot for _, shot in log.read("/shots") if shot.hit}
 
         def height(shot, where):
-            """Of the ball over the point of its way that is nearest to a place on the ground; and how near that is."""
+            """Returns the height of the ball where it flies nearest to a place on the ground, and how near that is."""
             x, y, z = xyz(shot.muzzle)
             vx, vy, vz = xyz(shot.velocity)
             t = ((where[0] - x) * vx + (where[1] - y) * vy) / (vx * vx + vy * vy)

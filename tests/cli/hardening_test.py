@@ -1,4 +1,4 @@
-"""What a release was built with, as its file tells: cmake/Harden.cmake."""
+"""The hardening of a release, as its file tells: cmake/Harden.cmake."""
 import platform
 import re
 import shutil

@@ -75,7 +75,7 @@ class Live(ToolTest):
         self.check("pursue", "small.txt")
 
     def test_it_comes_while_it_happens(self):
-        """Of a mission that is killed, the messages until then were read."""
+        """A killed mission leaves the messages that it logged until then."""
         self.write("explore.yaml", write_building(self))
         process, told = self.start("run", "explore.yaml")
         with told:

@@ -1,4 +1,4 @@
-"""What the tool says of itself: help, version, catalogue, schema, and the generated pages of the manual."""
+"""The tool describes itself: help, version, catalogue, schema, and the generated pages of the manual."""
 import json
 import re
 import unittest
@@ -11,7 +11,7 @@ JOBS = ["cover", "drive", "explore", "fleet", "guard", "plan", "pursue", "slam"]
 
 
 def refusals(schema, value, where=""):
-    """Where a value differs from a schema, for the few words of JSON schema that ours uses."""
+    """Returns where a value differs from a schema, for the few words of JSON schema that ours uses."""
     known = {"$schema", "title", "type", "description", "properties", "additionalProperties", "minimum", "maximum",
              "default", "enum"}
     assert set(schema) <= known, set(schema) - known

@@ -35,7 +35,7 @@ def run_on_terminal(words, expected):
 
 
 def has_terminals():
-    """Whether the system can make one; a bare chroot cannot."""
+    """Returns true if the system can make one; a bare chroot cannot."""
     try:
         for end in pty.openpty():
             os.close(end)

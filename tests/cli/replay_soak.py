@@ -40,7 +40,7 @@ class Box:
         self.axes = np.array([[math.cos(yaw), math.sin(yaw)], [-math.sin(yaw), math.cos(yaw)]])
 
     def distance(self, points):
-        """Of points, one a row, from the box; 0 inside."""
+        """Returns the distances of points, one a row, from the box; 0 inside."""
         beside = np.abs((points[:, :2] - self.base[:2]) @ self.axes.T) - self.size[:2] / 2
         above = np.abs(points[:, 2] - self.base[2] - self.size[2] / 2) - self.size[2] / 2
         return np.linalg.norm(np.maximum(np.column_stack([beside, above]), 0.0), axis=1)
@@ -114,7 +114,7 @@ def flight_of(shot, drag, wind):
 
 
 def check_shot(shot, boxes, targets, drag, wind):
-    """What is wrong with a shot, in words."""
+    """Yields the errors of a shot, in words."""
     places = flight_of(shot, drag, wind)
     target = next(t for t in targets if t.name == shot.target)
     gaps = {box.name: box.distance(places) - BALL for box in [*boxes, target]}
@@ -132,7 +132,7 @@ def check_shot(shot, boxes, targets, drag, wind):
 
 
 def check_track(track, boxes):
-    """What is wrong with the way of a robot: rows of time, x, y and heading."""
+    """Yields the errors of the way of a robot: rows of time, x, y and heading."""
     for box in boxes:
         if box.distance(np.column_stack([track[:, 1:3], np.full(len(track), 0.05)])).min() < RADIUS - 2e-3:
             yield f"a robot touches {box.name}"

@@ -20,7 +20,7 @@ def has_type(value, name):
 
 
 def refusals(schema, value, where="$"):
-    """Where and how the value differs from the schema; nothing when it keeps it."""
+    """Returns where and how the value differs from the schema; nothing when it keeps it."""
     assert set(schema) <= KNOWN, set(schema) - KNOWN
     if "$ref" in schema:
         prefix = "#/$defs/"

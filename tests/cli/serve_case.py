@@ -1,4 +1,4 @@
-"""What the tests of `outrider serve` share: a folder with a small yard, and messages that keep their schemas."""
+"""The base of the tests of `outrider serve`: a folder with a small yard, and messages that keep their schemas."""
 from schema_check import refusals, schemas
 from tool import ToolTest, until
 

@@ -10,7 +10,7 @@ from server_client import Server
 from serve_load import MIB, memory_mib, settled_memory_mib
 from tool import TOOL, main, until
 
-# Of memory that the server may hold, whatever is done to it. A sanitizer keeps what was freed, to watch it.
+# The memory that the server may hold, whatever is done to it. A sanitizer keeps what was freed, to watch it.
 SANITIZED = b"libasan" in subprocess.run(["ldd", TOOL], capture_output=True, check=True).stdout
 MOST_MIB = 3000 if SANITIZED else 300
 

@@ -1,4 +1,4 @@
-"""What strangers and clumsy programs do to `outrider serve`, as functions; each returns what it saw.
+"""Strangers and clumsy programs visit `outrider serve`, as functions; each returns what it saw.
 
 Run as a program it mixes all of them for so many seconds and tells the memory that the server took:
     OUTRIDER=build/outrider OUTRIDER_SOURCE=. python3 tests/cli/serve_load.py 600
@@ -24,7 +24,7 @@ CYLINDER = ("<model name='c{i}'><static>true</static><pose>{x} {y} 0.5 0 0 0</po
 
 
 def memory_mib(server):
-    """What the server itself holds, without the processes that it started."""
+    """Returns the memory of the server itself, without the processes that it started."""
     status = pathlib.Path(f"/proc/{server.process.pid}/status").read_text()
     return int(status.split("VmRSS:")[1].split()[0]) / 1024
 
@@ -91,7 +91,7 @@ def together(count, act):
 
 
 def ordinary_use(server, rng):
-    """What a page does."""
+    """Plans as a page does."""
     map_id = server.json("POST", "/api/v1/maps", ROOM)["id"]
     for _ in range(5):
         ask = {"map": map_id, "start": [1, 1], "goal": [rng.randrange(2, 38) + 0.5, 28.5], "radius_m": 0,

@@ -18,7 +18,7 @@ def small_png(width, height, values):
 
 
 def untimed(answer):
-    """What an answer of `plan --json` says, from the tool or the server, but for times on the wall, files and the view."""
+    """Returns an answer of `plan --json`, from the tool or the server, without times on the wall, files and the view."""
     metrics = {name: value for name, value in answer["metrics"].items() if name not in ("planning_s", "building_s")}
     rows = [{name: value for name, value in row.items() if name not in ("time_s", "build_s")} for row in answer["rows"]]
     return {name: answer[name] for name in ("status", "job", "reason", "warnings")} | {"metrics": metrics, "rows": rows}

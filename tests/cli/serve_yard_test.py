@@ -32,7 +32,7 @@ class Yards(Serve):
                                 ({"targets": [{"name": "a", "position": [0, 0]}] * 2}, "another target")]:
                 refused = server.json("PUT", "/api/v1/scenarios/x.yaml", {"guard": {**same, **wrong}}, status=400)
                 self.assertIn(says, self.fault(refused, "bad_input"))
-        # What was not moved is the same mission; what was is another.
+        # A yard with nothing moved is the same mission; one with something moved is another.
         for name in ("court", "same", "moved"):
             self.json_of(self.run_tool("run", f"{name}.yaml", "--json", "--out", name))
         self.same_mission("court", "same")
@@ -45,7 +45,7 @@ class Yards(Serve):
                 for polygon in thing["polygons"]]
 
     def test_things_that_were_moved_stand_there_when_it_is_run(self):
-        """What the page draws before it saves is what the log of the saved scenario has."""
+        """The page draws before it saves what the log of the saved scenario has."""
         with Server(self.folder) as server:
             shown = self.valid("Scenario", server.json("GET", "/api/v1/scenarios/court.yaml"))
             self.assertEqual([thing["name"] for thing in shown["things"]], ["north", "south", "east", "west", "crate"])

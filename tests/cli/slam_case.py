@@ -1,4 +1,4 @@
-"""What the tests of `outrider slam` share: runs, their results, and the checks of a log."""
+"""The base of the tests of `outrider slam`: runs, their results, and the checks of a log."""
 import math
 
 from mcap_log import xyz

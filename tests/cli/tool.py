@@ -129,7 +129,7 @@ class ToolTest(unittest.TestCase):
         return json.loads(lines[0], parse_constant=no_constant)
 
     def sentence(self, result):
-        """What standard error says beside warnings: one line."""
+        """Returns the line that standard error has beside warnings."""
         lines = [line for line in result.stderr.splitlines() if not line.startswith("outrider: warning: ")]
         self.assertEqual(len(lines), 1, result.stderr)
         self.assertTrue(lines[0].startswith("outrider: "), lines[0])

@@ -278,7 +278,7 @@ def limits(most_s):
 
 
 def judged(status, processor_s, memory_mib, output, errors, left, most_s):
-    """What a run did wrong; "" if nothing. `left` are the files that it wrote."""
+    """Returns the error of a run; "" if there is none. `left` are the files that it wrote."""
     if processor_s >= most_s or status == -signal.SIGXCPU:
         return f"over {most_s:g} s of processor"
     if status < 0:

@@ -22,7 +22,7 @@ endforeach()
 list(TRANSFORM hidden REPLACE "(.+)" "-DCMAKE_DISABLE_FIND_PACKAGE_\\1=ON")
 configure_project(path_only ${hidden})
 
-# Where we may, their headers are covered, each by nothing. Otherwise the list of the headers read has to do.
+# If the system allows it, nothing is mounted over their headers. Otherwise the list of the headers read has to do.
 set(headers tbb oneapi boost yaml-cpp sdformat* dart apriltag nlohmann eigen3 ompl* CLI polyclipping png.h libpng*
   pugixml.hpp turbojpeg.h zlib.h civetweb.h)
 list(TRANSFORM headers PREPEND /usr/include/)

@@ -1,4 +1,4 @@
-# What the scripts of this folder share.
+# Steps that the scripts of this folder share.
 cmake_minimum_required(VERSION 3.25)
 set(here ${CMAKE_CURRENT_LIST_DIR})
 

@@ -24,7 +24,7 @@
 namespace outrider {
 namespace {
 
-/// What an explorer measured when it had a scan.
+/// The measurements of an explorer when it had a scan.
 struct Measured {
   LaserScan scan;
   Pose2 odometry;

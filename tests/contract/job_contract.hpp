@@ -142,7 +142,7 @@ inline void repeats(const Job& job, const std::string& scenario) {
   }
 }
 
-/// What a run says of its seed holds: it names the seed that was chosen, or nothing depends on it.
+/// A run tells the truth about its seed: it names the seed that was chosen, or nothing depends on it.
 inline void tells_whether_it_is_seeded(const Job& job, const std::string& scenario) {
   const auto info_of = [](const Run& run) {
     const auto* info = run.log.latest<outrider_msgs::RunInfo>(topic::run);

@@ -39,7 +39,7 @@ class PathContract : public testing::TestWithParam<std::tuple<std::size_t, GridM
     return answer.error().code;
   }
   bool any_direction() const { return row().guarantee.among == PathClass::any_direction; }
-  /// Whether what it makes least is what the oracle knows.
+  /// Returns true if the planner minimises the quantity that the oracle knows.
   bool shortest() const {
     const Measure measure = row().guarantee.measure;  // without costs, the terrain is the length
     const bool length = measure == Measure::length || measure == Measure::terrain;

@@ -145,7 +145,7 @@ const std::vector<Question>& questions() {
   return all;
 }
 
-/// What a path costs at the prices of a weights of time: its length and its turning; the first turn is free.
+/// Returns the price of a path by the weights of time: its length and its turning; the first turn is free.
 double priced(const Plan& path, const CostWeights& weights) {
   double turning_rad = 0.0;
   for (std::size_t i = 0; i < path.pieces.size(); ++i) {

@@ -1,5 +1,5 @@
-// What every row of the catalogue tells a Trace: its whole queue, its tree, or nothing because it looks its
-// answer up.
+// Every row of the catalogue tells a Trace its whole queue, its tree, or nothing because it looks its answer
+// up.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Traced traced(const PathPlanner& row, const Problem& problem) {
   return answer;
 }
 
-/// Where the searches of one answer begin: at the expansions whose parent is the state itself.
+/// Returns where the searches of one answer begin: at the expansions whose parent is the state itself.
 std::vector<std::size_t> beginnings(const Trace& trace) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < trace.expansions.size(); ++i) {

@@ -13,7 +13,7 @@ namespace {
 using outrider::server::Request;
 using outrider::server::Response;
 
-/// What stands before the separator; the text goes on behind it.
+/// Takes the text before the separator; the rest stays.
 std::string_view take(std::string_view& text, std::string_view separator) {
   const std::size_t at = text.find(separator);
   const std::string_view part = text.substr(0, at);

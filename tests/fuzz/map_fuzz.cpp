@@ -1,4 +1,4 @@
-// What tells the kind of a map: an image, text or a world is taken for one kind, whatever its name.
+// The kind of a map: an image, text or a world is taken for one kind, whatever its name.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -108,7 +108,7 @@ std::unique_ptr<Node> node_of(std::uint8_t choice) {
   }
 }
 
-/// What a robot is told must be a motion.
+/// A command to a robot must be a motion.
 void check(const std::string& topic, const std::string& bytes) {
   if (topic == "gun/fire") {
     const auto speed = decode<std_msgs::Float64>(MessageEncoding::cdr, bytes);

@@ -1,5 +1,5 @@
-// What every reader of logs promises for any bytes: messages in the order of time, of channels that exist, or
-// a refusal with a sentence.
+// Every reader of logs promises for any bytes: messages in the order of time, of channels that exist, or a
+// refusal with a sentence.
 #pragma once
 
 #include <cstdlib>

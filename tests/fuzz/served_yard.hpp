@@ -1,4 +1,4 @@
-// What the server targets ask about: a folder with a yard, and an App that starts no mission.
+// The folder of the server targets: it has a yard, and an App that starts no mission.
 #pragma once
 
 #include <cstdio>

@@ -83,7 +83,7 @@ void expect_collisions(const World& world, const Named& named) {
   EXPECT_EQ(world.solids.size(), rows - meshes + 1) << "nothing else stands there but the floor";
 }
 
-/// What the laser's plane cuts of the solids and what the slices cover is the same ground.
+/// The laser's plane cuts the same ground from the solids as the slices cover.
 void expect_slices(const World& world, const Named& named) {
   const std::vector<RoundedPolygon> cuts = cut_at(world, 0.18);
   const auto slices = load_slices(published(named.stem + "_slice_z0.18.csv"));

@@ -67,7 +67,7 @@ void expect_replays(const Mission& mission, const Run& run) {
     // A step is 0.2 mm; along a face that is grazed it takes a few more.
     EXPECT_LT(norm(end.position - testing::vec3_of(shot.contact_point)), 2e-3) << shot.target;
   }
-  // Where the robot was, it fitted.
+  // The robot fitted wherever it was.
   for (const Pose2& pose : poses_of(run.log)) {
     ASSERT_GE(mission.firing_map->ground.clearance(pose.position, 1.0), problem.robot.radius_m - 2e-9);
   }

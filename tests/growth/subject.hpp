@@ -1,5 +1,5 @@
-// What is measured as it grows: a made-up case of each size, the counts of solving it, and the growth
-// claimed.
+// A subject of the growth tests: a made-up case of each size, the counts of solving it, and the growth that
+// is claimed.
 #pragma once
 
 #include <functional>

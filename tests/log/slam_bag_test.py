@@ -163,7 +163,7 @@ class SlamBagTest(unittest.TestCase):
             self.assertLess(memory_mb, MOST_MEMORY_MB)
 
     def test_memory_does_not_grow_with_the_scans(self):
-        """Of a place that is known, a scan takes the bytes of its pose: 2 GB of scans alone take under 200 MB."""
+        """A scan of a known place takes the bytes of its pose: 2 GB of scans alone take under 200 MB."""
         half_mb, whole_mb = (self.mapping_memory(size, with_cameras=False) for size in (BIG_MB / 2, BIG_MB))
         if not SANITIZED:
             self.assertLess(whole_mb, MOST_MEMORY_MB)

@@ -35,7 +35,7 @@ using testing::eventually;
 using geometry_msgs::Twist;
 using nav_msgs::OccupancyGrid;
 
-/// What the peer answers is latched, and so read: else an answer is lost if the peer has not yet found the
+/// The answers of the peer are latched, and so read: else an answer is lost if the peer has not yet found the
 /// reader when it sends.
 class FastDds : public ::testing::Test {
  protected:
@@ -302,7 +302,8 @@ TEST_F(FastDdsOnThisMachine, AnswersWhatItIsAsked) {
   expect_answer();
 }
 
-/// By then another node knows it, so it announces itself no more often than it ever does.
+/// The node starts when another node knows it already, so it announces itself no more often than it ever
+/// does.
 TEST_F(FastDdsOnThisMachine, IsFoundAlsoIfItStartsLater) {
   open_node(true);
   auto other = RosNode::open({domain_, true});

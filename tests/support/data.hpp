@@ -1,4 +1,4 @@
-// What the tests of this layer share: published data, folders that vanish, seeded damage.
+// Helpers for tests that read files: published data, folders that vanish, seeded damage.
 #pragma once
 
 #include <cstdlib>

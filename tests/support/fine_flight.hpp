@@ -84,7 +84,7 @@ struct FineEnd {
   double gap_m = 0.0;                ///< least distance from the ball to any solid until then, up to 0.1 m
 };
 
-/// What pulls at a ball: gravity, and the drag of air that moves with the wind.
+/// The accelerations of a ball: gravity, and the drag of air that moves with the wind.
 struct FineLaw {
   double gravity_mps2 = 9.8;
   double drag_per_m = 0.0;

@@ -1,4 +1,4 @@
-// A slow second opinion about paths on grids, written from the definitions in grid_ground.hpp alone:
+// A slow second opinion about paths on grids, written from the definitions in grid_map.hpp alone:
 // legs against every blocked cell in exact fractions, shortest paths over all pairs of vertices.
 #pragma once
 
@@ -36,7 +36,7 @@ inline bool clip_axis(std::int64_t p, std::int64_t d, std::int64_t low, std::int
   return true;
 }
 
-/// Whether the leg from (ax, ay) to (bx, by), in half cells, meets the square of cell (x, y).
+/// Returns true if the leg from (ax, ay) to (bx, by), in half cells, meets the square of cell (x, y).
 inline bool meets(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by, int x, int y,
                   bool open) {
   Fraction enter{0, 1}, leave{1, 1};

@@ -40,7 +40,7 @@ inline double to_ground(const HeightField& field, Vec3 p) {
   return p.z <= field.height(xy(p)) ? 0.0 : nearest;
 }
 
-/// What a replay found, so that a test can make sure that it showed something.
+/// The counts of a replay, so that a test can make sure that it showed something.
 struct Replayed {
   int shots = 0;
   int hits = 0;
@@ -48,7 +48,7 @@ struct Replayed {
   double moved_while_flying_m = 0.0;  ///< most that a target went on while a ball flew
 };
 
-/// Where a target is: it goes straight from one of its places to the next, or stands still.
+/// Returns the place of a target: it goes straight from one of its places to the next, or stands still.
 inline Vec2 place_by_moves(const LoggedTarget& target, double time_s) {
   const auto moves = target.moves();
   if (moves.empty()) return {};

@@ -1,4 +1,4 @@
-// What a log says of targets: the newest message of each name, and its places.
+// The targets of a log: the newest message of each name, and its places.
 #pragma once
 
 #include <algorithm>

@@ -105,7 +105,7 @@ class NodeBus {
     for (auto& [name, member] : nodes_) {
       for (std::size_t i = 0; i < member.links.size(); ++i) {
         if (absolute(*member.node, member.node->inputs()[i].name) != topic) continue;
-        // What is sent once is not lost: DDS sends it again.
+        // A message that is sent once is not lost: DDS sends it again.
         const bool once = topic == "/tf_static" || topic == "/clock";
         once ? member.node->receive(i, bytes, time_s_) : member.links[i].push(time_s_, bytes);
       }

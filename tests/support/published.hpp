@@ -16,7 +16,7 @@
 
 namespace outrider::testing {
 
-/// What is on topics is what is in the log, in the same order and with the same bytes; a node keeps only the
+/// Topics have the messages of the log, in the same order and with the same bytes; a node keeps only the
 /// newest messages of each channel in its log.
 class Published {
  public:

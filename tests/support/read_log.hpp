@@ -45,7 +45,7 @@ inline ReadLog read_all(const Outcome<std::unique_ptr<LogReader>>& reader) {
   return log;
 }
 
-/// What a selection leaves of all messages.
+/// Returns the messages that a selection leaves.
 inline std::vector<ReadMessage> filter(const std::vector<ReadMessage>& all, const LogSelection& selection) {
   std::vector<ReadMessage> left;
   for (const ReadMessage& message : all) {

@@ -1,4 +1,4 @@
-// What every guard planner promises, judged by other means than those of the planners.
+// The promises of every guard planner, judged by other means than those of the planners.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -26,7 +26,7 @@ const frames = new Map(inBrowser.filter(({ models }) => models.length > 0)
 
 const written = process.env.OUTRIDER_DOCS ?? join(root, "build/docs");
 
-/** Where a file of the repository is, or in its place a page of the tool. */
+/** Returns the place of a file of the repository, or in its place a page of the tool. */
 function at(path) {
   const own = join(root, path), page = join(written, posix.basename(path));
   return !existsSync(own) && posix.dirname(path) === "docs" && existsSync(page) ? page : own;

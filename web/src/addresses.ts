@@ -1,4 +1,4 @@
-// Where on the page a file of the folder is opened.
+// Addresses of the page on which a file of the folder is opened.
 import type { FileRow } from "./api";
 import { formatAddress } from "./base/url";
 import { editorOf } from "./plan/editors";

@@ -129,7 +129,7 @@ export interface YardRequest {
 export type ScenarioAnswer = { path: string; map: MapAnswer; start: [number, number] } & (
   | { goal: [number, number]; planner: string; options: PlanRequest["options"]; model: string; radius_m: number; resolution_m: number }
   | { heading_rad: number; targets: YardTarget[]; fixed: [number, number][][]; things: YardThing[] });
-/** What a scenario looks like from above: its ground, coarse where it is large and null where it names none, the start and the targets. */
+/** A scenario seen from above: its ground, coarse where it is large and null where it names none, the start and the targets. */
 export interface SceneAnswer {
   /** `others`: the boundaries of further areas. */
   map: Pick<MapAnswer, "name" | "grid" | "polygons"> & { others?: [number, number][][] } | null;

@@ -25,10 +25,10 @@ export function heading(log: RunLog): HTMLHeadingElement {
 /** The world; a file without what its format is. */
 const worldOf = (log: RunLog): string => (log.latest<RunInfo>(topic.run)?.world || log.summary?.world || "no name").replace(/\.(txt|map|ya?ml)$/, "");
 
-/** What the run is called, with its verdict. */
+/** Returns the name of the run, with its verdict. */
 export const nameOf = (log: RunLog): string => `${worldOf(log)}, ${verdictOf(log).word.toLowerCase()}`;
 
-/** Whether the run was done, in a word and a sentence. */
+/** Returns the verdict of the run, as a word and a sentence. */
 function verdictOf({ summary, cut, count, end }: RunLog): { word: string; sentence: string } {
   const why = "its run was killed, or the file is not whole";
   if (cut && count === 0) return { word: "Cut short", sentence: `The log is cut short before its first message: ${why}.` };

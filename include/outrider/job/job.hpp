@@ -27,7 +27,7 @@ namespace outrider {
 /// One sentence for each repair to an input and for each part of it that was ignored.
 using Warnings = std::vector<std::string>;
 
-/// A run: what it came to, what happened in it, and the files that it made.
+/// A run: its result, what happened in it, and the files that it made.
 struct Run {
   Report report;                         ///< status (report.hpp), metrics, tables
   Log log;                               ///< all messages

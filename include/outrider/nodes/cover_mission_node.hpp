@@ -40,7 +40,7 @@ class CoverMissionNode final : public MissionNode {
   void act() override;
   Status begin(const Pose2& pose);
   void go_on(const Pose2& pose);
-  void note_strange();
+  void note_unmapped();
   void note(const Pose2& pose);
   void finish();
 
@@ -48,7 +48,7 @@ class CoverMissionNode final : public MissionNode {
   std::shared_ptr<Work> work_;
   PieceDrive drive_;
   std::vector<Vec2>
-      strange_;  ///< what the newest scan shows and the map does not have, in the frame of the area
+      unmapped_;  ///< what the newest scan shows and the map does not have, in the frame of the area
   double moved_on_s_ = 0.0;  ///< when it last got on
   Vec2 stood_;
 };

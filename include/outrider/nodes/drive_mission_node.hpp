@@ -50,7 +50,7 @@ class DriveMissionNode final : public MissionNode {
   void start();
   [[nodiscard]] Observation observation() const;
   [[nodiscard]] std::optional<Vec2> thing_ahead();
-  void note_strange();
+  void note_unmapped();
   [[nodiscard]] Pose2 moved_since(double time_s) const;
   void drive(double rate);
   void note();
@@ -67,8 +67,8 @@ class DriveMissionNode final : public MissionNode {
   SlowedClock clock_;
   std::optional<RangeFinder> solids_;  ///< what is on the map
   std::vector<Vec2>
-      strange_;              ///< what the newest scan shows beside it, in the frame of the robot at its time
-  double strange_s_ = -1.0;  ///< time of that scan
+      unmapped_;              ///< what the newest scan shows beside it, in the frame of the robot at its time
+  double unmapped_s_ = -1.0;  ///< time of that scan
   std::deque<std::pair<double, Twist2>> sent_;  ///< commands of the last seconds, and their times
   double noted_s_ = -1e9;                       ///< when the belief was logged
   std::int64_t used_ = 0;

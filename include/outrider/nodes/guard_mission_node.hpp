@@ -83,7 +83,7 @@ class GuardMissionNode final : public MissionNode {
   Vec2 stood_;                    ///< where it last got on
   double moved_on_s_ = 0.0;
   bool stands_ = false;              ///< before something that the scan shows
-  std::vector<Vec2> strange_;        ///< what the newest scan shows beside the solids, on the map
+  std::vector<Vec2> unmapped_;       ///< what the newest scan shows beside the solids, on the map
   std::vector<ShotResult> results_;  ///< that the mission has not seen
   double noted_s_ = -1e9;            ///< when pose and joints were logged
   int shots_ = 0;                    ///< that were sent to the gun

@@ -55,7 +55,7 @@ class PursueMissionNode final : public MissionNode {
   void begin(Cell robot);
   void step(const Pose2& pose);
   void drive(const Pose2& pose);
-  [[nodiscard]] bool is_strange(Vec2 point) const;
+  [[nodiscard]] bool is_unmapped(Vec2 point) const;
   void finish();
 
   PursueMissionNodeOptions options_;
@@ -68,9 +68,9 @@ class PursueMissionNode final : public MissionNode {
   std::unique_ptr<PursuitMission> mission_;
   std::unique_ptr<PursuitLog> run_log_;
   PieceDriver driver_;
-  std::vector<Vec2> strange_;  ///< what the newest scan shows beside the map
-  std::size_t seconds_ = 0;    ///< that the mission has seen
-  double next_s_ = 0.0;        ///< when the next one ends
+  std::vector<Vec2> unmapped_;  ///< what the newest scan shows beside the map
+  std::size_t seconds_ = 0;     ///< that the mission has seen
+  double next_s_ = 0.0;         ///< when the next one ends
 };
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// What a drive learns from the tags in its newest image.
+// A look: a drive reads the tags in its newest image.
 #pragma once
 
 #include "outrider/jobs/drive/mission.hpp"

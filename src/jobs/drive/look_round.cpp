@@ -22,7 +22,7 @@ constexpr double well_within = 0.8;       ///< of the tolerance: the belief stil
 constexpr double turning_per_s = 2.0;     ///< rate of a turn over the angle that is left
 constexpr std::size_t most_headings = 2;  ///< in one round
 
-/// What the map says a robot sees from a place.
+/// The tags that the robot sees from a place, by the map.
 class Views {
  public:
   Views(const DriveTask& task, const PoseBelief& belief)

@@ -199,7 +199,7 @@ std::string status_of(DriveEnd end) {
   return "not_done";
 }
 
-/// Returns what the drive came to.
+/// Returns the report of the drive.
 Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Recorder& recorder) {
   const DriveTask& task = mission.task;
   const DriveLegs ideal = straight_legs(task);

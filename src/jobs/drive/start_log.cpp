@@ -1,4 +1,4 @@
-// What a drive logs at its start.
+// The first messages in the log of a drive.
 #include <limits>
 
 #include "outrider/job/scene.hpp"

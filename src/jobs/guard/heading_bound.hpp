@@ -26,7 +26,7 @@
 
 namespace outrider {
 
-/// What may be left out of a bound, as no mission of at most `most_s` does it.
+/// Cells that a bound may leave out, because no mission of at most `most_s` uses them.
 struct HeadingLimits {
   double most_s = 0.0;
   std::vector<GridWindow>

@@ -18,7 +18,7 @@
 
 namespace outrider {
 
-/// What a tile and a cell have in common.
+/// The common points of a tile and a cell.
 struct TileOverlap {
   Cell cell;               // relative to that of the vertex
   std::int16_t least = 0;  // of the measure from the vertex, over what they share; rounded down

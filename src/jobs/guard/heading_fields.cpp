@@ -48,7 +48,7 @@ GridFrame refined(const GridFrame& frame, int fine) {
   return finer;
 }
 
-/// By cell of the refined grid: 0 where holds(cell of `frame`), else `never`.
+/// For each cell of the refined grid: 0 where holds(cell of `frame`), else `never`.
 template <class Holds>
 std::vector<Units> refined_mask(const GridFrame& frame, const GridFrame& finer, int fine,
                                 const Holds& holds) {
@@ -61,7 +61,7 @@ std::vector<Units> refined_mask(const GridFrame& frame, const GridFrame& finer, 
   return mask;
 }
 
-/// By row of a window, and of the rim around it: whether something in the row has changed.
+/// Notes for each row of a window, and of the rim around it, if something in the row has changed.
 class Rows {
  public:
   Rows(const GridWindow& window, bool value) : rows_(at(window.rows + rim), value ? 1 : 0) {}
@@ -118,7 +118,8 @@ Units HeadingFields::units(double time_s) const {
   return static_cast<Units>(std::min<double>(never, std::max(0.0, time_s / unit_s_ - 1e-9)));
 }
 
-/// By tile, the time to the next one across a side, or `never` where no point of the side may be free.
+/// Returns for each tile the time to the next one across a side, or `never` where no point of the side may be
+/// free.
 std::vector<Units> HeadingFields::crossing(const TileExit& exit) const {
   std::vector<Units> across(frame_.size(), never);
   for (int y = rim; y < frame_.height - rim; ++y) {
@@ -161,7 +162,8 @@ std::vector<Units> HeadingFields::mask(const FiringRegion& region) const {
                       [&](std::size_t cell) { return region.pitch[cell] != FiringRegion::no_shot; });
 }
 
-/// By cell of a row, the least value at rest of the cells around it and of itself; `never` in a wall.
+/// Finds for each cell of a row the least value at rest of the cells around it and of itself; `never` in a
+/// wall.
 void HeadingFields::nearby(const ConeFields& resting, std::size_t cone, int row,
                            std::vector<Units>& least) const {
   const int columns = resting.window().columns;

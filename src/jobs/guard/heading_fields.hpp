@@ -69,7 +69,7 @@ class HeadingFields {
 
   /// All values are the same.
   [[nodiscard]] HeadingValues constant(const GridWindow& window, Units value) const;
-  /// By cell: 0 in the region, `never` outside.
+  /// Returns for each cell: 0 in the region, `never` outside.
   [[nodiscard]] std::vector<Units> mask(const FiringRegion& region) const;
   /// Lowers values to those `after` a target is hit, wherever it can be.
   void hit(const std::vector<Units>& mask, const HeadingValues& after, HeadingValues& values) const;

@@ -19,7 +19,7 @@ Status guard_yard(const GuardScenario& scenario, const ScoutedYard* scouted, Run
   if (scouted != nullptr) known.problem = scouted->found.problem;
   const double explored_s = scouted != nullptr ? metric(scouted->run.report, "time_s") : 0.0;
   const auto guard = prepare_guard(std::move(known), steps, watch, run.log, explored_s);
-  if (!guard) return tl::unexpected<Fault>(guard.error());
+  if (!guard) return pass_on(guard);
   const double planned_s = wall_s();
   if (auto ok = steps.next("driving and shooting"); !ok) return ok;
   std::optional<TrueYard> truth;
@@ -44,7 +44,7 @@ Status explore_and_guard(const GuardScenario& scenario, Run& run, const RunWatch
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   if (auto ok = steps.next("exploring the yard"); !ok) return ok;
   auto yard = scout(scenario.problem, {{}, scenario.sensors, scenario.scout}, seed, run.log, steps.inner());
-  if (!yard) return tl::unexpected<Fault>(yard.error());
+  if (!yard) return pass_on(yard);
   const bool explored = yard->run.report.status != "cancelled";
   std::string failure = yard->failure;
   if (explored && failure.empty()) {

@@ -93,7 +93,7 @@ Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
   });
 }
 
-/// By cell, the time to hit a set when one of it is hit from here first.
+/// Returns for each cell the time to hit a set when one of it is hit from here first.
 Field Relaxed::arrived(std::size_t set) const {
   Field value(value_[0].size(), endless);
   for (std::size_t bit = 0; bit < chosen_.size(); ++bit) {

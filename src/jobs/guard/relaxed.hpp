@@ -25,12 +25,12 @@ class Relaxed {
   [[nodiscard]] std::optional<std::size_t> hardest() const;
   [[nodiscard]] double bound_s() const;
   [[nodiscard]] const std::vector<std::size_t>& chosen() const { return chosen_; }
-  /// By set of chosen targets, the least time to hit all of them from another start.
+  /// Returns for each set of chosen targets the least time to hit all of them from another start.
   [[nodiscard]] std::vector<double> values_from(Vec2 start) const;
   /// The same targets on the move, but the mission ends at the start.
   [[nodiscard]] Relaxed homeward(const std::stop_token& stop) const;
-  /// By set of chosen targets, the cells where a robot on the move may have these left to hit if the mission
-  /// takes at most `most_s`; `homeward` tells how long it took to hit the others.
+  /// Returns for each set of chosen targets the cells where a robot on the move may have these left to hit if
+  /// the mission takes at most `most_s`; `homeward` tells how long it took to hit the others.
   [[nodiscard]] std::vector<GridWindow> windows(const Relaxed& homeward, double most_s) const;
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 bool has_metric(const Report& report, std::string_view name) { return !std::isnan(metric(report, name)); }
 
-std::string watch_summary(const Report& report) {
+std::string arrivals_summary(const Report& report) {
   return fmt::format(
       "\n  drove {:.1f} m, fired {:.0f} shots, planned {:.0f} times\n"
       "  intruders were inside for {:.1f} s in all, {:.1f} s at most; no policy makes it less than {:.1f} s\n"
@@ -23,7 +23,7 @@ std::string watch_summary(const Report& report) {
       duration_text(metric(report, "makespan_bound_s")));
 }
 
-std::string hunt_summary(const Report& report) {
+std::string walkers_summary(const Report& report) {
   return fmt::format(
       "\n  drove {:.1f} m, fired {:.0f} shots, of which {:.1f} were expected to hit\n"
       "  intruders were inside for {:.1f} s in all; the last was hit after {}\n",
@@ -85,7 +85,7 @@ std::string planning_line(const Report& report) {
                             mission_s, physics_s, mission_s / physics_s);
 }
 
-/// What each robot of a team did, and how long one alone would take.
+/// Returns a line for the work of each robot of a team, and one for how long one robot alone would take.
 std::string team_lines(const Report& report) {
   std::string text;
   const Table& robots = table_named(report, "robots");
@@ -115,8 +115,8 @@ std::string guard_summary(const Report& report) {
   text += fmt::format("  {:<{}}  {:<11}  {:>5}  {:>6}  {:>15}  {:>6}  {:>6}  {:>7}\n", "target", width,
                       "status", "shots", "at s", "from m", "pitch", "m/s", "clear m");
   for (const auto& values : targets.rows) text += target_row({targets, values}, width);
-  if (has_metric(report, "expected_hits")) return text + hunt_summary(report) + planning_line(report);
-  if (has_metric(report, "intruder_seconds")) return text + watch_summary(report) + planning_line(report);
+  if (has_metric(report, "expected_hits")) return text + walkers_summary(report) + planning_line(report);
+  if (has_metric(report, "intruder_seconds")) return text + arrivals_summary(report) + planning_line(report);
   text += fmt::format(
       "\n  drove {:.1f} m, turned {:.0f} degrees, fired {:.0f} shots from {:.0f} stops\n"
       "  planned {}\n",

@@ -135,7 +135,7 @@ Status solve_graph(const SlamJob& job, const GraphInput<Pose>& input, Run& run, 
   const double began_s = wall_s();
   const auto solution = optimise(input.graph, scenario.graph, watch.budget());
   const double time_s = wall_s() - began_s;
-  if (!solution) return tl::unexpected<Fault>(solution.error());
+  if (!solution) return pass_on(solution);
   const auto cancelled = [] {
     return fault(FaultCode::cancelled, "it was cancelled before the graph was solved and judged");
   };

@@ -40,7 +40,7 @@ std::vector<std::string> doubts_of_numbers(const LandmarkSlamOptions& options, c
   return doubts;
 }
 
-/// What is known of a landmark that was moved too far.
+/// A landmark that was moved too far.
 struct Doubted {
   MovedLandmark moved;
   double since_s = 0.0;

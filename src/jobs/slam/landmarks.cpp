@@ -140,7 +140,7 @@ Outcome<LandmarkSlam> begin(const SlamJob& job, const LandmarkSlamOptions& optio
   if (job.scenario.resume.empty()) return LandmarkSlam::begin(options, start);
   if (auto ok = LandmarkSlam::begin(options, start); !ok) return ok;
   const auto state = read_file(job.scenario.resume);
-  if (!state) return tl::unexpected<Fault>(state.error());
+  if (!state) return pass_on(state);
   auto begun = LandmarkSlam::load(*state);
   if (!begun) return bad_input(begun.error().sentence, job.scenario.resume);
   return begun;
@@ -280,7 +280,7 @@ Status map_landmark_log(const SlamJob& job, LandmarkLog log, Run& run, const Run
   const std::size_t logged = log.steps.size();
   LandmarkRecorder recorder(run.log, job.scenario, log);
   const auto mapped = run_log(job, options, log, recorder, watch);
-  if (!mapped) return tl::unexpected<Fault>(mapped.error());
+  if (!mapped) return pass_on(mapped);
   const LandmarkMap map = mapped->slam.landmarks();
   const std::string warning = options.unknown_ids ? std::string() : undo_exchange(log, map);
   const MapError error = options.unknown_ids ? map_error_by_place(map, log.true_landmarks, reach_m)

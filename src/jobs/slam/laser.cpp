@@ -193,7 +193,7 @@ Status report_mapping(LaserRecorder& recorder, Run& run, const RunWatch& watch, 
   mapping.stepped = [&](const LaserSlam& slam, std::size_t step, const Observation& seen,
                         const LaserSlamStep& outcome) { recorder.note(slam, step, seen, outcome); };
   const Outcome<LaserRun> mapped = map(mapping);
-  if (!mapped) return tl::unexpected<Fault>(mapped.error());
+  if (!mapped) return pass_on(mapped);
   run.report.metrics = metrics_of(*mapped);
   run.report.metrics.emplace_back("distance_m", recorder.settle(*mapped));
   run.report.metrics.emplace_back("run_s", recorder.end_s());
@@ -203,7 +203,7 @@ Status report_mapping(LaserRecorder& recorder, Run& run, const RunWatch& watch, 
     run.report.machine_times.emplace_back("real_time_factor", *mapped->log_s / mapped->time_s);
   if (mapped->stopped) mark_cancelled(run.report, run.log, recorder.end_s());
   auto files = files_of(recorder.recorded_s(), *mapped);
-  if (!files) return tl::unexpected<Fault>(files.error());
+  if (!files) return pass_on(files);
   run.files = std::move(*files);
   return {};
 }

@@ -1,4 +1,4 @@
-// What the spoiling of laser logs and of landmark logs has in common.
+// The common parts of spoiling laser logs and landmark logs.
 #pragma once
 
 #include <fmt/format.h>

@@ -222,7 +222,7 @@ Outcome<double> largest_clearance(const MedialGraph& graph, BudgetMeter& meter, 
   const PlacedTrace placed(workspace.trace);
   const auto found = best_first(policy, memory, meter, workspace.trace);
   placed.report([&](State s) { return graph.nodes[s]; });
-  if (!found) return tl::unexpected(found.error());
+  if (!found) return pass_on(found);
   double least = std::min(graph.start.leg.apart, graph.goal.leg.apart);
   const std::vector<State> path = path_to(*found, memory.labels);
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -240,7 +240,7 @@ Outcome<std::vector<Bisector>> least_exposed(const MedialGraph& graph, double le
   const PlacedTrace placed(workspace.trace);
   const auto found = best_first(policy, memory, meter, workspace.trace);
   placed.report([&](State s) { return graph.nodes[s]; });
-  if (!found) return tl::unexpected(found.error());
+  if (!found) return pass_on(found);
   std::vector<Bisector> way{graph.start.leg};
   const std::vector<State> path = path_to(*found, memory.labels);
   for (std::size_t i = 1; i < path.size(); ++i) {

@@ -207,7 +207,7 @@ std::vector<Outcome<Plan>> octile_search_many(const Problem& problem, const std:
     const GridMap& ground = queries[i]->ground;
     const State goal = ground.index(queries[i]->goal);
     if (!memory.labels.closed(goal)) {
-      plans.emplace_back(tl::unexpected(found.error()));
+      plans.emplace_back(pass_on(found));
       continue;
     }
     const auto vertices = vertices_to(goal, ground, memory.labels);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "outrider/core/text.hpp"
 #include "outrider/search/best_first.hpp"
@@ -228,7 +229,7 @@ std::vector<Outcome<Plan>> tangent_search_many(const Problem& problem, const std
   }
   if (asked.empty()) return plans;
   auto graph = tangent_graph(problem.polygons, form, budget, workspace);
-  for (std::size_t k = 0; !graph && k < asked.size(); ++k) plans[asked[k]] = tl::unexpected(graph.error());
+  for (std::size_t k = 0; !graph && k < asked.size(); ++k) plans[asked[k]] = pass_on(std::as_const(graph));
   if (!graph) return plans;
   auto& memory = workspace.get<SearchMemory<double>>();
   TangentPolicy policy{*problem.polygons, problem.start, places, weights, **graph, form, memory.labels};
@@ -242,7 +243,7 @@ std::vector<Outcome<Plan>> tangent_search_many(const Problem& problem, const std
   for (std::size_t k = 0; k < asked.size(); ++k) {
     const auto goal = static_cast<State>(1 + k);
     if (!memory.labels.known(goal) || !memory.labels.closed(goal)) {
-      plans[asked[k]] = tl::unexpected(found.error());
+      plans[asked[k]] = pass_on(found);
       continue;
     }
     Problem one = problem;

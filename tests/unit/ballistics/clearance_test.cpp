@@ -11,7 +11,7 @@ namespace {
 using testing::cases;
 using testing::random_small_yard;
 
-/// Of the pitches tried, the shot at the centre whose flight keeps farthest from every solid.
+/// Returns the shot at the centre whose flight keeps farthest from every solid, of the pitches tried.
 std::optional<Shot> clearest_shot(const ShotRules& rules, const FlightSpace& space, const Target& target,
                                   Vec2 place) {
   std::optional<Shot> clearest;

@@ -111,8 +111,8 @@ TEST(AimThrough, WithoutAirFromRestIsTheParabola) {
   EXPECT_GT(aims, 50);
 }
 
-/// Whether a shot that passes the centre at that pitch hits with `margin` to spare, flown exactly; aimed
-/// afresh, in still air by halving the speed.
+/// Returns true if a shot that passes the centre at that pitch hits with `margin` to spare, flown exactly;
+/// aimed afresh, in still air by halving the speed.
 bool hits(const ShotRules& rules, const FlightSpace& space, const Target& target, Vec2 place, double pitch,
           double margin) {
   Shot shot{heading_of(xy(target.base) - place), pitch, rules.gun.muzzle_speed_mps};

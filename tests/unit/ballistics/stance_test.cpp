@@ -19,7 +19,7 @@ Vec3 turned(Vec3 v, Vec3 axis, double angle) {
          (1.0 - std::cos(angle)) * dot(axis, v) * axis;
 }
 
-/// What stance.hpp says in words: z goes to the normal, about the horizontal axis across both.
+/// Returns what stance.hpp says in words: z goes to the normal, about the horizontal axis across both.
 Vec3 leant(Vec3 v, Vec3 up) {
   const Vec3 axis = cross({0, 0, 1}, up);
   return turned(v, 1.0 / norm(axis) * axis, std::acos(up.z));
@@ -138,7 +138,7 @@ HillRange random_range(Rng& rng) {
   return range;
 }
 
-/// Whether a ball hits the target before it comes within the margin of anything, by small steps.
+/// Returns true if a ball hits the target before it comes within the margin of anything, by small steps.
 bool hits_by_steps(const HillRange& range, const Flight& flight, double slack_m) {
   const Solid box = solid_of(range.target);
   const double ball = range.rules.gun.ball_radius_m;

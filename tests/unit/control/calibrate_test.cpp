@@ -163,7 +163,8 @@ std::vector<CalibrationRun> many_runs(const FaultyRobot& robot, Rng& rng) {
   return kept;
 }
 
-/// What a hand does to a number: a point, a sign or a digit in the wrong place, or the number of another run.
+/// Spoils a number as a hand does: a point, a sign or a digit in the wrong place, or the number of another
+/// run.
 void mistype(CalibrationRun& run, int kind) {
   Pose2& end = run.start_T_end;
   const bool turns = run.command.turn_radps != 0.0;

@@ -21,7 +21,7 @@ Pose3 in_space(const Pose2& pose) {
   return {{pose.position.x, pose.position.y, 0.0}, Rotation::from_rpy(0, 0, pose.heading_rad)};
 }
 
-/// What the robot sees of the tag, with noise on its corners; nothing when it is not in the picture.
+/// Returns what the robot sees of the tag, with noise on its corners; nothing when it is not in the picture.
 std::optional<TagSighting> sight(const Pose2& robot, const Tag& tag, double sigma_px, Rng& rng) {
   const Pose3 world_T_camera = in_space(robot) * mount.robot_T_camera;
   TagSighting sighting{tag.id, {}, 0, 100.0, {}};

@@ -144,7 +144,7 @@ TEST(RunJob, StoppedBeforeOrInTheMiddleItIsCancelled) {
   EXPECT_TRUE(before->report.metrics.empty());
 }
 
-/// What a run has begun to write is gone at once, while it still appends.
+/// The files that a run has begun to write are gone at once, while it still appends.
 TEST(RunLog, AbandonedItLeavesNothing) {
   const test::Folder folder;
   const std::filesystem::path out = folder.path / "a" / "out";

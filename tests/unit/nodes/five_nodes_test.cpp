@@ -75,7 +75,7 @@ class Office {
     });
   }
 
-  /// What a robot can see of the office from where it can be, without margins.
+  /// Returns the part of the office that a robot can see from where it can be, without margins.
   [[nodiscard]] ExplorationReference truth() const {
     return exploration_reference(sim().devices().laser->finder(), sim().body<TwistBody>().ground(),
                                  setup.task.start.position)
@@ -87,7 +87,7 @@ class Office {
     placed.frame.origin = placed.frame.origin + setup.task.start.position;  // its heading is 0
     return map_quality(truth(), sim().devices().laser->finder(), placed);
   }
-  /// What of that the map does not have.
+  /// Returns the area of it that the map does not have.
   [[nodiscard]] double missing_m2() const { return (1.0 - quality().explored_fraction) * truth().seeable_m2; }
   [[nodiscard]] const SimulatedRobot& sim() const { return bus.node<SimNode>("sim").robot(); }
   [[nodiscard]] std::int64_t contacts() const { return sim().body<TwistBody>().contacts(); }

@@ -55,7 +55,7 @@ class Guarded {
   bool run(double until_s = 1500.0) {
     return bus.run(until_s, [this] { return node().is_over(); });
   }
-  /// What the mission calls reached was hit.
+  /// Each target that the mission calls reached was hit.
   void expect_true() const {
     const auto& records = node().mission().board().records();
     for (std::size_t i = 0; i < records.size(); ++i) {

@@ -71,7 +71,7 @@ TEST(HostileMessages, MapsAreWhole) {
   EXPECT_TRUE(has(told(planner, "map", map), "whose length is not 1"));
 }
 
-/// What was known of the map before is forgotten: the new one may lie anywhere.
+/// A new map makes the node forget the one before: it may lie anywhere.
 TEST(HostileMessages, MapsThatShrinkOrLieElsewhereAreBegunAnew) {
   Grid<std::uint8_t> half({{-2.0, -2.0}, 0.05, 80, 80}, free_cell);
   for (std::size_t i = 0; i < half.cells.size(); i += 2) half.cells[i] = unknown_cell;

@@ -1,4 +1,4 @@
-// What each node does alone.
+// Each node alone.
 #include <gtest/gtest.h>
 
 #include <cmath>

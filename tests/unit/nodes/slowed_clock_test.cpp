@@ -16,7 +16,7 @@ TEST(SlowedClock, PassesLikeTimeUntilItIsSlowed) {
   EXPECT_NEAR(clock.time_at(105.0), 1.0, 1e-9);
 }
 
-/// What was seen while it stood, was seen when it stopped.
+/// Measurements taken while it stood have the time at which it stopped.
 TEST(SlowedClock, StandsAndGoesOn) {
   SlowedClock clock;
   clock.begin(0.0);

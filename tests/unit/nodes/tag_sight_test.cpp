@@ -16,7 +16,7 @@ TagMap one_tag() {
   return tags;
 }
 
-/// What a camera with a lens sees of the tag.
+/// Returns what a camera with a lens sees of the tag.
 TagImage seen_by(const Camera& camera) {
   const Pose3 world_T_camera = looking_ahead({0.1, 0.0, 0.3});
   TagSighting sighting;

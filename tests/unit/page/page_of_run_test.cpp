@@ -18,7 +18,7 @@ const std::string open_log = "<script type=\"application/octet-stream;base64\" i
 const std::string empty =
     "<!doctype html><title>@TITLE@</title>" + open_log + "@LOG@</script><script>show()</script>";
 
-// What a browser takes for the content of the element with the log.
+// Returns what a browser takes for the content of the element with the log.
 std::string embedded(const std::string& page) {
   const std::size_t start = page.find(open_log) + open_log.size();
   return page.substr(start, page.find("</script", start) - start);

@@ -90,7 +90,7 @@ void expect_same(const Outcome<Plan>& followed, const Outcome<Plan>& anew) {
   }
 }
 
-/// Where a path may be another one of the same length: status, cost and bound.
+/// Expects the same status, cost and bound; the path may be another one of the same length.
 void expect_as_long(const Outcome<Plan>& followed, const Outcome<Plan>& anew) {
   if (!followed || !anew) return expect_same(followed, anew);
   ASSERT_NEAR(followed->cost, anew->cost, 1e-12 * anew->cost);

@@ -1,4 +1,4 @@
-// What a mesh has to be, whoever made it, told from the cells of its grid.
+// Laws that any mesh keeps, whoever made it, told from the cells of its grid.
 #pragma once
 
 #include <gtest/gtest.h>

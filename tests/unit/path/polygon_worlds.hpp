@@ -104,7 +104,8 @@ inline Vec2 random_place(Rng& rng, const PolygonWorld& world) {
   return rng.below(3) == 0 ? Vec2{std::round(2.0 * p.x) / 2.0, std::round(2.0 * p.y) / 2.0} : p;
 }
 
-/// Whether cells, taken as free when any point of them may be, join the two. No means: surely no path.
+/// Returns true if cells, taken as free when any point of them may be, join the two. No means: surely no
+/// path.
 inline bool flood_joins(const PolygonWorld& world, Vec2 from, Vec2 to, double cell_m) {
   Box2 box;
   for (const Vec2 p : world.boundary) box.include(p);

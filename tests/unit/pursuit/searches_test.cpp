@@ -28,7 +28,8 @@ struct Prepared {
   std::vector<std::unique_ptr<Relaxation>> relaxations;
 };
 
-/// What the steps of a way cost, and its waits in its cheapest cell; the way leads to the target.
+/// Returns the cost of the steps of a way, and of its waits in its cheapest cell; the way leads to the
+/// target.
 std::uint64_t cost_of(const TimedWay& way, const PursuitField& field) {
   std::uint64_t cost = 0;
   std::uint32_t cheapest = field.costs[way.cells.back()];

@@ -49,7 +49,7 @@ class AppTest : public ::testing::Test {
     return app().answer({method, where.substr(0, question), query, std::move(headers), body});
   }
 
-  /// What is sent, from memory or from the disk.
+  /// Returns the bytes that are sent, from memory or from the disk.
   static std::string body_of(const Response& response) {
     return response.file ? response.file->part(0, response.file->bytes()) : response.body;
   }

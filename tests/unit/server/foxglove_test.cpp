@@ -174,7 +174,7 @@ TEST_F(FoxgloveTest, ChannelsOfARunningMissionAreListedAndDecoded) {
     ASSERT_EQ((i <= 1000 ? first[i - 1] : rest[i - 1001]), (Data{70, i, std::to_string(i)}));
   }
   EXPECT_NE(client.next("status")["message"].get<std::string>().find("has ended"), std::string::npos);
-  // What is subscribed later comes from the beginning, by itself.
+  // A later subscription gets its messages from the beginning, by itself.
   client.subscribe(71, channels[0]["id"]);
   const std::vector<Data> late = client.data(2);
   EXPECT_EQ(late[0], (Data{71, 0, "first"}));
@@ -217,7 +217,7 @@ TEST_F(FoxgloveTest, WhatIsUnsubscribedComesNoMore) {
   client.subscribe(3, 99);
   EXPECT_NE(client.next("status")["message"].get<std::string>().find("no channel 99"), std::string::npos);
   EXPECT_TRUE(client.say({{"op", "unsubscribe"}, {"subscriptionIds", {1, 17}}}));
-  // What is subscribed later comes after everything of subscription 1, and ends with the last message of all.
+  // A later subscription comes after everything of subscription 1, and ends with the last message of all.
   client.subscribe(4, 1);
   const auto count = client.count_when({4, 0, "first"}, 1);
   EXPECT_LT(count, 2999);

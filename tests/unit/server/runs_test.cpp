@@ -38,7 +38,7 @@ TEST_F(AppTest, ARunThatBreaksIsSaidToHaveFailed) {
   EXPECT_EQ(named["where"], "a.yaml:3");
 }
 
-/// What goes wrong in the server while it follows a mission ends that mission, and its process, only.
+/// An error in the server while it follows a mission ends that mission, and its process, only.
 TEST_F(AppTest, ARunThatTheServerLosesIsNoneOfTheOthers) {
   write("a.yaml", "job: guard\n");
   write_tool("echo $$ > pid\nexec sleep 1000\n");
@@ -81,7 +81,7 @@ TEST_F(AppTest, AMissionThatIsLostIsEnded) {
   EXPECT_NE(::kill(pid, 0), 0) << "it still runs";
 }
 
-/// What counts is what it uses of a processor, not how long others keep it waiting.
+/// The limit counts the processor time of a program, not how long others keep it waiting.
 TEST_F(AppTest, AProgramThatTakesTooMuchProcessorTimeIsEnded) {
   const auto followed = [&](const std::string& script) {
     write_tool(script);
@@ -117,7 +117,7 @@ TEST_F(AppTest, ManyMissionsGoWithTheServer) {
   app_.reset();  // would hang if it waited for them
 }
 
-/// What a mission is given: the text as it was when it was asked for, its folder, and no more memory than is
+/// A mission is given the text as it was when it was asked for, its folder, and no more memory than is
 /// allowed.
 TEST_F(AppTest, AMissionWorksOnTheTextThatWasChecked) {
   write("a.yaml", "job: guard\nseed: 1\n");

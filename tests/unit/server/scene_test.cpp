@@ -44,7 +44,7 @@ TEST_F(AppTest, ASceneShowsEveryAreaThatIsToBeCovered) {
   EXPECT_EQ(map["polygons"]["obstacles"].size(), 2U) << "the holes of both";
 }
 
-/// Of a wall one cell wide something remains.
+/// Something remains of a wall one cell wide.
 TEST_F(AppTest, ALargeGridIsMadeCoarser) {
   std::string image = "P5\n1000 500\n255\n" + std::string(500'000, '\xff');
   for (std::size_t y = 0; y < 500; ++y) image[image.size() - 500'000 + 1000 * y + 333] = '\0';

@@ -52,7 +52,7 @@ std::vector<std::vector<Vec2>> outlines(const Json& thing) {
   return polygons;
 }
 
-/// What the page draws is what stands in the way of the robot in the scenario.
+/// The page draws exactly what stands in the way of the robot in the scenario.
 void expect_drawn_as_it_is(const Json& yard) {
   std::vector<std::vector<Vec2>> drawn;
   for (const Json& polygon : yard["fixed"]) {

@@ -15,7 +15,7 @@ using testing::floor_at;
 using testing::random_small_yard;
 using testing::random_solid;
 
-/// What the side view shows of a solid is what the plane of the flight cuts of it.
+/// The side view of a solid shows what the plane of the flight cuts of it.
 TEST(Profile, ShowsWhatThePlaneOfTheFlightCuts) {
   Rng rng(111);
   int filled = 0;

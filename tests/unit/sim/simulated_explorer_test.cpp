@@ -55,7 +55,7 @@ TEST(SimulatedExplorer, AWallStopsItWhereItTouches) {
   EXPECT_EQ(it.body<TwistBody>().contacts(), 2);
 }
 
-/// Who carries a robot puts it down beside a wall, not against it, and it stands there.
+/// A person who carries a robot puts it down beside a wall, not against it, and it stands there.
 TEST(SimulatedExplorer, AKidnappedRobotStandsWithRoomAroundIt) {
   const RobotModel robot = burger();
   ExplorerSimParams params = faultless();

@@ -8,7 +8,7 @@
 namespace outrider {
 namespace {
 
-/// What arrives of the messages 0 to 99, one of which is sent every 0.1 s.
+/// Returns what arrives of the messages 0 to 99, one of which is sent every 0.1 s.
 std::vector<int> arrived(const LinkFaults& faults) {
   SimulatedLink<int> link(faults, Rng(1));
   std::vector<int> messages;

@@ -12,7 +12,7 @@ namespace {
 const Chassis chassis = mecanum_chassis(0.03, 0.1225);
 constexpr double held_s = 1e9;  // a command is held until the next one
 
-/// Where the robot is after that command was held for so long and it has come to rest.
+/// Returns the pose of the robot after that command was held for so long and it has come to rest.
 Pose2 after(const Twist2& command, double time_s, const WheelFaults& faults, const LinkFaults& link = {}) {
   WheelBody motion(chassis, faults, link, held_s, {}, Rng(1));
   motion.send({});

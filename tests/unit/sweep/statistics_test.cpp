@@ -63,7 +63,8 @@ TEST(Statistics, QuantilesAreLinearBetweenValues) {
   EXPECT_NEAR(quantile(values, 0.05), 1.15, 1e-12);  // numpy.quantile
 }
 
-/// Of all pairs of values, symmetric in the two tails, the interval is the innermost that covers enough.
+/// The interval is the innermost that covers enough, of all pairs of values that are symmetric in the two
+/// tails.
 TEST(Statistics, QuantileIntervalsCover95PercentOfSamples) {
   for (std::size_t n : {1U, 5U, 6U, 20U, 59U, 200U}) {
     std::vector<double> ranks(n);

@@ -21,7 +21,7 @@ struct SweepTask final : JobTask {
     if (x == 0.0) return fault(FaultCode::no_path, "there is no path to 0");
     if (file.empty()) return Warnings{};
     const auto text = read_file(file);
-    if (!text) return tl::unexpected<Fault>(text.error());
+    if (!text) return pass_on(text);
     return Warnings{};
   }
   Status run(Run& run, const RunWatch&) override {

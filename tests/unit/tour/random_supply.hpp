@@ -34,8 +34,8 @@ inline SupplyProblem random_supply(std::size_t goals, std::size_t stops, std::ui
   return problem;
 }
 
-/// What the steps take, or infinity, without the judge's code for the charge on the way: each prefix is
-/// priced.
+/// Returns what the steps take, or infinity, without the judge's code for the charge on the way: each prefix
+/// is priced.
 inline double own_price(const SupplyProblem& problem, const std::vector<SupplyStep>& steps) {
   const auto after = levels(problem, steps);
   return after ? after->back().time_s : std::numeric_limits<double>::infinity();

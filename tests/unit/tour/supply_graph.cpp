@@ -35,7 +35,7 @@ class Builder {
     return wrap_angle(drive(from, to).arrival_rad);
   }
 
-  /// Those with which a stop can be reached, until there are no more.
+  /// Adds the headings with which a stop can be reached, until there are no more.
   void find_headings() {
     headings_.resize(stops_);
     headings_[0].insert(wrap_angle(problem_.table.heading_rad));

@@ -285,7 +285,7 @@ Outcome<SupplyProgramme> solve_by_programme(const SupplyProblem& problem, std::i
   answer.tour.steps = formulation.read(Cbc_bestSolution(solver.get()));
   answer.tour.proven_optimal = Cbc_isProvenOptimal(solver.get()) != 0;
   const auto after = levels(problem, answer.tour.steps);
-  if (!after) return tl::unexpected(after.error());
+  if (!after) return pass_on(after);
   answer.tour.cost_s = after->back().time_s;
   return answer;
 }

@@ -9,7 +9,8 @@
 namespace outrider {
 namespace {
 
-/// By a line that parts the segment from the inside of the cell: one along an axis, or the segment's own.
+/// Returns true if no line parts the segment from the inside of the cell: one along an axis, or the segment's
+/// own.
 bool meets(LatticePoint a, LatticePoint b, Cell cell) {
   const std::int64_t side = LatticePoint::side, x0 = side * cell.x, y0 = side * cell.y;
   if (std::max(a.x, b.x) <= x0 || std::min(a.x, b.x) >= x0 + side) return false;

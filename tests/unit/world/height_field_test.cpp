@@ -61,7 +61,7 @@ TEST(HeightField, SteepestIsTheMostOfAllSlopes) {
   }
 }
 
-/// By looking at very many points of the surface, and of the walls under its edge.
+/// Returns the distance by looking at very many points of the surface, and of the walls under its edge.
 double distance_by_sampling(const HeightField& field, Vec3 p, double step) {
   const Box2 box = field.bounds();
   double least = std::numeric_limits<double>::infinity();

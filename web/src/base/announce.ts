@@ -1,4 +1,4 @@
-// What changes by itself is told to screen readers: one region for the whole page, which keeps what was said last.
+// Changes that happen by themselves are told to screen readers: one region for the whole page keeps what was said last.
 import { h } from "./dom";
 
 const region = h("p", { class: "unseen announced", role: "status" });

@@ -11,7 +11,7 @@ export interface CameraEvents {
   hover?: (at: Point | null) => void;
   /** Called when a drag begins at `at`; returning true takes the drag, so it does not move the view. */
   grab?: (at: Point, event: PointerEvent) => boolean;
-  /** Whether drags are taken now; they are where this is left out and grab() is not. */
+  /** Returns true if drags are taken now; they are if this is left out and grab() is not. */
   takes?: () => boolean;
   drag?: (at: Point) => void;
   drop?: () => void;

@@ -25,7 +25,7 @@ export function keyOf(event: Pick<KeyboardEvent, "key" | "shiftKey"> & { ctrlKey
 const isLetter = (name: string): boolean => name.length === 1 && name !== " ";
 
 export class Keys {
-  /** Whether keys of a single character act: they are in the way of who speaks to the computer. */
+  /** True if keys of a single character act: they are in the way of people who speak to the computer. */
   letters = true;
   private groups = new Map<string, { keys: Key[]; owner: object | null }>();
 

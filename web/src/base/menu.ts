@@ -4,7 +4,7 @@ import { h, icon } from "./dom";
 
 export interface MenuItem {
   name: string;
-  /** What it is, in a few words. */
+  /** A description in a few words. */
   about: string;
   key?: string;
   act: () => void;

@@ -36,7 +36,7 @@ export function roundStep(least: number): number {
 /** Metrics that say yes or no. */
 const truths = new Set(["tour_proven", "caught", "optimal", "returned_home"]);
 
-/** Those whose names are too short to say what they are. */
+/** Labels for names that are too short to say what they are. */
 const labels: Record<string, string> = {
   t_min_s: "least possible time",
   t_max_s: "largest possible time",
@@ -45,7 +45,7 @@ const labels: Record<string, string> = {
   order_bound_s: "time bound of the order",
 };
 
-/** What a metric measures, after its unit, where its name leaves it open: "planned" may be a time, a length or a share. */
+/** Returns the quantity of a metric, after its unit, where its name leaves it open: "planned" may be a time, a length or a share. */
 function nounOf(stem: string, unit: string | undefined): string {
   if (unit === "fraction") return "share";
   if (unit === "m2") return stem.includes("area") ? "" : "area";

@@ -4,11 +4,11 @@ import { keyName, keys } from "./keys";
 
 export interface Command { words: string; group: string; key?: string; act: () => void }
 
-/** What else can be done, besides what has a key: such as opening a file. */
+/** Returns further commands, besides those that have a key: such as opening a file. */
 let more: () => Promise<Command[]> = () => Promise.resolve([]);
 export function offerMore(ask: () => Promise<Command[]>): void { more = ask; }
 
-/** Whether the letters stand in the text in their order; how close they are together, less being closer; null where they do not. */
+/** Returns how close the letters are together if they stand in the text in their order, less being closer; else null. */
 export function likeness(text: string, letters: string): number | null {
   let [at, spread] = [-1, 0];
   for (const letter of letters.toLowerCase().replaceAll(" ", "")) {

@@ -4,7 +4,7 @@ import { theme } from "../base/theme";
 import type { Run } from "../log/run";
 import { disk, traceWay, type Layer } from "../watch/layer";
 
-/** Of the second run, the third and so on; compare.css has the same. */
+/** Dashes of the second run, the third and so on; compare.css has the same. */
 const dashes = [[7, 4], [2, 3], [10, 3, 2, 3]];
 const colours = ["belief", "open", "reached"] as const;
 

@@ -5,7 +5,7 @@ import { Clock } from "../watch/clock";
 import type { PlanView } from "../watch/plan_view";
 import { openExample } from "./example";
 
-/** Where a still picture shows what it is about: a ball in flight. */
+/** The time at which a still picture shows what it is about: a ball in flight. */
 const best_s = 20.2;
 const speed = 2;
 

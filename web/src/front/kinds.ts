@@ -1,4 +1,4 @@
-// What kinds of files are called.
+// Names of the kinds of files.
 import type { FileRow } from "../api";
 
 const byEnding: [RegExp, string][] = [

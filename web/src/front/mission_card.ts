@@ -9,7 +9,7 @@ import type { Mission } from "./missions";
 const to = (view: string, path = "", query: Record<string, string> = {}): string => formatAddress({ view, path, query });
 const going = new Set<RunRow["state"]>(["queued", "running"]);
 
-/** Where a run of the mission can be watched: the newest one, or the example. */
+/** Returns the address where a run of the mission can be watched: the newest one, or the example. */
 function watchAddress(path: string, runs: readonly RunRow[]): string | null {
   const run = runs.find((one) => one.scenario === path && (one.has_log || going.has(one.state)));
   if (run) return to("live", run.id);

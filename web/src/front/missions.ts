@@ -1,4 +1,4 @@
-// What the cards of missions are called, and their order.
+// Titles of the cards of missions, and their order.
 import type { FileRow } from "../api";
 
 export interface Mission { path: string; title: string; job: string; about: string }

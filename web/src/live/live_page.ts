@@ -86,7 +86,7 @@ export class LivePage {
     if (!this.closed) this.end(run);
   }
 
-  /** What is there of the log, and whether it is whole. */
+  /** The log as far as it is there, and true if it is whole. */
   private get log(): { log: RunLog; complete: boolean } {
     return this.kept ? { log: this.kept, complete: !this.kept.cut } : this.live;
   }

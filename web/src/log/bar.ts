@@ -7,7 +7,7 @@ export interface Bar {
   width: number;
   /** Along the heading. */
   length: number;
-  /** Of its middle, ahead of the robot. */
+  /** Distance of its middle ahead of the robot. */
   forward: number;
 }
 
@@ -38,7 +38,7 @@ export function hullOf(points: Vec2[]): Vec2[] {
   return [...half(sorted), ...half(sorted.reverse())];
 }
 
-/** What the bar comes over from one time to another, between two rows of the track: convex, counter-clockwise outlines. */
+/** Returns what the bar comes over from one time to another, between two rows of the track: convex, counter-clockwise outlines. */
 export function sweptBetween(bar: Bar, track: Track, from: number, to: number): Vec2[][] {
   const steps = Math.max(1, Math.ceil(Math.abs(track.at(to).heading - track.at(from).heading) / smallTurn));
   const at = (k: number): Vec2[] => cornersAt(bar, track.at(mix(from, to, k / steps)));

@@ -1,4 +1,4 @@
-// What the robot took its pose for, with its uncertainty.
+// Poses that the robot believed to have, with their uncertainty.
 import { mix, wrapped } from "../base/numbers";
 import { poseOf, type Pose } from "./geometry";
 import type { PoseWithCovarianceStamped } from "./messages";

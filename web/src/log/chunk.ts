@@ -2,7 +2,7 @@
 import { McapStreamReader, type McapIndexedReader } from "@mcap/core";
 import { decompressors } from "./decode";
 
-/** Where a chunk is in the file, and what is in it. */
+/** The place of a chunk in the file, and its content. */
 export type ChunkIndex = McapIndexedReader["chunkIndexes"][number];
 
 /** A message as it stands in the file: the number of its channel, its time in ns. */

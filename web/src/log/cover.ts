@@ -11,7 +11,7 @@ export interface Pass { start: number; end: number; role: CoveragePass["role"] }
 export interface Cover {
   /** Width of the covered strip, m. */
   width: number;
-  /** What covers, unless it is a disk. */
+  /** The bar that covers, unless it is a disk. */
   bar: Bar | null;
   area: Outlines;
   /** The part of it that the robot can cover. */
@@ -23,7 +23,7 @@ export interface Cover {
   covered: { t: number; covered: number; overlap: number }[];
 }
 
-/** What the newest messages say; null where nothing is covered. */
+/** Returns the coverage by the newest messages; null if nothing is covered. */
 export const coverOf = once(({ log, info, track }: Run): Cover | null => {
   const found = log.latest<CoverageArea>(topic.coverageArea);
   if (!found) return null;

@@ -25,7 +25,7 @@ export interface Flight {
   up: number;      // m/s
   along: number;   // m from the muzzle to the contact, along the ground
   speed: number;
-  /** Of a shot in air: places at equal times. */
+  /** Places of a shot in air at equal times. */
   path: Vec3[];
   profile: { name: string; polygon: Vec2[] }[];
 }

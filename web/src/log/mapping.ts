@@ -17,7 +17,7 @@ export function landmarksAt({ log }: Run, t: number): Landmark[] {
   return [...then, ...(all.at(-1)?.message.landmarks ?? []).filter(({ id, first_seen }) => first_seen <= t && !known.has(id))];
 }
 
-/** Where landmarks truly are, by their ids: known for good in the newest map. */
+/** Returns the true places of landmarks, by their ids: known for good in the newest map. */
 export const truePlaces = once(({ log }: Run): Map<bigint, Vec2> =>
   new Map((log.latest<Landmarks>(topic.landmarks)?.landmarks ?? []).filter(({ truth }) => Number.isFinite(truth.x)).map(({ id, truth }) => [id, vec2(truth)])));
 

@@ -36,7 +36,7 @@ export interface RunInfo {
   ball_radius: number;
   margin: number;
   coverage_width: number;
-  /** Of a bar; absent or 0: a disk covers. */
+  /** Length of a bar; absent or 0: a disk covers. */
   coverage_length?: number;
   coverage_forward?: number;
 }

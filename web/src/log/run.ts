@@ -35,7 +35,7 @@ export class Run {
 
   get name(): string { return this.info.world || this.log.summary?.world || ""; }
   get job(): string { return this.info.job || this.log.summary?.job || ""; }
-  /** Whether the log has true poses. Else the track is what was settled or believed. */
+  /** True if the log has true poses. Else the track is what was settled or believed. */
   get hasTruth(): boolean { return this.log.has(topic.pose); }
 
   /** Two corners of the box that shows everything; null where the run names none. */

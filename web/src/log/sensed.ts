@@ -1,4 +1,4 @@
-// What the robot sensed: the newest scan of its range finder or its sightings of landmarks, placed in the map.
+// The newest observations of the robot: the scan of its range finder or its sightings of landmarks, placed in the map.
 import { headingOf, placedAt, vec2, type Pose, type Vec2 } from "./geometry";
 import { beliefsOf } from "./beliefs";
 import type { LaserScan, Sightings, TFMessage } from "./messages";
@@ -12,13 +12,13 @@ const mostBeams = 360;  // enough to be seen as such
 export interface Sensed {
   isLaser: boolean;
   from: Vec2;
-  /** Where something was met. */
+  /** Places where something was met. */
   points: Vec2[];
   /** Ends of all beams, which are the longest that are measured where nothing was met; empty of sightings. */
   ends: Vec2[];
 }
 
-/** Where a device sits on the robot: its pose, and its height above the floor. */
+/** The mount of a device on the robot: its pose, and its height above the floor. */
 export interface Mount { pose: Pose; height: number }
 
 export function mountOf({ log }: Run, frame: string): Mount {
@@ -29,7 +29,7 @@ export function mountOf({ log }: Run, frame: string): Mount {
 
 export const laserMount = once((run: Run): Mount => mountOf(run, "laser"));
 
-/** Where the robot stood then: in truth where that is known, else as the map of that time has it. */
+/** Returns the pose of the robot then: the true one if that is known, else as the map of that time has it. */
 function poseAt(run: Run, t: number): Pose {
   const believed = run.hasTruth ? null : beliefsOf(run).at(t)?.pose;
   if (believed) return believed;

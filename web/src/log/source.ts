@@ -1,4 +1,4 @@
-// Where the bytes of a log are: in memory or on disk, or at a server that sends the parts that are asked for.
+// Sources of the bytes of a log: memory, disk, or a server that sends the parts that are asked for.
 
 export interface Source {
   readonly size: number;

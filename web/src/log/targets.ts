@@ -24,7 +24,7 @@ export function alongKnots(knots: Knot[], t: number): Vec2 | null {
 
 const gone_s = 4;  // an intruder that was reached leaves
 
-/** What the log tells of one target. */
+/** The story of one target, as the log tells it. */
 export class TargetStory {
   private knots: Knot[];
   private believed: Knot[];
@@ -61,14 +61,14 @@ export class TargetStory {
     return [x, y, z];
   }
 
-  /** Where it is at t; null when it is not in the yard: intruders come and go. */
+  /** Returns its place at t; null when it is not in the yard: intruders come and go. */
   placeAt(t: number): Vec2 | null {
     const comes = this.last.entrance !== "";
     if (comes && (t < (this.knots[0]?.t ?? 0) || (this.status === "reached" && t > this.doneAt + gone_s))) return null;
     return alongKnots(this.knots, t);
   }
 
-  /** Where the robot takes it to be, if that is wrong. */
+  /** Returns the place that the robot believes, if that is wrong. */
   believedAt(t: number): Vec2 | null {
     const wrong = this.knots.some(({ at }, i) => at[0] !== this.believed[i]!.at[0] || at[1] !== this.believed[i]!.at[1]);
     return !wrong || t > this.doneAt ? null : alongKnots(this.believed, t);
@@ -76,9 +76,9 @@ export class TargetStory {
 
   /** The shots that had been fired at it at t. */
   firedBy(t: number): Flight[] { return this.shotsAt.filter(({ start }) => start <= t + 1e-9); }
-  /** Of the newest shot at it; NaN before one. */
+  /** Returns the pitch of the newest shot at it; NaN before one. */
   pitchBy(t: number): number { return this.firedBy(t).at(-1)?.pitch ?? NaN; }
-  /** Of the shot that hit it, once that is over; else NaN. */
+  /** Returns the clearance of the shot that hit it, once that is over; else NaN. */
   clearanceBy(t: number): number { return this.firedBy(t).findLast(({ hit, end }) => hit && end <= t + 1e-9)?.clearance ?? NaN; }
 }
 

@@ -27,7 +27,7 @@ export function unwrap(angles: Float64Array): Float64Array {
   return angles;
 }
 
-/** Where between two times t lies: the indices of both, and the share of the way to the second. */
+/** A time between two rows: the indices of both, and the share of the way to the second. */
 interface Between { low: number; next: number; share: number }
 
 export function between(time: ArrayLike<number>, t: number): Between {

@@ -1,4 +1,4 @@
-// What stands still: the solids of the world, terrain, and the walls that a range finder meets.
+// The things that stand still: the solids of the world, terrain, and the walls that a range finder meets.
 import type { Rounded } from "../base/outline";
 import { rings, shapes, vec2, type Outlines, type Vec2 } from "./geometry";
 import type { Outlines as OutlinesMessage, Solids, Terrain } from "./messages";

@@ -1,4 +1,4 @@
-// What the steps of a search show, where that is not all, or is no search with a queue.
+// Explains the steps of a search that does not show all, or is no search with a queue.
 import type { PlannerRow } from "../api";
 import type { Shown } from "./shown";
 import { titleOf } from "./titles";

@@ -205,7 +205,7 @@ export class PolygonGround {
     return [place(...ends[0]), place(...ends[1])];
   }
 
-  /** Whether a disk at a place is within the boundary, if there is one, and beside all obstacles. */
+  /** Returns true if a disk at a place is within the boundary, if there is one, and beside all obstacles. */
   private isClear([x, y]: Vec2, radius_m: number): boolean {
     const { boundary } = this.polygons;
     if (this.obstacles.some((one) => one !== null && nearestOnPolygon(x, y, one).distance <= radius_m)) return false;

@@ -1,4 +1,4 @@
-// What is said of a map and done to all of it: its size, its cells, metres or feet, a maze, nothing at all.
+// Tools for a whole map: its size, its cells, metres or feet, a maze, nothing at all.
 import { h } from "../base/dom";
 import { inMetres, inUnit, lengthUnit, toggleUnits } from "../base/units";
 import { fixed } from "../base/numbers";

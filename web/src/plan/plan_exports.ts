@@ -1,4 +1,4 @@
-// What the planning page saves: the first view, map and path as a drawing in metres, the answers.
+// Exports of the planning page: the first view, map and path as a drawing in metres, the answers.
 import type { MenuItem } from "../base/menu";
 import { saveCanvas, saveText } from "../base/save";
 import type { Pane, Scene } from "./pane";

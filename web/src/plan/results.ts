@@ -25,7 +25,7 @@ const rows: ResultRow[] = [
 
 const compared: Record<string, (answer: Shown) => number | null | undefined> = { cost: (one) => one.cost, expansions: (one) => one.expansions };
 
-/** Whether of several answers this one has less than all others; costs are compared only in one unit. */
+/** Returns true if this answer has less than all others; costs are compared only in one unit. */
 function isLeast(name: string, answer: Shown, all: Shown[]): boolean {
   const value = compared[name];
   if (!value || all.length < 2 || (name === "cost" && new Set(all.map((one) => one.cost_unit)).size > 1)) return false;

@@ -1,4 +1,4 @@
-// What people call a planner: "A*" for a_star, "JPS+" for jps_plus, "Visibility graph, implicit".
+// Titles that people use for a planner: "A*" for a_star, "JPS+" for jps_plus, "Visibility graph, implicit".
 
 const whole: Record<string, string> = {
   visibility_graph_implicit: "Visibility graph, implicit", visibility_graph_reduced: "Visibility graph, reduced", lazy_theta_star: "Lazy Theta*", hybrid_a_star: "Hybrid A*", d_star_lite: "D* Lite",
@@ -13,5 +13,5 @@ export function titleOf(planner: string): string {
   return word.replaceAll("_", " ") + { "": "", _star: "*", _plus: "+" }[mark]!;
 }
 
-/** What people call a choice of an option: "Euclidean", "Largest g". */
+/** Returns the title of a choice of an option: "Euclidean", "Largest g". */
 export const choiceTitle = (name: string): string => name.charAt(0).toUpperCase() + name.slice(1).replaceAll("_", " ");

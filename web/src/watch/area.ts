@@ -8,7 +8,7 @@ import type { Run } from "../log/run";
 import { topic } from "../log/topics";
 import { bodiesOf } from "../log/world";
 
-/** What the view shows when nobody moved it: the bounds, or all that the log tells of. */
+/** Returns the part that the view shows when nobody moved it: the bounds, or all that the log tells of. */
 export function areaOf(run: Run): Box {
   const { bounds, log } = run;
   if (bounds) return [...bounds[0], ...bounds[1]];

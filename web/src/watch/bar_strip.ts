@@ -1,4 +1,4 @@
-// What a bar has come over, painted row by row of the track as time goes on.
+// The strip that a bar has come over, painted row by row of the track as time goes on.
 import { Path, type Ink } from "../base/ink";
 import { theme } from "../base/theme";
 import { sweptBetween, type Bar } from "../log/bar";
@@ -10,7 +10,7 @@ export class BarStrip implements Painter {
   private rows = document.createElement("canvas");
   private painted = 0;
   private view = "";
-  /** Of whole rows, once they were painted. */
+  /** Paths of whole rows, once they were painted. */
   private paths: Path[] = [];
 
   constructor(private track: Track, private bar: Bar) {}

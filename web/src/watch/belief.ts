@@ -1,4 +1,4 @@
-// What the robot believed: the path that it believed to drive, its pose, and the ellipse of its uncertainty.
+// Beliefs of the robot: the path that it believed to drive, its pose, and the ellipse of its uncertainty.
 import { degrees, fixed, wrapped } from "../base/numbers";
 import { theme } from "../base/theme";
 import type { Run } from "../log/run";
@@ -13,7 +13,7 @@ export function believed(run: Run): Layer | null {
   const { radius, hasTruth } = run;
   const enlarged = enlargedOf(run);
   const reference = hasTruth ? "" : " the way as settled";
-  /** Where the truth is not known, draws the believed path where it differs from the final estimate. */
+  /** Distances of the believed path from the final estimate, if the truth is not known. */
   const away = Float64Array.from(hasTruth ? [] : beliefs.all, ({ t, pose: [x, y] }) => {
     const at = run.track.at(t);
     return Math.hypot(x - at.x, y - at.y);

@@ -27,7 +27,7 @@ export function blocked(run: Run): Layer | null {
   const all = [...blockedOf(run).values()];
   if (all.length === 0) return null;
   const targets = targetsOf(run);
-  /** Those whose target is known to be out of reach by now. */
+  /** Returns the flights whose target is known to be out of reach by now. */
   const shown = (t: number): Flight[] => all.filter(({ target }) => targets.find(({ name }) => name === target)?.statusAt(t) === "unreachable");
   return {
     moving(pen) {

@@ -7,7 +7,7 @@ import type { Run } from "../log/run";
 import { topic } from "../log/topics";
 import { disk, label, type Layer } from "./layer";
 
-/** What is known of a place, as a sentence. */
+/** Returns the facts about a place, as a sentence. */
 export const candidateWords = ({ cost, gain, value }: Candidate, valueOf: string): string =>
   typeset(`${fixed(cost, 1)} s to get there, ${figures(gain)} m2 to see${Number.isFinite(value) ? `, ${figures(value)} ${valueOf}` : ", seen from another place"}`);
 

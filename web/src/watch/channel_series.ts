@@ -6,7 +6,7 @@ import type { Series } from "./plotted";
 
 const colours: Colour[] = ["water", "failed", "reached", "belief", "unreachable", "robot"];
 
-/** What can be plotted of a run: its topics, each with the paths of its numbers. */
+/** Returns the numbers of a run that can be plotted: its topics, each with the paths of its numbers. */
 export function channelsOf({ log }: Run): { topic: string; paths: string[] }[] {
   return [...log.channels.values()].filter(({ topic, count }) => count > 1 && !log.isLazy(topic))
     .map(({ topic, sample }) => ({ topic, paths: numericPaths(sample) })).filter(({ paths }) => paths.length > 0);

@@ -1,4 +1,4 @@
-// Where in the plane of a shot the ball comes closest to what it does not touch at the end.
+// The place in the plane of a shot where the ball comes closest to what it does not touch at the end.
 import { nearestOnPolygon } from "../base/outline";
 import { ballOf, type Ball, type Flight } from "../log/flights";
 import type { Run } from "../log/run";

@@ -62,7 +62,7 @@ export function within(outlines: Outlines, x: number, y: number): boolean {
   return inside;
 }
 
-/** What happened to a place of the area. */
+/** Returns what happened to a place of the area. */
 export function storyOf(run: Run, cover: Cover, x: number, y: number): string | null {
   if (!within(cover.area, x, y)) return null;
   const times = cover.bar ? barComesOver(cover.bar, run.track, x, y) : comesOver(run.track, x, y, cover.width / 2);
@@ -76,7 +76,7 @@ const roles = Object.keys(roleColours) as Role[];
 /** The way, with a corner wherever a pass begins. */
 export const wayOf = (run: Run, { passes }: Cover): Way => new Way(run.track, passes.map((one) => one.start));
 
-/** What is covered. */
+/** Returns a painter of the covered strip. */
 export const stripOf = (run: Run, way: Way, { bar, width }: Cover): Painter => (bar ? new BarStrip(run.track, bar) : new Strip(way, [(ctx) => {
   ctx.strokeStyle = theme.reached;
   ctx.lineWidth = width;

@@ -8,7 +8,7 @@ const bitsPerPixel = 0.14;
 
 const codecs = [["vp09.00.41.08", "V_VP9"], ["vp8", "V_VP8"]] as const;
 
-/** Whether this browser has an encoder here; pages over plain http from another machine have none. */
+/** Returns true if this browser has an encoder here; pages over plain http from another machine have none. */
 export const hasEncoder = (): boolean => typeof VideoEncoder !== "undefined";
 
 async function chosenCodec(width: number, height: number, bitrate: number, framerate: number): Promise<{ config: VideoEncoderConfig; name: "V_VP8" | "V_VP9" }> {

@@ -26,7 +26,7 @@ export class EventList {
     this.list.show(run.events);
   }
 
-  /** Where the rows stand is asked only of those in sight: the answer takes a layout of the page. */
+  /** Shows the time; only rows in sight are asked for their places, because the answer takes a layout of the page. */
   show(t: number): void {
     if (this.element.hidden) return;
     const row = this.list.elements[this.run.eventIndex(t)];

@@ -1,4 +1,4 @@
-// What a scenario says of a run before its log does: where the robot will start, and the targets, while all is planned.
+// The scenario of a run before its log tells more: the start of the robot, and the targets, while all is planned.
 import type { SceneAnswer } from "../api";
 import { theme } from "../base/theme";
 import type { Run } from "../log/run";

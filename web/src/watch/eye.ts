@@ -27,7 +27,7 @@ export const cornerRays = (eye: Eye): Vec3[] =>
 export const lensAt = (eye: Eye, at: Pose): Vec2 =>
   [at.x + eye.ahead * Math.cos(at.heading), at.y + eye.ahead * Math.sin(at.heading)];
 
-/** Where a point appears in the picture; null behind the lens. */
+/** Returns the pixel of a point in the picture; null behind the lens. */
 export function pixelOf(eye: Eye, at: Pose, [x, y, z]: Vec3): Vec2 | null {
   const [cos, sin] = [Math.cos(at.heading), Math.sin(at.heading)];
   const [lx, ly] = lensAt(eye, at);
@@ -50,7 +50,7 @@ export function eyeOf(run: Run): Eye | null {
   return { width, height, fx: k[0]!, fy: k[4]!, cx: k[2]!, cy: k[5]!, ahead: mount.pose[0], above: mount.height };
 }
 
-/** What the camera of a run sees, in truth. */
+/** The true view of the camera of a run. */
 export class Sight {
   /** How far the view is drawn. */
   readonly reach: number;
@@ -93,7 +93,7 @@ export class Sight {
     });
   }
 
-  /** Those in view while the robot took its pose from tags. */
+  /** Returns the tags in view while the robot took its pose from tags. */
   tagsSeen(t: number, at: Pose): Tag[] {
     const belief = this.beliefs.all[this.beliefs.index(t)];
     return belief?.corrected ? this.tagsInView(at) : [];

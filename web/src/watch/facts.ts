@@ -31,7 +31,7 @@ export class Facts {
   readonly element = h("section", { class: "facts scrolls", tabindex: 0, "aria-label": "Numbers" });
   private noted = "";
 
-  /** What is known so far of a run that is not over. */
+  /** Shows the facts known so far of a run that is not over. */
   renew(run: Run, goesOn: boolean): void {
     const numbers = metrics((goesOn ? null : run.log.summary?.metrics) ?? soFar(run));
     const notes = notesOf(run);

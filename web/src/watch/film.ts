@@ -14,7 +14,7 @@ export const frameTime = ({ from, rate }: Range, k: number): number => from + k 
 /** As `ffmpeg -i frame-%05d.png` counts. */
 export const frameName = (k: number): string => `frame-${String(k).padStart(5, "0")}.png`;
 
-/** What is wrong with a range, as a sentence; nothing where it is right. */
+/** Returns the fault of a range, as a sentence; nothing if it is right. */
 export function rangeFault({ from, to, rate }: Range, duration: number): string {
   if (!(from >= 0 && from <= duration)) return `From: expected a time of the run, 0 to ${duration.toFixed(2)} s`;
   if (!(to >= from && to <= duration)) return `To: expected a time from ${from.toFixed(2)} to ${duration.toFixed(2)} s`;

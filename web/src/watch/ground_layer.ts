@@ -20,7 +20,7 @@ export function tone(top: number, highest: number): string {
   return `color-mix(in srgb, ${theme["solid-high"]} ${(100 * share).toFixed(1)}%, ${theme["solid-low"]})`;
 }
 
-/** Where the robot's centre cannot be: solids in its way grown by its radius, and a rim inside the bounds. */
+/** Returns the places where the robot's centre cannot be: solids in its way grown by its radius, and a rim inside the bounds. */
 function inflationOf(run: Run, shapes: Shape[]): Path {
   const { bounds, radius: r } = run;
   const path = new Path();

@@ -35,7 +35,7 @@ export class LanePlot {
 
   renew(lanes: Lanes): void { this.lanes = lanes; }
 
-  /** What each colour means, and how many are in that state at the present time. */
+  /** Says what each colour means, and how many are in that state at the present time. */
   private sayPresent(): void {
     if (this.pointed) return;
     const { lanes } = this.lanes;

@@ -1,4 +1,4 @@
-// What state each thing is in over the time: a lane each.
+// Lanes that show the state of each thing over the time.
 import { known, type Status } from "../base/signs";
 import { teamColourNames, type Colour } from "../base/theme";
 import { coverOf } from "../log/cover";

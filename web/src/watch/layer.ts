@@ -25,10 +25,10 @@ export interface Pen {
 }
 
 export interface Layer {
-  /** What does not move: drawn again only when the view moved. The context draws in metres. */
+  /** Draws what does not move: drawn again only when the view moved. The context draws in metres. */
   still?(pen: Pen): void;
   moving?(pen: Pen): void;
-  /** What is under the pointer. */
+  /** Returns what is under the pointer. */
   find?(at: Point, pen: Pen): Found | null;
 }
 

@@ -18,7 +18,7 @@ export class LayerChoice {
 
   of(name: string): number { return this.chosen.get(name) ?? this.usual(name); }
 
-  /** What it is where nobody has chosen. */
+  /** Returns the opacity of a layer that nobody has chosen. */
   usual(name: string): number { return ofPlanning.has(name) && !this.planning ? 0 : 1; }
 
   set(name: string, opacity: number): void {

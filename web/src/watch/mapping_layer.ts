@@ -80,7 +80,7 @@ function drawTruth({ ctx, camera }: Pen, [x, y]: Vec2): void {
   ctx.stroke();
 }
 
-/** Those closed a moment ago stand out. */
+/** Draws the loops; those closed a moment ago stand out. */
 function drawLoops(pen: Pen, run: Run, loops: Loop[]): void {
   const { ctx, camera, now } = pen;
   const moment = 0.02 * run.duration;

@@ -1,4 +1,4 @@
-// What can be plotted of a mapping: how far belief, odometry and reference lie from the way as settled in the end, the
+// Series that can be plotted of a mapping: how far belief, odometry and reference lie from the way as settled in the end, the
 // belief's own uncertainty, and what the map had when.
 import { beliefsOf } from "../log/beliefs";
 import type { Vec2 } from "../log/geometry";

@@ -1,4 +1,4 @@
-// What stands on the timeline: shots, and every event that is no part of a shot.
+// Marks on the timeline: shots, and every event that is no part of a shot.
 import { flightsOf, type Flight } from "../log/flights";
 import type { Run } from "../log/run";
 

@@ -1,4 +1,4 @@
-// Where names stand beside what they name, in pixels: each where it covers nothing that stands there already, or nowhere.
+// Places of names beside what they name, in pixels: each where it covers nothing that stands there already, or nowhere.
 import type { Ink } from "../base/ink";
 import { theme } from "../base/theme";
 

@@ -16,7 +16,7 @@ import { mappingLegend } from "./mapping_layer";
 
 const entry = (mark: Element, name: string): HTMLElement => h("span", { class: "entry" }, mark, name);
 const line = (name: string, style: string): HTMLElement => entry(h("i", { class: "line", style }), name);
-/** Those of a mapping, of which some belong to other layers. */
+/** Returns the signs of a mapping, of which some belong to other layers. */
 const mapped = (run: Run, which: RegExp): HTMLElement[] => mappingLegend(run).filter(([name]) => which.test(name)).map(([name, style]) => line(name, style));
 const swatch = (name: string, style: string): HTMLElement => entry(h("i", { class: "swatch", style }), name);
 
@@ -53,7 +53,7 @@ const signs: Record<string, (run: Run) => HTMLElement[] | null> = {
   },
 };
 
-/** What the legend shows of a layer; its name alone where there is nothing to tell apart; null where the layer is empty. */
+/** Returns the signs of a layer in the legend; its name alone if there is nothing to tell apart; null if the layer is empty. */
 export function signsOf(run: Run, layer: string): HTMLElement[] | null {
   const made = layer in signs ? signs[layer]!(run) : [];
   return made === null || made.length > 0 ? made : [h("span", { class: "entry" }, layer)];

@@ -29,7 +29,7 @@ export interface Named { name: string; layer: Layer }
 const makers: [string, LayerOf][] = [["obstacles", ground], ["pursuit", pursuit], ["covered area", cover], ["map", map], ["landmarks", mapping], ["firing map", firingMap], ["planned tour", tour], ["path", way],
   ["range finder", scan], ["blocked flights", blocked], ["shots", flights], ["tags", tags], ["stations", stations], ["targets", targets], ["candidates", candidates], ["robot", robot], ["belief", believed]];
 
-/** Those that the log has messages for; `bare` ones without scales; with what the scenario says, until the log does. */
+/** Returns the layers that the log has messages for; `bare` ones without scales; with the scenario, until the log tells more. */
 export function layersOf(run: Run, area: Box, bare: boolean, scene: SceneAnswer | null): Named[] {
   const told = makers.flatMap(([name, make]) => {
     const layer = make(run);

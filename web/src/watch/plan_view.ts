@@ -128,7 +128,7 @@ export class PlanView {
     this.drawLayers("still", { ctx, camera, now: this.now });
   }
 
-  /** What it shows, as SVG. */
+  /** Returns the view as SVG. */
   svg(now: Now): string {
     const ctx = new SvgInk(this.canvas);
     this.paintStill(ctx, this.camera);

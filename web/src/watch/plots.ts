@@ -42,7 +42,7 @@ export class Plots {
 
   private series(): Series[] { return [...channelSeries(this.run, this.chosen), ...seriesOf(this.run)]; }
 
-  /** What is not in sight is brought up to date when it comes there. */
+  /** Renews the plots; one that is not in sight is brought up to date when it comes there. */
   renew(run: Run): void {
     this.run = run;
     if (this.empty) this.all = this.series();

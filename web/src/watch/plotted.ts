@@ -1,4 +1,4 @@
-// What a plot shows, over the time or over something else: columns of one length with their names and colours.
+// The values of a plot, over the time or over something else: columns of one length with their names and colours.
 import { mix } from "../base/numbers";
 import type { Colour } from "../base/theme";
 import { between } from "../log/track";
@@ -14,11 +14,11 @@ export interface Line {
 export interface Series {
   title: string;
   unit: string;
-  /** What goes along the axis, where that is not the time. */
+  /** The quantity along the axis, if that is not the time. */
   along?: string;
   time: number[];
   lines: Line[];
-  /** By which it was chosen, where somebody did. */
+  /** The key by which it was chosen, if somebody did. */
   key?: string;
 }
 

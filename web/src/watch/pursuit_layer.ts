@@ -32,7 +32,7 @@ export function costPicture({ width: columns, height: rows, costs: all }: CostGr
   return canvas;
 }
 
-/** Where someone is between two seconds. */
+/** Returns the place of someone between two seconds. */
 export function placeOnWay(way: Vec2[], t: number): Vec2 {
   const s = clamp(Math.floor(t), 0, way.length - 1);
   const [a, b] = [way[s]!, way[Math.min(s + 1, way.length - 1)]!];

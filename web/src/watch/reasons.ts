@@ -12,7 +12,7 @@ import { targetsOf } from "../log/targets";
 import { topic } from "../log/topics";
 import { isPlanning, tourOf } from "../log/tours";
 
-/** What there was to choose from, the best first. */
+/** The choices that there were, the best first. */
 export interface Choices { head: string[]; rows: { cells: string[]; chosen: boolean }[] }
 /** A sentence, with the time it is about where it is about one. */
 export interface Reason { t?: number; head: string; text: string; table?: Choices }
@@ -36,7 +36,7 @@ export function stopsOf(run: Run): Stop[] {
   return stops;
 }
 
-/** What the numbers of a plan say of it. */
+/** Returns the numbers of a plan, in words. */
 function tourWords(numbers: Record<string, number | null>): string {
   const known = (name: string): number => finite(numbers[name], NaN);
   const [planned, bound, anywhere, offered] = [known("planned_s"), known("lower_bound_s"), known("anywhere_lower_bound_s"), known("stops_offered")];

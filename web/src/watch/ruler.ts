@@ -18,7 +18,7 @@ export class Ruler {
   begin(at: Vec2): void { this.ends = [at, at]; }
   drag(at: Vec2): void { if (this.ends) this.ends = [this.ends[0], at]; }
 
-  /** What it measures, in words; empty where nothing is measured. */
+  /** The measurement in words; empty if nothing is measured. */
   get text(): string {
     if (!this.ends) return "";
     const [[ax, ay], [bx, by]] = this.ends;

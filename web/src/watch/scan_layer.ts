@@ -1,4 +1,4 @@
-// What was sensed last: the beams of a range finder, or lines to the landmarks that were sighted.
+// The newest observation: the beams of a range finder, or lines to the landmarks that were sighted.
 import { theme } from "../base/theme";
 import type { Run } from "../log/run";
 import { hasSenses, sensesOf, type Sensed } from "../log/sensed";

@@ -1,4 +1,4 @@
-// What can be plotted of a run.
+// Series that can be plotted of a run.
 import type { Colour } from "../base/theme";
 import { beliefsOf } from "../log/beliefs";
 import { knownArea } from "../log/map";
@@ -72,7 +72,7 @@ function pursuitSeries(run: Run): Series[] {
     { name: "lower bound", colour: "reached", values: held("lower_bound"), steps: true }] }];
 }
 
-/** What planning knew after so many expansions, of a pursuit that was planned step by step. */
+/** Returns the knowledge of planning after so many expansions, of a pursuit that was planned step by step. */
 function planningSeries(run: Run): Series[] {
   const rows = (pursuitOf(run)?.bounds ?? []).filter(({ expansions }) => Number.isFinite(expansions))
     .sort((a, b) => a.expansions - b.expansions).filter((row, i, all) => row.expansions !== all[i + 1]?.expansions);

@@ -1,4 +1,4 @@
-// What stands still in space: the ground, hills with lines of equal height, solids as prisms of their footprints.
+// The still things in space: the ground, hills with lines of equal height, solids as prisms of their footprints.
 import { BufferGeometry, Color, DoubleSide, Float32BufferAttribute, Group, Mesh, MeshLambertMaterial, type MeshLambertMaterialParameters, PlaneGeometry } from "three";
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import type { Box } from "../base/camera";
@@ -78,7 +78,7 @@ function solidsOf(run: Run): Mesh[] {
   });
 }
 
-/** Where the map is what counts, the true walls are a shade of themselves. */
+/** Returns the world; the true walls are a shade of themselves if the map is what counts. */
 export function stillWorld(run: Run, area: Box): Group {
   const mapped = run.log.has(topic.map);
   const slopes = slopesOf(run);

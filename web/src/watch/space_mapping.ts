@@ -71,7 +71,7 @@ function loopActor(run: Run): Actor[] {
   } }];
 }
 
-/** What was sensed last: a point where something was met, and some of the lines to it. */
+/** Returns the newest observation: a point where something was met, and some of the lines to it. */
 export function sensedActor(run: Run): Actor[] {
   if (!hasSenses(run)) return [];
   const height = laserMount(run).height || (run.log.has(topic.scan) ? 0.3 : 2 * radiusOf(run));

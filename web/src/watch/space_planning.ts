@@ -1,4 +1,4 @@
-// What was planned, in space: from where targets can be hit, the tour with its stops, the places that an exploration compares.
+// The plan in space: from where targets can be hit, the tour with its stops, the places that an exploration compares.
 import { type BufferGeometry, CanvasTexture, Mesh, MeshBasicMaterial, NearestFilter, PlaneGeometry, SRGBColorSpace } from "three";
 import { theme } from "../base/theme";
 import type { Decision } from "../log/messages";

@@ -1,4 +1,4 @@
-// What the camera of the robot has in sight, in space: its pyramid of view, tags.
+// The view of the robot's camera in space: its pyramid of view, tags.
 import { BoxGeometry, CanvasTexture, Group, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, SRGBColorSpace, Vector3 } from "three";
 import { theme } from "../base/theme";
 import type { Vec3 } from "../log/geometry";

@@ -136,7 +136,7 @@ export class SpaceView {
     });
   }
 
-  /** What is taken away is disposed of after the next frame, which then needs no new shaders for what came instead. */
+  /** Exchanges groups; the old one is disposed of after the next frame, which then needs no new shaders for the new one. */
   private exchanged(old: Group, made: Group): Group {
     this.scene.remove(old);
     this.scene.add(made);

@@ -1,4 +1,4 @@
-// What does not move in a view of the plane, painted once. A view that only slides, as one that follows the robot does, takes it
+// A picture of what does not move in a view of the plane, painted once. A view that only slides, as one that follows the robot, takes it
 // from a picture that is larger than the view; it is painted again when the view comes to its edge, or has another scale.
 import type { Camera } from "../base/camera";
 

@@ -8,7 +8,7 @@ import type { Way } from "../log/way";
 /** Sets the colour, the width and the dashes; a pixel is so many metres. */
 export type LinePen = (ctx: Ink, px: number) => void;
 
-/** What a canvas shows of the plane. */
+/** The part of the plane that a canvas shows. */
 export interface View {
   size: Vec2;
   /** Another one for another part or another scale. */

@@ -34,7 +34,7 @@ export class Tabs {
     this.choose(shown[(chosen + by + shown.length) % shown.length]!.name);
   }
 
-  /** By its name in any case. */
+  /** Chooses a tab by its name in any case. */
   choose(name: string, tell = true): void {
     this.wanted = name.toLowerCase();
     this.renew();

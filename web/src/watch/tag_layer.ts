@@ -41,7 +41,7 @@ function drawStop({ ctx, camera, now }: Pen, { position: { x, y }, heading, stop
   ctx.stroke();
 }
 
-/** What the camera sees of the plane, and lines to the tags that a pose was taken from. */
+/** Draws what the camera sees of the plane, and lines to the tags that a pose was taken from. */
 function drawSight({ ctx, camera, now }: Pen, sight: Sight, at: State): void {
   const lens = lensAt(sight.eye, at);
   ctx.beginPath();

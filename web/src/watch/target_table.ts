@@ -15,7 +15,7 @@ interface Column {
 const withUnit = (value: number, digits: number, unit: string): string =>
   (Number.isFinite(value) ? `${fixed(value, digits)} ${unit}` : "\u2013");
 
-/** What each says is known at t: none tells what comes later. */
+/** Columns of what is known at t: none tells what comes later. */
 const columns: Column[] = [
   { label: "target", value: (one) => one.name, text: (one) => one.name },
   { label: "status", value: (one, t) => one.statusAt(t), text: (one, t) => one.statusAt(t) },

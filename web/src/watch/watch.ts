@@ -88,7 +88,7 @@ export class Watch {
     this.plots.close();
   }
 
-  /** What the scenario of a run says that its log does not tell yet. */
+  /** Shows the scenario of a run until its log tells more. */
   expect(scene: SceneAnswer): void { this.stage.expect(scene); }
 
   private madeTabs(): Tabs {
@@ -240,7 +240,7 @@ export class Watch {
   private get name(): string { return this.run.name || "run"; }
   private get instant(): string { return `${this.name}-${clockText(this.clock.t, 1).replace(":", "m")}s`; }
 
-  /** What can be saved: the view at this instant, a film of it, the run. */
+  /** Returns the items that save something: the view at this instant, a film of it, the run. */
   private exports(): MenuItem[] {
     const { log } = this;
     const later = "when the run is over";

@@ -11,7 +11,7 @@ import { tellRun } from "./told.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
-/** What axe-core finds in a part of the page, one line each. Colours alone are looked at where the parts are known already. */
+/** Returns what axe-core finds in a part of the page, one line each. Colours alone are looked at where the parts are known already. */
 async function findings(page, part, colours = false) {
   if (!await page.evaluate(() => "axe" in window)) await page.evaluate(axe);
   return page.evaluate(async ([within, only]) => {
@@ -35,7 +35,7 @@ const views = [
   ["#watch/absent/run.mcap", ".refusal"],
 ];
 
-/** What is wrong with a view in a small window; runs in the page. */
+/** Returns the faults of a view in a small window; runs in the page. */
 function hidden() {
   const wrong = [];
   for (const one of document.querySelectorAll(".targets, .compare-numbers, .why, .facts, .result")) {

@@ -1,4 +1,4 @@
-// What the page costs: bytes and time to its first frame, the time of a frame while one scrubs through recordings of
+// The costs of the page: bytes and time to its first frame, the time of a frame while one scrubs through recordings of
 // 10 minutes at 20 Hz and a long exploration, what following the robot costs, what a running mission adds, and plans while one
 // drags. The browser has no graphics card: it draws the plane by itself, and space by a card made of software.
 //   OUTRIDER=build/outrider OUTRIDER_SOURCE=. node web/tests/browser/bench.mjs

@@ -6,7 +6,7 @@ import { source } from "./server.mjs";
 
 const margin = { left: 34, right: 54, top: 50, bottom: 40 };  // as Camera has it
 
-/** Where a place in metres is on the screen while the whole box is shown, below what lies over its head. */
+/** Returns the place on the screen of a place in metres while the whole box is shown, below what lies over its head. */
 export async function onScreen(page, [x0, y0, x1, y1], [x, y], selector = ".pane canvas", head = margin.top) {
   const { x: left, y: top, width, height } = await page.locator(selector).first().boundingBox();
   const [across, tall] = [width - margin.left - margin.right, height - head - margin.bottom];
@@ -14,7 +14,7 @@ export async function onScreen(page, [x0, y0, x1, y1], [x, y], selector = ".pane
   return [left + margin.left + across / 2 + scale * (x - (x0 + x1) / 2), top + head + tall / 2 - scale * (y - (y0 + y1) / 2)];
 }
 
-/** What a page that was opened after this noted of its questions: when they were sent and answered, in ms. */
+/** Makes a page that is opened after this note its questions: when they were sent and answered, in ms. */
 export async function noteQuestions(context) {
   await context.addInitScript(() => {
     window.asked = [];

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { saved } from "./browser.mjs";
 import { readPng } from "./png.mjs";
 
-/** What a file shows when the browser plays it: its size, its length, and the colour in the middle at two times. */
+/** Returns what a file shows when the browser plays it: its size, its length, and the colour in the middle at two times. */
 const played = (page, bytes) => page.evaluate(async (text) => {
   const video = Object.assign(document.createElement("video"), { muted: true, src: URL.createObjectURL(new Blob([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))], { type: "video/webm" })) });
   await new Promise((done, fail) => { video.onloadeddata = done; video.onerror = () => fail(new Error(video.error.message)); });

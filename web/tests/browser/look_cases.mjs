@@ -45,7 +45,7 @@ export const cases = ({ open, text, frames, server, folder }) => ({
     await row("names").locator("input[type=checkbox]").click();
     await frames(page);
     assert.ok(Number(await page.locator(".space-view").getAttribute("data-names")) >= 20, "nearly all have room");
-    // What is drawn in plan is drawn in space as well.
+    // Layers of the plan are drawn in space as well.
     for (const name of ["firing map", "planned tour"]) {
       const before = await picture(".space-view canvas");
       await row(name).locator("input[type=checkbox]").click();

@@ -43,7 +43,7 @@ async function nextAnswer(page, before) {
   await frames(page);
 }
 const cell = (page, row, column = 0) => page.locator(`.result td[data-row="${row}"]`).nth(column).textContent();
-/** Where a place of the plan's map is on the screen: the map fills its view as the camera fits it. */
+/** Returns the place on the screen of a place of the plan's map: the map fills its view as the camera fits it. */
 const onMap = (page, x, y) => page.evaluate(([px, py]) => {
   const canvas = document.querySelector(".pane canvas");
   const { left, top, width, height } = canvas.getBoundingClientRect();

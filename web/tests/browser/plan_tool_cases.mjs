@@ -27,7 +27,7 @@ export const cases = ({ open, text, cell, answers, server, folder }) => ({
   async "clearance is the distance of the robot's middle to the nearest obstacle, on cells, polygons and solids alike"() {
     const removeGap = makeGap(folder);
     const page = await open("#live");
-    /** What is shown for the way between two places on one height, by the map and the planner. */
+    /** Returns what is shown for the way between two places on one height, by the map and the planner. */
     const clearances = async (y, radius) => {
       const shown = {};
       for (const [map, planner] of [["gap.yaml", "theta_star"], ["gap.txt", "visibility_graph_implicit"], ["gap.sdf", "visibility_graph_implicit"]]) {

@@ -4,7 +4,7 @@ import { parse } from "@foxglove/rosmsg";
 import { MessageWriter } from "@foxglove/rosmsg2-serialization";
 import { decompress } from "fzstd";
 
-/** What a log holds: its channels, its messages in the order of time, run.json. */
+/** Returns the content of a log: its channels, its messages in the order of time, run.json. */
 export async function contentsOf(bytes) {
   const reader = await McapIndexedReader.Initialize({ decompressHandlers: { zstd: (data, size) => decompress(data, new Uint8Array(Number(size))) }, readable: {
     size: async () => BigInt(bytes.length), read: async (offset, size) => new Uint8Array(bytes.subarray(Number(offset), Number(offset + size))) } });

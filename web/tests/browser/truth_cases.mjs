@@ -97,7 +97,7 @@ export const cases = ({ open, text, frames, cell, answers, server, folder }) => 
 
   async "numbers, units and sentences are for people, and name no path of the machine"() {
     const page = await open();
-    /** What can be read of a view, but for settings, which are as somebody wrote them. */
+    /** Returns what can be read of a view, but for settings, which are as somebody wrote them. */
     const words = async (hash, selector) => {
       await page.goto("about:blank");
       await page.goto(`${server.url}${hash}`);

@@ -65,7 +65,7 @@ describe("the way in space", () => {
     }
   });
 
-  /** Whether a place lies within half the ribbon of a leg of the track, as far as it is driven at t. */
+  /** Returns true if a place lies within half the ribbon of a leg of the track, as far as it is driven at t. */
   function onLeg(i: number, x: number, y: number, t: number): boolean {
     const [from, ax, ay] = rows[i]!;
     const to = rows[i + 1]?.[0] ?? from!;

@@ -1,4 +1,4 @@
-// What the page works out of the log of a mapping.
+// The page works out the log of a mapping.
 import { describe, expect, it, vi } from "vitest";
 import type { Camera } from "../../src/base/camera";
 import { landmarksAt, loopsAt } from "../../src/log/mapping";

@@ -1,4 +1,4 @@
-// Where names stand in the plan.
+// Places of names in the plan.
 import { describe, expect, it, vi } from "vitest";
 import type { Ink } from "../../src/base/ink";
 

@@ -1,4 +1,4 @@
-// What the page works out of a log by itself: scans in the map, what a camera sees, the height of the ground.
+// The page works out some of a log by itself: scans in the map, what a camera sees, the height of the ground.
 import { describe, expect, it } from "vitest";
 import { nearestOnPolygon, type Vec2 } from "../../src/base/outline";
 import type { Vec3 } from "../../src/log/geometry";

@@ -1,4 +1,4 @@
-// Where names stand in space.
+// Places of names in space.
 import { PerspectiveCamera, Sprite } from "three";
 import { describe, expect, it, vi } from "vitest";
 

@@ -1,5 +1,5 @@
-// CoverLog logs a coverage run while it goes on, and cover_report() tells what it came to,
-// as a pure function of its arguments.
+// CoverLog logs a coverage run while it goes on, and cover_report() returns its result, as a pure function of
+// its arguments.
 #pragma once
 
 #include <cstdint>

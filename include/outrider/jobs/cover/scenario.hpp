@@ -19,7 +19,7 @@ struct CoverScenario {
   std::string method = "quickest";  ///< name of a row of cover_methods()
   std::string start;  ///< "x,y,heading" in the coordinates of the area; empty: where the track begins
   double map_tolerance_m = 0.0;  ///< see SavedMapOptions
-  double error_factor = 1.0;     ///< see cover/time_bound.hpp
+  double error_factor = 1.0;     ///< see cover/bounds/time_bound.hpp
   std::int64_t seed = 1;         ///< of the simulated drive
   CoverProblem problem;          ///< its numbers are options; its polygons come from the file
   CoverOptions options;          ///< of the planner

@@ -33,7 +33,7 @@ struct MeanCorners {
   std::int64_t images = 0;
 };
 
-/// What was seen since the robot stands at a stop.
+/// The observations since the robot stands at a stop.
 struct StopCheck {
   double since_s = 0.0;                ///< since when the robot stands there
   double counts_from_s = 0.0;          ///< since_s, or the last image that contradicted the belief

@@ -23,7 +23,7 @@
 namespace outrider {
 
 struct TagVotes {
-  /// What tags say together: position minus dead reckoning in the world, as information.
+  /// The sum of what tags say: position minus dead reckoning in the world, as information.
   struct Vote {
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
     Eigen::Vector2d weighted_m = Eigen::Vector2d::Zero();

@@ -19,7 +19,7 @@ using ScanHook = std::function<void(const Observation& seen, const ExploreMissio
 /// A finished exploration.
 struct ExploreRun {
   Report report;
-  std::string stop_reason;    ///< of jobs/explore/mission.hpp
+  std::string stop_reason;    ///< of explore/mission/mission.hpp
   Grid<std::uint8_t> map;     ///< values of Occupancy, in the frame of the world
   std::vector<Pose2> track;   ///< final SLAM estimate: the start, and the pose at each scan
   Pose2 pose;                 ///< final believed pose

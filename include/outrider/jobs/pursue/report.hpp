@@ -1,4 +1,4 @@
-// PursuitLog logs a pursuit, and pursuit_report() tells what it came to. Both are pure functions of the run
+// PursuitLog logs a pursuit, and pursuit_report() returns its result. Both are pure functions of the run
 // and use no wall clock, so the same run gives the same bytes.
 #pragma once
 

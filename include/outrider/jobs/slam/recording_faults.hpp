@@ -12,7 +12,7 @@
 
 namespace outrider {
 
-/// What was recorded: scans of a laser, sightings of landmarks, or the edges of a pose graph.
+/// The kind of the recorded data: scans of a laser, sightings of landmarks, or the edges of a pose graph.
 enum class RecordingKind { laser, landmarks, graph };
 
 struct RecordingFaults {

@@ -78,7 +78,7 @@ Outcome<std::vector<std::vector<PathPiece>>> TransitPlanner::ways(Vec2 from, con
     const auto plans =
         visibility_graph_reduced_many({nullptr, from, {}, ground}, goals, {}, budget_, workspace_);
     for (std::size_t k = 0; k < hidden.size(); ++k) {
-      if (!plans[k]) return tl::unexpected<Fault>(plans[k].error());
+      if (!plans[k]) return pass_on(plans[k]);
       found[hidden[k]] = plans[k]->pieces;
     }
   }

@@ -73,9 +73,9 @@ std::vector<FieldWork> sectioned(const std::vector<FieldWork>& works, const Cove
 }
 
 /// Orders laps and cells into one track.
-Outcome<CoverPlan> assembled_once(CoverageArea ground, std::vector<FieldWork> works,
-                                  const CoverProblem& problem, const CoverOptions& options,
-                                  const Budget& budget) {
+Outcome<CoverPlan> plan_works_once(CoverageArea ground, std::vector<FieldWork> works,
+                                   const CoverProblem& problem, const CoverOptions& options,
+                                   const Budget& budget) {
   if (budget.stop.stop_requested())
     return fault(FaultCode::cancelled, "it was cancelled while it planned lanes");
   CoverPlan plan;
@@ -107,17 +107,17 @@ bool is_cancelled(const Outcome<CoverPlan>& plan) {
 }
 
 /// Orders whole laps and cells, or sections of laps and cells, whichever takes less time.
-Outcome<CoverPlan> assembled(CoverageArea ground, std::vector<FieldWork> works, const CoverProblem& problem,
-                             const CoverOptions& options, const Budget& budget) {
+Outcome<CoverPlan> plan_works(CoverageArea ground, std::vector<FieldWork> works, const CoverProblem& problem,
+                              const CoverOptions& options, const Budget& budget) {
   std::vector<FieldWork> cut = sectioned(works, problem, budget.stop);
   std::size_t units = 0, sections = 0;
   for (const FieldWork& work : cut) {
     sections += work.sections.size();
     units += work.laps.size() + work.sections.size() + work.cells.size();
   }
-  auto whole = assembled_once(ground, std::move(works), problem, options, budget);
+  auto whole = plan_works_once(ground, std::move(works), problem, options, budget);
   if (!whole || sections == 0 || units > most_proven) return whole;
-  auto other = assembled_once(std::move(ground), std::move(cut), problem, options, budget);
+  auto other = plan_works_once(std::move(ground), std::move(cut), problem, options, budget);
   return is_cancelled(other) || (other && other->sums.time_s < whole->sums.time_s) ? std::move(other)
                                                                                    : std::move(whole);
 }
@@ -144,7 +144,7 @@ Outcome<CoverPlan> boustrophedon(const CoverProblem& problem, const CoverOptions
   std::vector<FieldWork> works;
   for (const CoverField& field : ground->fields)
     works.push_back(sweep(field, ground->arc_m, problem, options, budget.stop));
-  return named(assembled(std::move(*ground), std::move(works), problem, options, budget), "boustrophedon");
+  return named(plan_works(std::move(*ground), std::move(works), problem, options, budget), "boustrophedon");
 }
 
 /// Laps along the border and inwards, each a stride from the one before.
@@ -170,7 +170,7 @@ Outcome<FieldWork> laps_inwards(const CoverField& field, double arc_m, const Cov
   // they meet at sharp corners and ends.
   Region core = core_of(problem, field, problem.sure_radius_m() - 2.0 * Strides(problem).slack_m);
   for (const Lap& lap : *laps) {
-    if (stop.stop_requested()) break;  // assembled() says so
+    if (stop.stop_requested()) break;  // plan_works() says so
     const auto points = points_along(lap.front().from, lap, radians(2.0));
     core = without(core, coverage_of(points, problem.sure_radius_m(), core, stop).covered);
   }
@@ -193,7 +193,7 @@ Outcome<CoverPlan> spiral(const CoverProblem& problem, const CoverOptions& optio
     if (!work) return pass_on(work);
     works.push_back(std::move(*work));
   }
-  return named(assembled(std::move(*ground), std::move(works), problem, options, budget), "spiral");
+  return named(plan_works(std::move(*ground), std::move(works), problem, options, budget), "spiral");
 }
 
 Outcome<CoverPlan> quickest(const CoverProblem& problem, const CoverOptions& options, const Budget& budget) {

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t most_planned = 64;
 constexpr double never_s = std::numeric_limits<double>::infinity();
 
-/// Of those, the ones in their places.
+/// Returns those that are in their places.
 std::vector<std::size_t> settled(const std::vector<TargetArrival>& open, double time_s) {
   std::vector<std::size_t> records;
   for (const TargetArrival& one : open) {
@@ -87,7 +87,7 @@ void ArrivingTargets::forget_the_done(const TaskBoard& board) {
   });
 }
 
-/// Those inside that no ball is on the way to.
+/// Returns those inside that no ball is on the way to.
 std::vector<TargetArrival> ArrivingTargets::open_targets(const TaskBoard& board) const {
   std::vector<TargetArrival> open = inside_;
   std::erase_if(open, [&](const TargetArrival& one) { return board.is_in_air(one.target); });

@@ -81,7 +81,7 @@ void TaskBoard::note_result(bool hit, const Observation& seen) {
   note_failure(target, missed(record), seen.time_s, last);
 }
 
-/// What to do when the pose actually reached has no shot: go somewhere else, or give up.
+/// Handles a reached pose that has no shot: goes somewhere else, or gives up.
 void TaskBoard::look_elsewhere(const Observation& seen) {
   const std::size_t target = queue_.front().targets.front();
   const std::size_t left = queue_.front().targets.size();

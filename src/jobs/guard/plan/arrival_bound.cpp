@@ -50,7 +50,7 @@ ReleasedWork job_of(const ArrivalYard& watch, std::size_t i, bool on_the_move) {
       least.to_target_m - tip - 0.5 * std::hypot(target.size.x, target.size.y) - problem.gun.ball_radius_m;
   const double fastest = problem.gun.muzzle_speed_mps * (1.0 + problem.errors.aim.speed_ratio) +
                          (on_the_move ? problem.robot.speed_mps : 0.0);
-  // Who does not stop there needs half of the time for twice the way from rest to rest.
+  // A robot that does not stop there needs half of the time for twice the way from rest to rest.
   const Limits straight = problem.robot.straight();
   const double there_s = on_the_move ? 0.5 * duration(2.0 * least.from_start_m, straight)
                                      : duration(least.from_start_m, straight);

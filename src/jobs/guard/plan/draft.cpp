@@ -207,7 +207,7 @@ Status settle(const Drafting& drafting, Draft& draft, double& told_s) {
     if (auto ok = search_on(drafting, draft); !ok) return ok;
     options.iterations = 0;
   }
-  // What would be proven holds for a gun that rests during drives.
+  // A proof would hold only for a gun that rests during drives.
   if (drafting.options.shoot_on_the_move) options.gap = 1.0;
   if (drafting.options.prove) {
     options.gap = 0.0;

@@ -26,7 +26,7 @@ struct Draft {
   Tour tour;
 };
 
-/// What a draft is for.
+/// The task of a draft.
 struct DraftTask {
   std::vector<std::size_t> targets;  ///< to hit, ascending; each needs a firing region
   std::int64_t exact_goals =

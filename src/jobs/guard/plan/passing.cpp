@@ -17,7 +17,8 @@ constexpr std::size_t most_flown = 4;  // shots tried at a moment
 /// The time of a moment since the beginning of its leg.
 double moment_after_s(std::size_t moment) { return static_cast<double>(moment + 1) * moment_s; }
 
-/// Where the robot may be instead when it shoots, under the extreme errors of the moment and the way.
+/// Returns the places and speeds that the robot may have instead when it shoots, under the extreme errors of
+/// the moment and the way.
 std::vector<Platform> displaced_platforms(const GuardProblem& problem, const HeightField* terrain,
                                           const Straight& straight, bool last, double after_s) {
   std::vector<Vec2> ends{straight.to};
@@ -62,7 +63,7 @@ struct PassingShot {
   double error_ratio = 0.0;
 };
 
-/// Whether the joints let the barrel point that way, on a slope too.
+/// Returns true if the joints let the barrel point that way, on a slope too.
 bool can_point(const ShotRules& rules, const Stance& stance, const Shot& shot) {
   const double pitch = angles_of(stance, shot).pitch_rad;
   return stance.level() || (pitch >= rules.gun.pitch_low_rad && pitch <= rules.gun.pitch_high_rad);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "plan/assemble.hpp"
-#include "plan/assembly.hpp"
+#include "plan/hit_table.hpp"
+#include "plan/plan_clock.hpp"
 
 namespace outrider {
 namespace {
@@ -15,18 +15,18 @@ constexpr double nearer_s = 0.02;     // by which a moved stop has to shorten th
 constexpr double first_step_m = 0.8;  // of a stop that is moved
 constexpr double last_step_m = 0.05;
 
-/// Every choice that takes all hits, or one, off a stop.
-std::vector<Choice> lighter(const Choice& choice, std::size_t stop) {
-  std::vector<Choice> result;
-  const auto& targets = choice.stops[stop].targets;
+/// Returns every table that takes all hits, or one, off a stop.
+std::vector<HitTable> lighter(const HitTable& table, std::size_t stop) {
+  std::vector<HitTable> result;
+  const auto& targets = table.stops[stop].targets;
   if (targets.size() > 1) {
-    Choice& next = result.emplace_back(choice);
+    HitTable& next = result.emplace_back(table);
     auto& passing = next.passing_beside(stop);
     passing.insert(passing.end(), targets.begin(), targets.end());
     next.stops[stop].targets.clear();
   }
   for (std::size_t k = 0; k < targets.size(); ++k) {
-    Choice& next = result.emplace_back(choice);
+    HitTable& next = result.emplace_back(table);
     next.passing_beside(stop).push_back(targets[k]);
     auto& left = next.stops[stop].targets;
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(k));
@@ -37,11 +37,11 @@ std::vector<Choice> lighter(const Choice& choice, std::size_t stop) {
 /// Makes a plan shorter by changes of one stop at a time.
 class Descent {
  public:
-  Descent(Assembly& assembly, Choice choice, GuardPlan plan, const std::stop_token& stop)
-      : assembly_(assembly),
-        choice_(std::move(choice)),
+  Descent(TablePlanner& planner, HitTable table, GuardPlan plan, const std::stop_token& stop)
+      : planner_(planner),
+        table_(std::move(table)),
         best_(std::move(plan)),
-        expected_s_(assembly.expected_s(best_)),
+        expected_s_(planner.expected_s(best_)),
         stop_(stop) {}
 
   GuardPlan run() {
@@ -51,22 +51,22 @@ class Descent {
   }
 
  private:
-  /// Takes the choice if its plan is shorter, with the waits that are to be expected.
-  bool take(Choice& next) {
-    auto plan = assembly_.plan_of(next);
+  /// Takes the table if its plan is shorter, with the waits that are to be expected.
+  bool take(HitTable& next) {
+    auto plan = planner_.plan_of(next);
     if (!plan || plan->cost_s > expected_s_ - worth_s) return false;
-    const double expected_s = assembly_.expected_s(*plan);
+    const double expected_s = planner_.expected_s(*plan);
     if (expected_s > expected_s_ - worth_s) return false;
     best_ = std::move(*plan);
     expected_s_ = expected_s;
-    choice_ = std::move(next);
+    table_ = std::move(next);
     return true;
   }
 
   /// Round after round over the stops, each made as light as helps, until a round changes nothing.
   bool lighten() {
     bool shorter = false;
-    const std::size_t stops = choice_.stops.size();
+    const std::size_t stops = table_.stops.size();
     for (std::size_t s = 0, unchanged = 0; unchanged < stops && !stop_.stop_requested();
          s = (s + 1) % stops) {
       ++unchanged;
@@ -78,14 +78,14 @@ class Descent {
   /// The best of the changes that make a stop lighter.
   bool lighten(std::size_t s) {
     bool shorter = false;
-    for (Choice& next : lighter(std::as_const(choice_), s)) shorter = take(next) || shorter;
+    for (HitTable& next : lighter(std::as_const(table_), s)) shorter = take(next) || shorter;
     return shorter;
   }
 
   /// Moves each stop to where the drives are shorter, in steps that become smaller.
   bool move_stops() {
     bool shorter = false;
-    for (std::size_t s = 0; s < choice_.stops.size(); ++s) {
+    for (std::size_t s = 0; s < table_.stops.size(); ++s) {
       for (double step = first_step_m; step > 0.5 * last_step_m; step *= 0.5) {
         while (move_stop(s, step)) shorter = true;
       }
@@ -94,20 +94,20 @@ class Descent {
   }
 
   bool move_stop(std::size_t s, double step_m) {
-    if (choice_.stops[s].targets.empty() || stop_.stop_requested()) return false;
-    const double before_s = assembly_.drives_s(choice_);
+    if (table_.stops[s].targets.empty() || stop_.stop_requested()) return false;
+    const double before_s = planner_.drives_s(table_);
     for (int k = 0; k < 8; ++k) {
-      Choice next = choice_;
+      HitTable next = table_;
       next.stops[s].place = next.stops[s].place + step_m * direction(k * pi / 4);
-      if (!assembly_.may_stop(next.stops[s].place, next.stops[s].targets)) continue;
-      if (assembly_.drives_s(next) > before_s - nearer_s) continue;
+      if (!planner_.may_stop(next.stops[s].place, next.stops[s].targets)) continue;
+      if (planner_.drives_s(next) > before_s - nearer_s) continue;
       if (take(next)) return true;
     }
     return false;
   }
 
-  Assembly& assembly_;
-  Choice choice_;
+  TablePlanner& planner_;
+  HitTable table_;
   GuardPlan best_;
   double expected_s_ = 0.0;
   std::stop_token stop_;
@@ -133,12 +133,12 @@ GuardPlan shoot_in_passing(const GuardProblem& problem, const FiringMap& firing_
   const GuardPlan standing = best;
   if (!shoots || !standing.routes) return best;
 
-  Assembly assembly(problem, firing_map, standing);
-  Choice choice = choice_of(plan);
+  TablePlanner planner(problem, firing_map, standing);
+  HitTable table = hit_table_of(plan);
   // Every candidate has its shots solved again, so the one that all are compared with has, too. That alone
   // may cost time, which is why the given plan is kept in mind.
-  if (auto again = assembly.plan_of(choice)) best = std::move(*again);
-  return sooner(standing, Descent(assembly, std::move(choice), std::move(best), stop).run());
+  if (auto again = planner.plan_of(table)) best = std::move(*again);
+  return sooner(standing, Descent(planner, std::move(table), std::move(best), stop).run());
 }
 
 }  // namespace outrider

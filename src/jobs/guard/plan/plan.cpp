@@ -4,9 +4,9 @@
 
 #include "outrider/jobs/guard/plan/bound.hpp"
 #include "outrider/jobs/guard/plan/passing_plan.hpp"
-#include "plan/assemble.hpp"
 #include "plan/draft.hpp"
 #include "plan/part_plan.hpp"
+#include "plan/plan_clock.hpp"
 
 namespace outrider {
 namespace {
@@ -77,7 +77,7 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firi
   const GuardOptions drafting = drafting_options(options);
   const auto draft =
       add_tour(problem, firing_map, {targets_with_region(firing_map)}, drafting, budget, plan, observe);
-  if (!draft) return tl::unexpected(draft.error());
+  if (!draft) return pass_on(draft);
   const double anywhere_s = mission_bound(problem, firing_map, draft->targets, drafting, budget);
   if (drafting.shoot_on_the_move) {
     plan = shoot_in_passing(problem, firing_map, plan, budget.stop);
@@ -100,7 +100,7 @@ Outcome<GuardPlan> plan_part(const GuardProblem& problem, const FiringMap& firin
   drafting.gap = 1.0;  // no bound
   const auto draft =
       add_tour(problem, firing_map, {targets, exact_goals_of_part}, drafting, budget, plan, {});
-  if (!draft) return tl::unexpected(draft.error());
+  if (!draft) return pass_on(draft);
   if (drafting.shoot_on_the_move) return shoot_in_passing(problem, firing_map, plan, budget.stop);
   plan.expected_s = draft->tour.cost_s;
   return plan;

@@ -6,14 +6,14 @@
 
 #include "outrider/jobs/guard/plan/bound.hpp"
 #include "outrider/jobs/guard/plan/passing_plan.hpp"
-#include "plan/assemble.hpp"
+#include "plan/plan_clock.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr std::size_t other_stops = 60;
 
-/// Whether the goal can be served by a robot that does nothing else.
+/// Returns true if a robot that does nothing else can serve the goal.
 bool is_possible_alone(SupplyProblem problem, std::uint32_t goal, const Budget& budget) {
   problem.table.goals = 1;
   for (auto& services : problem.table.services) {

@@ -9,7 +9,7 @@
 namespace outrider {
 namespace {
 
-/// What is wrong whatever the yard.
+/// Returns the first fault that does not depend on the yard, or success.
 Status check_amounts(const Supplies& supplies) {
   if (supplies.tank > 0.0 && supplies.shot_water > supplies.tank) {
     return bad_input(

@@ -1,4 +1,4 @@
-// What a guard mission logs, and what it came to: status, metrics and the table of targets, by capability.
+// The log of a guard mission, and its result: status, metrics and the table of targets, by capability.
 #pragma once
 
 #include <cstddef>
@@ -70,7 +70,7 @@ std::vector<TableValue> unshot_row(const std::string& name, const std::string& s
 /// Returns the part of the targets that do not wait any more.
 double settled_part(const std::vector<TargetRecord>& records);
 
-/// Returns what the mission came to. `expected_hits` is the sum of the chances of all shots at walkers.
+/// Returns the report of the mission. `expected_hits` is the sum of the chances of all shots at walkers.
 Report judge(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,
              double end_s, double expected_hits);
 

@@ -164,7 +164,7 @@ std::string reason_of(const GuardRun& run, const Tally& tally) {
                      tally.failed, tally.unreachable);
 }
 
-/// What is added to the reason if shots had no result; else an empty text.
+/// Returns the text to add to the reason if shots had no result; else an empty one.
 std::string why_unanswered(const TaskBoard& board) {
   if (!board.given_up().empty())
     return fmt::format("; {}: is the gun jammed, or its tank empty?", board.given_up());

@@ -1,4 +1,4 @@
-// What a PhysicsGuard does with its gun: turn it, throw balls, and note what they touch.
+// The gun of a PhysicsGuard: it turns, throws balls, and notes what they touch.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -106,7 +106,7 @@ void PhysicsGuard::fire_in_passing(const FireInPassing& shot) {
 
 // ---- Landing -------------------------------------------------------------------------------------
 
-/// What a ball touched at the beginning of the last step; nothing if it flies on.
+/// Returns what a ball touched at the beginning of the last step; nothing if it flies on.
 std::optional<Impact> PhysicsGuard::impact_of(const BallInAir& ball) const {
   const std::size_t body = problem_.world.solids.size() + ball.target;
   const std::vector<std::size_t> touched = bodies_.touched_by_ball(ball.number);

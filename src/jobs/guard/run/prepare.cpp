@@ -24,7 +24,7 @@ std::vector<std::string> unplanned_options(const GuardScenario& scenario) {
   return {"faults", "seed"};
 }
 
-/// Where the log of the preparation goes.
+/// The log of the preparation, and the time of its messages.
 struct Notes {
   Log& log;
   double time_s = 0.0;

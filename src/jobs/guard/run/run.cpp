@@ -36,8 +36,8 @@ void add_misses(TaskBoard& board, const RigidRecord& rigid) {
   }
 }
 
-/// What is proven on a map of the robot's own making is not proven in the yard: ground that it could not
-/// enter or see counts as an obstacle there, and all obstacles count as high.
+/// Marks proofs as open that hold on a map of the robot's own making alone: ground that it could not enter or
+/// see counts as an obstacle there, and all obstacles count as high.
 void doubt_proofs(TaskBoard& board) {
   for (std::size_t t = 0; t < board.records().size(); ++t) {
     const TargetRecord& record = board.records()[t];

@@ -48,7 +48,7 @@ Grid<std::uint8_t> cut_out(const Grid<std::uint8_t>& occupancy) {
   return part;
 }
 
-/// By how much the robot may be wider, so that it still fits where it stands.
+/// Returns how much wider the robot may be so that it still fits where it stands.
 double spare_at(const GuardProblem& problem, double wanted_m) {
   const CollisionMap ground = CollisionMap::of(problem.world, room_height(problem));
   const double most_m = problem.robot.radius_m + wanted_m;

@@ -162,7 +162,7 @@ void conclude(Report& report, const Report& explored, const Log& log, double tou
   }
 }
 
-/// What the exploring leaves in the stores: no shot was fired, but time and way took charge.
+/// Returns the levels of the stores after the exploring: no shot was fired, but time and way took charge.
 StoreLevels levels_after(const Report& explored, const Supplies& supplies) {
   const double used_j = supplies.charge_of(metric(explored, "time_s"), metric(explored, "distance_m"));
   return {supplies.full(Store::water), supplies.full(Store::charge) - used_j};

@@ -8,7 +8,7 @@
 namespace outrider {
 namespace {
 
-/// Where the robot may drive while others stand.
+/// The ground on which the robot may drive while others stand.
 class FreeLegs {
  public:
   FreeLegs(const GuardProblem& problem, const FiringMap& firing_map, const std::vector<Vec2>& standing,

@@ -104,7 +104,7 @@ class TeamPlanner {
 
   Status try_splits(const GuardPlan& alone, const std::vector<std::size_t>& order) {
     const auto stops = stops_for_estimates(alone);
-    if (!stops) return tl::unexpected<Fault>(stops.error());
+    if (!stops) return pass_on(stops);
     std::vector<SplitStart> starts{{0, problems_.front().start.heading_rad}};
     for (std::size_t r = 1; r < problems_.size(); ++r)
       starts.push_back({stops->stops.size() - problems_.size() + r, problems_[r].start.heading_rad});
@@ -130,7 +130,7 @@ class TeamPlanner {
     return {};
   }
 
-  /// What has become of a split.
+  /// The outcome of planning a split.
   enum class Planned : std::uint8_t { timed, blocked, before };
 
   /// Gives the parts of the split that was planned last to the robots such that the sum of the squared

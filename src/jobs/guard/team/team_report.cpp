@@ -35,7 +35,7 @@ SimRecord sum_of(const std::vector<TeamRobotRun>& robots) {
   return sum;
 }
 
-/// What each robot did, with its start.
+/// Returns a row for the work of each robot, with its start.
 Table robot_table(const TeamPlan& plan, const TeamRun& team) {
   Table table{"robots",
               {"robot", "targets", "stops", "shots", "driven_m", "time_s", "waited_s", "start_x", "start_y",

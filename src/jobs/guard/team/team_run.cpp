@@ -54,7 +54,7 @@ class TeamRunner {
   }
 
  private:
-  /// By target, whose part it is in. Each target is in the part of one robot.
+  /// Notes for each target the robot whose part it is in. Each target is in the part of one robot.
   void note_owners(const TeamPlan& plan) {
     run_.robot_of.resize(problem_.targets.size());
     for (std::size_t r = 0; r < plan.parts.size(); ++r) {
@@ -285,7 +285,7 @@ class TeamRunner {
         time_s, "give_up", fmt::format("gives {} up: robot {} stands in the way", what, other.index + 1));
   }
 
-  // ---- What it came to ---------------------------------------------------------------------------
+  // ---- Its result -------------------------------------------------------------------------------
 
   void gather_records() {
     run_.records.resize(problem_.targets.size());
@@ -304,7 +304,7 @@ class TeamRunner {
       member->targets.note(member->mission, member->run.end_s);
     }
     for (const auto& member : team_) {
-      // Who is done stands there until all are.
+      // A robot that is done stands there until all are.
       if (member->run.end_s < run_.mission_s) log_pose(member->run.log, run_.mission_s, member->robot.pose());
       run_.robots.push_back(std::move(member->run));
     }

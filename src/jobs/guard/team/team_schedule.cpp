@@ -7,7 +7,7 @@
 
 #include "outrider/jobs/guard/plan/passing.hpp"
 #include "outrider/motion/profile.hpp"
-#include "plan/assemble.hpp"
+#include "plan/plan_clock.hpp"
 
 namespace outrider {
 namespace {
@@ -50,7 +50,7 @@ void add_leg(std::vector<Presence>& present, const RobotModel& robot, const Stra
   }
 }
 
-/// What has been admitted so far.
+/// The robots that have been admitted so far.
 struct Admitted {
   std::vector<PlanClock> clocks;
   std::vector<std::vector<Presence>> present;  // by robot

@@ -1,4 +1,4 @@
-// What a drive claims about its stops against where the robot truly was, under faults that it must notice.
+// The claims of a drive about its stops against the true poses, under faults that it must notice.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -29,7 +29,7 @@ DriveScenario arena(const std::string& planner) {
   return scenario;
 }
 
-/// By how much the legs between the waypoints that are driven keep more clearance than the robot's radius.
+/// Returns how much more clearance than the robot's radius the legs between the driven waypoints keep.
 double leg_margin_m(const DriveTask& task) {
   std::vector<Vec2> points = {task.start.position};
   for (const Waypoint& waypoint : task.waypoints) points.push_back(waypoint.pose.position);

@@ -19,7 +19,8 @@ DriveTask task_with(std::vector<Waypoint> waypoints) {
   return task;
 }
 
-/// What the camera sees without an error, of tags that are `scale` times as large as the robot believes.
+/// Returns what the camera sees without an error, of tags that are `scale` times as large as the robot
+/// believes.
 std::vector<TagSighting> seen_from_pose(const DriveTask& task, const Pose2& pose, double scale = 1.0) {
   const RobotCamera camera = robot_camera(task.eye);
   const Pose3 world_T_robot{{pose.position.x, pose.position.y, 0.0},

@@ -52,7 +52,7 @@ ExploreRun explored_in(const World& world, const ExplorerSimParams& params, std:
   return std::move(*run);
 }
 
-/// What is called complete has been seen; everything else has a reason.
+/// The robot has seen all that it calls complete; everything else has a reason.
 void expect_honest(const ExploreRun& run) {
   if (run.stop_reason == "complete") {
     EXPECT_GT(metric(run.report, "explored_fraction"), 0.98);

@@ -63,7 +63,7 @@ TEST(ExploreFaults, ABiasThatSpoilsTheMapIsNotDone) {
   EXPECT_EQ(explored(faults).report.status, "not_done");
 }
 
-/// What the robot itself cannot believe it does not call complete.
+/// The robot does not call a map complete that it cannot believe itself.
 TEST(ExploreFaults, ARangeFinderThatIsOffIsNotBelieved) {
   ExplorerFaults off, strewn;
   off.bias_m = 0.15;
@@ -203,8 +203,8 @@ TEST(ExploreFaults, ALinkThatLosesRepeatsOrReordersScansEndsHonestly) {
   for (const LinkFaults& link : {repeats, reorders}) EXPECT_EQ(explored({}, link).report.status, "done");
 }
 
-/// What the robot asks at home: a scan taken 0.5 m away contradicts the first one, one taken 0.1 m away does
-/// not.
+/// The robot compares scans at home: one taken 0.5 m away contradicts the first one, one taken 0.1 m away
+/// does not.
 TEST(ExploreFaults, AScanFromElsewhereContradictsTheFirstOne) {
   const RangeFinder laser(room(), {});
   Rng rng(1);

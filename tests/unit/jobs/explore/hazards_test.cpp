@@ -1,4 +1,4 @@
-// What an exploration says about what it could not see, against the exact reachability of the true world.
+// The report of an exploration about what it could not see, against the exact reachability of the true world.
 #include <gtest/gtest.h>
 
 #include <algorithm>

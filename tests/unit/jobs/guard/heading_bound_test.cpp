@@ -26,7 +26,7 @@ GuardOptions fine_options() {
 }
 
 /// An open yard with one target, and a robot that looks away from it.
-GuardProblem open_yard(Rng& rng) {
+GuardProblem target_behind(Rng& rng) {
   auto problem = random_guard_problem(rng, 0, 1, 4.0);
   problem.gun.muzzle_speed_mps = rng.uniform(2.5, 3.5);
   const Vec2 away = problem.start.position - xy(problem.targets[0].base);
@@ -65,7 +65,7 @@ TEST(HeadingBound, IsCloseToTheLeastTurnAndDriveToOneTarget) {
   int yards = 0;
   double tightness = 0.0;
   for (int i = 0; i < cases(10); ++i) {
-    const GuardProblem problem = open_yard(rng);
+    const GuardProblem problem = target_behind(rng);
     const auto firing_map = build_firing_map(problem, fine_options());
     ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
     if (firing_map->regions[0].hits == 0) continue;
@@ -83,7 +83,7 @@ TEST(HeadingBound, IsCloseToTheLeastTurnAndDriveToOneTarget) {
 
 TEST(HeadingBound, IsAtMostTheLimitAndNothingWhereItCannotBeFound) {
   Rng rng(412);
-  GuardProblem problem = open_yard(rng);
+  GuardProblem problem = target_behind(rng);
   const auto firing_map = build_firing_map(problem, fine_options());
   ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
   ASSERT_GT(firing_map->regions[0].hits, 0U);

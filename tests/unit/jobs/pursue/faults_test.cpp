@@ -123,7 +123,7 @@ TEST(PursueFaults, ARobotThatIsStuckForAWhileGoesOn) {
   EXPECT_GE(metric(done.report, "cost"), metric(done.report, "lower_bound"));
 }
 
-/// Where it was put nearer to the target, the bound of the way from its start says nothing.
+/// A robot that was put nearer to the target claims no bound of the way from its start.
 TEST(PursueFaults, ARobotThatIsPutElsewhereClaimsNoBound) {
   for (int seed = 1; seed <= testing::cases(20); ++seed) {
     TeamFaults faults;

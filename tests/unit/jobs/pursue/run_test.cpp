@@ -42,7 +42,7 @@ PursuitProblem catchable(Rng& rng, int side, int seconds) {
   }
 }
 
-/// What the reference's test bench would count along the robot's path.
+/// Counts what the reference's test bench would count along the robot's path.
 void expect_honest(const PursuitState& mission, const PursuitProblem& problem) {
   const std::vector<Cell>& path = mission.paths.front();
   ASSERT_EQ(path.size(), static_cast<std::size_t>(mission.time_s) + 1);

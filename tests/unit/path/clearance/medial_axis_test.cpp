@@ -41,7 +41,7 @@ Vec2 roomy_place(Rng& rng, const PolygonWorld& world) {
   return best;
 }
 
-/// Whether a disk of that radius gets from start to goal, by a planner that knows no medial axis.
+/// Returns true if a disk of that radius gets from start to goal, by a planner that knows no medial axis.
 bool passes(const PolygonWorld& world, Problem problem, double radius_m) {
   Workspace workspace;
   problem.polygons = ground_of(world, radius_m);

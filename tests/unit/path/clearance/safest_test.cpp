@@ -24,7 +24,7 @@ Problem problem_on(const Blocked& blocked, Cell start, Cell goal) {
 
 bool blocked_at(const Blocked& grid, int x, int y) { return !grid.contains({x, y}) || grid[{x, y}] != 0; }
 
-/// By all squares, those around the grid too.
+/// Returns the clearance by all squares, those around the grid too.
 double own_clearance(const Blocked& grid, Vec2 p) {
   double least = 1e300;
   for (int y = -1; y <= grid.frame.height; ++y) {
@@ -65,7 +65,7 @@ std::vector<Move> moves_of(const Blocked& grid) {
   return moves;
 }
 
-/// What the moves that keep that clearance can reach at least cost, by rounds over all of them.
+/// Returns the least costs of what the moves that keep that clearance can reach, by rounds over all of them.
 std::vector<double> own_costs(const Blocked& grid, const std::vector<Move>& moves, Cell start, double kept,
                               double weight) {
   std::vector<double> cost(grid.cells.size(), 1e300);

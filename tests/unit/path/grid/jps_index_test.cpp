@@ -17,7 +17,8 @@ bool legal(const Grid<std::uint8_t>& grid, Cell c, Cell d) {
          free(grid, {c.x, c.y + d.y});
 }
 
-/// Whether at c, reached along the straight d, a blocked cell behind to a side forces a turn to that side.
+/// Returns true if at c, reached along the straight d, a blocked cell behind to a side forces a turn to that
+/// side.
 bool forced(const Grid<std::uint8_t>& grid, Cell c, Cell d) {
   for (const int s : {-1, 1}) {
     const Cell side{s * d.y, s * d.x};

@@ -1,8 +1,8 @@
 // decide(): chooses the next goal of an exploration.
 //
 // Every frontier has views: poses that the robot can reach on known free cells and from which it sees the
-// unknown cells beside the frontier within range (explore/view.hpp). A strategy of the catalogue
-// (explore/catalog.hpp) chooses one of them. A path planner plans the path on the known cells, and the path
+// unknown cells beside the frontier within range (choose/view.hpp). A strategy of the catalogue
+// (choose/catalog.hpp) chooses one of them. A path planner plans the path on the known cells, and the path
 // is pulled straight. Call decide() again whenever the map has changed; the robot need not arrive first.
 //
 // The previous choice gets a bonus, so the robot does not switch between two goals of similar value. Each
@@ -14,7 +14,7 @@
 // few decisions; each decision computes as many of them again as a bounded effort allows. The same map with
 // the same past gives the same decision. A decision marks the pursued frontier on the map
 // (FrontierMap::pursue). Thread rule: one map and one workspace for each thread. Sources: as in
-// explore/catalog.hpp.
+// choose/catalog.hpp.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ namespace outrider {
 
 /// Options of the decisions.
 struct ExploreOptions {
-  std::string strategy = "tour";  ///< name of a row of explore/catalog.hpp
+  std::string strategy = "tour";  ///< name of a row of choose/catalog.hpp
   std::string planner = "jps";    ///< name of a path planner for the model `cells`
   FrontierOptions frontier;       ///< of the frontier map
   double view_m = 2.5;            ///< largest distance from a view to the unknown cells that it sees
@@ -102,7 +102,7 @@ struct ViewCandidate {
   Vec2 place;
   double cost_s = 0.0;   ///< time to turn and drive there
   double gain_m2 = 0.0;  ///< unknown area that the robot expects to see from there
-  double value = 0.0;  ///< of the strategy (explore/catalog.hpp); NaN: another view counts for this one, too
+  double value = 0.0;  ///< of the strategy (choose/catalog.hpp); NaN: another view counts for this one, too
   bool chosen = false;
 };
 

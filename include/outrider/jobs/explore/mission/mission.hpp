@@ -2,7 +2,7 @@
 // the twist that it commands.
 //
 // perceive() processes an observation: the localiser follows the robot (scan_localiser.hpp). respond()
-// updates the frontiers, decides on a goal (explore/decide.hpp) and steers to it (control/steer.hpp). It
+// updates the frontiers, decides on a goal (choose/decide.hpp) and steers to it (control/steer.hpp). It
 // decides again when the pursued frontier has dissolved, when the path is blocked, when the robot has
 // arrived, and periodically; so the robot seldom drives all the way to a frontier.
 //

@@ -40,7 +40,7 @@ Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const FiringMap& fi
                                 const GuardOptions& options, const WanderOptions& wander,
                                 const Budget& budget = {});
 
-/// What is known of the moving targets, and the state of the strategy. Copies are independent; the plan must
+/// The knowledge of the moving targets, and the state of the strategy. Copies are independent; the plan must
 /// outlive them.
 class MovingTargets {
  public:

@@ -27,7 +27,7 @@ struct CutDrives {
   std::vector<Vec2> obstacles;  ///< what the robot takes to stand in its way: their middles
 };
 
-/// What to do after a drive.
+/// The next step after a drive.
 enum class AfterDrive { go_on, drive_again, wait };
 
 /// How far the robot keeps from the middles of the obstacles, m.

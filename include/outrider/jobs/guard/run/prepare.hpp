@@ -55,7 +55,7 @@ Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, Ru
 /// `own_robot`.
 Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const RunWatch& watch = {});
 
-/// What a mission came to.
+/// The verdict on a mission.
 struct GuardVerdict {
   std::string status;  ///< "done" if every target that can be hit was hit, else "not_done"
   std::string reason;  ///< one sentence; empty if all were hit

@@ -17,7 +17,7 @@ struct TrueYard {
   StoreLevels levels = {};  ///< levels of the stores after exploring; infinite: full
 };
 
-/// What is simulated. All references must outlive the run.
+/// The inputs of a simulated mission. All references must outlive the run.
 struct GuardRun {
   GuardMission mission;  ///< as it begins
   const GuardOptions& options;
@@ -29,7 +29,7 @@ struct GuardRun {
   GuardSimParams faults = {};       ///< unknown to the mission; not with rigid bodies
 };
 
-/// Simulates and logs the mission, and returns what it came to. Log and report are pure functions of the
+/// Simulates and logs the mission, and returns its report. Log and report are pure functions of the
 /// arguments, except for the watch. Its status is "done" if every target that can be hit was hit and no store
 /// fell below zero. Metrics:
 ///   targets, reached, failed, unreachable, mission_s, driven_m, turned_rad, shots   always

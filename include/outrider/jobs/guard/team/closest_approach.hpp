@@ -29,7 +29,7 @@ struct TimedDrive {
   std::optional<double> heading_rad = {};
 };
 
-/// What one robot drives.
+/// The drives of one robot.
 struct TimedDrives {
   Pose2 start;                     ///< pose at time 0
   std::vector<TimedDrive> drives;  ///< in the order of time

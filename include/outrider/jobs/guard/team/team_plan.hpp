@@ -22,7 +22,7 @@
 
 namespace outrider {
 
-/// What one robot of a team does.
+/// The part of one robot in the plan of a team.
 struct TeamPart {
   Pose2 start;
   GuardPlan plan;                ///< of its targets, as if it were alone; without lower bounds

@@ -27,7 +27,7 @@
 
 namespace outrider {
 
-/// What one robot of a team did.
+/// The run of one robot of a team.
 struct TeamRobotRun {
   TimedDrives driven;     ///< its true ways
   Log log;                ///< as that of a single robot, without the targets
@@ -37,7 +37,7 @@ struct TeamRobotRun {
   double waited_s = 0.0;  ///< for other robots
 };
 
-/// What a team did.
+/// The run of a team.
 struct TeamRun {
   std::vector<TargetRecord> records;  ///< by target
   std::vector<std::size_t> robot_of;  ///< by target: the robot that the target was left to; the first if none

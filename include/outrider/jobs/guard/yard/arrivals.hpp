@@ -24,7 +24,7 @@ struct Entrance {
   Vec2 position;
 };
 
-/// What is minimised: the sum of the times that intruders are inside, or the time of the last hit.
+/// The quantity to minimise: the sum of the times that intruders are inside, or the time of the last hit.
 enum class ArrivalObjective { time_inside, makespan };
 
 /// Options of arriving intruders and of the planning for them.

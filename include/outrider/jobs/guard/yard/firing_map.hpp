@@ -36,8 +36,8 @@ struct FiringMap {
   std::vector<std::uint8_t> standable;  ///< by cell: the disk of the robot fits at its centre
   std::vector<std::uint8_t> reachable;  ///< by cell: standable, and the robot can drive there from the start
   std::vector<float> clearance_m;       ///< by cell: from its centre to the nearest obstacle or edge
-  /// By reachable cell: the next cell on a path to the start. A cell from which the start is visible refers
-  /// to itself.
+  /// For each reachable cell: the next cell on a path to the start. A cell from which the start is visible
+  /// refers to itself.
   std::vector<std::uint32_t> homeward;
   std::vector<FiringRegion> regions;  ///< by target, over the reachable cells
   std::vector<NoShot> no_shots;       ///< by target

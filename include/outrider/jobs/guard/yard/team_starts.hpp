@@ -1,4 +1,4 @@
-// Where the robots of a team start: the first at the start of the problem, the others as given or beside it.
+// Starts of the robots of a team: the first at the start of the problem, the others as given or beside it.
 #pragma once
 
 #include <cstdint>

@@ -79,7 +79,7 @@ TEST(OrderBound, IsNeverAboveTheBestOfAllOrdersAndNearIt) {
   EXPECT_GT(ratios / cases, 0.9);
 }
 
-/// What is known at a stop is a bound still: nothing at first.
+/// A search that is stopped still gives a bound, which is 0 at first.
 TEST(OrderBound, AStopLeavesABound) {
   Rng rng(42);
   const RandomOrder order = random_order(rng, 6, true);

@@ -59,7 +59,7 @@ TEST(Coverage, AgreesWithARaster) {
   }
 }
 
-/// What is covered until then, stretch by stretch, against the whole way until then.
+/// The area covered until then, stretch by stretch, against the whole way until then.
 TEST(Coverage, GrowsAlongTheWay) {
   Rng rng(8);
   for (int k = 0; k < testing::cases(4); ++k) {

@@ -31,7 +31,7 @@ TEST(SweepCells, OneCellWithEvenLanesWithoutAnObstacle) {
   EXPECT_NEAR(area_of(cells[0].area), 36.0, 1e-4);
 }
 
-/// What the header promises, by points: cells are the region, and beside every point is its lane.
+/// The promises of the header, by points: cells are the region, and beside every point is its lane.
 TEST(SweepCells, CellsAreTheRegionAndLanesPassBeside) {
   Rng rng(17);
   constexpr double stride = 0.3;

@@ -10,7 +10,7 @@
 namespace outrider {
 namespace {
 
-/// What a robot knows after a few scans along a random drive.
+/// The map and the pose after a few scans along a random drive.
 struct Known {
   OccupancyMap map{OccupancyMapOptions{}};
   FrontierMap frontiers{{}, 0.105};
@@ -30,7 +30,8 @@ struct Known {
   }
 };
 
-/// Whether the straight way between two points lies in free cells, but for its end in `last`; dense sampling.
+/// Returns true if the straight way between two points lies in free cells, but for its end in `last`; dense
+/// sampling.
 bool sees(const Grid<std::uint8_t>& known, Vec2 from, Vec2 to, Cell last) {
   const int parts = 1 + static_cast<int>(distance(from, to) / (0.04 * known.frame.resolution_m));
   for (int i = 0; i <= parts; ++i) {

@@ -10,41 +10,22 @@
 #include "outrider/jobs/guard/run/robot.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
 #include "support/guard_runs.hpp"
-#include "support/guard_yard.hpp"
 #include "support/logged_targets.hpp"
+#include "support/planned_yard.hpp"
 #include "support/random_cases.hpp"
 #include "support/run_bytes.hpp"
 
 namespace outrider {
 namespace {
 
+using testing::arrivals_yard;
+using testing::ArrivalsYard;
 using testing::cases;
+using testing::planned_yard;
 using testing::quick;
-using testing::random_guard_problem;
+using testing::random_arrivals_yard;
 
-struct Yard {
-  GuardProblem problem;
-  FiringMap firing_map;
-  GuardPlan plan;
-  PrecomputedStops precomputed;
-};
-
-Yard random_yard(Rng& rng, bool with_errors, bool on_the_move = false) {
-  auto problem = random_guard_problem(rng, 8, 5, 2.5);
-  if (!with_errors) problem.errors = {0.0, 0.0, {0.0, 0.0}};
-  auto firing_map = build_firing_map(problem, quick());
-  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
-  auto plan = plan_guard(problem, *firing_map, quick(), {});
-  EXPECT_TRUE(plan.has_value());
-  plan->on_the_move = on_the_move;
-  ArrivalOptions options;
-  options.stops = 30;
-  auto precomputed = precompute_stops(problem, *firing_map, *plan, options, {});
-  EXPECT_TRUE(precomputed.has_value());
-  return {std::move(problem), std::move(*firing_map), std::move(*plan), std::move(*precomputed)};
-}
-
-ArrivalYard crowd(const Yard& yard, std::int64_t count, double rate_hz, std::uint64_t seed) {
+ArrivalYard crowd(const ArrivalsYard& yard, std::int64_t count, double rate_hz, std::uint64_t seed) {
   ArrivalOptions options;
   options.count = count;
   options.rate_hz = rate_hz;
@@ -87,7 +68,7 @@ void expect_laws(const ArrivalYard& watch, const PrecomputedStops& precomputed, 
 TEST(ArrivingTargets, LosesNobodyStaysAboveTheBoundAndRepeats) {
   Rng rng(51);
   for (int y = 0; y < cases(4); ++y) {
-    const Yard yard = random_yard(rng, true, y % 2 != 0);
+    const ArrivalsYard yard = random_arrivals_yard(rng, 8, 5, true, y % 2 != 0);
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       const ArrivalYard watch = crowd(yard, 8, 0.02 * static_cast<double>(1 + 4 * seed), seed);
       for (const ReplanPolicy& policy : replan_policies()) {
@@ -114,7 +95,7 @@ TEST(ArrivingTargets, OnTheMoveStayForLessTime) {
   for (const bool on_the_move : {false, true}) {
     Rng rng(56);
     for (int y = 0; y < 3; ++y) {
-      const Yard yard = random_yard(rng, true, on_the_move);
+      const ArrivalsYard yard = random_arrivals_yard(rng, 8, 5, true, on_the_move);
       for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         const ArrivalYard watch = crowd(yard, 12, 0.5, seed);
         const ArrivalPlan plan{watch, yard.precomputed, *find_replan_policy("each_arrival")};
@@ -126,25 +107,11 @@ TEST(ArrivingTargets, OnTheMoveStayForLessTime) {
   EXPECT_LT(inside_s[1], inside_s[0]);
 }
 
-/// The way to the fox leads around two corners; the cat sits in front of the start.
-Yard yard_with_corners() {
-  GuardProblem problem;
-  problem.world.name = "corners";
-  problem.world.bounds = {{-4, -4}, {4, 4}};
-  problem.world.solids = {testing::floor_at(0), testing::box_at("long", {-0.75, 0, 2}, {6.5, 0.1, 4}),
-                          testing::box_at("short", {1.5, 2.45, 2}, {0.1, 3.1, 4})};
-  problem.start = {{-2, -3.5}, radians(90)};
-  problem.targets = {{"fox", {0.5, 3.3, 0}, {0.4, 0.3, 0.4}, 0.0},
-                     {"cat", {-3, -1, 0}, {0.4, 0.3, 0.4}, 0.0}};
-  auto firing_map = build_firing_map(problem, quick());
-  auto plan = plan_guard(problem, *firing_map, quick(), {});
-  auto precomputed = precompute_stops(problem, *firing_map, *plan, {}, {});
-  return {std::move(problem), std::move(*firing_map), std::move(*plan), std::move(*precomputed)};
-}
+ArrivalsYard yard_with_corners() { return arrivals_yard(planned_yard(testing::corners(), quick())); }
 
 /// Once the gun is aimed the shot follows, and a drive ends at a waypoint, whoever enters meanwhile.
 TEST(ArrivingTargets, FinishesWhatIsInHand) {
-  const Yard yard = yard_with_corners();
+  const ArrivalsYard yard = yard_with_corners();
   int shortened = 0;
   for (double enters = 0.1; enters < 20.0; enters += 0.7) {
     const std::vector<Intruder> two = {{"fox", 0, "gate", {}, 0.0, 0.0},
@@ -223,7 +190,7 @@ void expect_same_mission(const Run& a, const Run& b) {
 TEST(ArrivingTargets, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
   Rng rng(53);
   for (int y = 0; y < cases(5); ++y) {
-    const Yard yard = random_yard(rng, y % 2 == 0);
+    const ArrivalsYard yard = random_arrivals_yard(rng, 8, 5, y % 2 == 0);
     const auto still = testing::run_still(yard.problem, yard.firing_map, yard.plan, quick(), 1);
     std::vector<Intruder> all;
     for (std::size_t t = 0; t < yard.problem.targets.size(); ++t)
@@ -246,7 +213,7 @@ TEST(ArrivingTargets, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
 
 /// A drive was to shoot later, and ended at a waypoint because the cat came in.
 TEST(ArrivingTargets, ShotsOfADriveThatEndedBeforeAreNotFired) {
-  const Yard yard = yard_with_corners();
+  const ArrivalsYard yard = yard_with_corners();
   const std::vector<Intruder> two = {{"fox", 0, "gate", {}, 0.0, 0.0}, {"cat", 1, "gate", {}, 2.0, 2.0}};
   const auto watch = arrival_yard(yard.problem, yard.firing_map, two);
   const ArrivalPlan plan{watch, yard.precomputed, *find_replan_policy("each_arrival")};
@@ -269,7 +236,7 @@ TEST(ArrivingTargets, ShotsOfADriveThatEndedBeforeAreNotFired) {
 
 TEST(ArrivingTargets, OfNobodyIsOverAtOnce) {
   Rng rng(54);
-  const Yard yard = random_yard(rng, true);
+  const ArrivalsYard yard = random_arrivals_yard(rng, 8, 5, true);
   const auto watch = arrival_yard(yard.problem, yard.firing_map, {});
   const auto run = testing::run_arrivals({watch, yard.precomputed, replan_policies().front()}, quick(), 1);
   EXPECT_EQ(run.report.status, "done");
@@ -280,7 +247,7 @@ TEST(ArrivingTargets, OfNobodyIsOverAtOnce) {
 /// Looking up from the plan helps, on average, by time inside.
 TEST(ArrivingTargets, IsShorterOnAverageForThoseWhoPlanAnew) {
   Rng rng(55);
-  const Yard yard = random_yard(rng, true);
+  const ArrivalsYard yard = random_arrivals_yard(rng, 8, 5, true);
   std::map<std::string, double> sums;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const ArrivalYard watch = crowd(yard, 12, 0.2, seed);

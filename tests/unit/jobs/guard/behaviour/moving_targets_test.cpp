@@ -19,14 +19,14 @@ namespace {
 
 using testing::cases;
 
-GuardOptions coarse() {
+GuardOptions walkers_options() {
   GuardOptions options;
   options.resolution_m = 0.25;
   return options;
 }
 
 /// A yard with two walls between which foxes walk about.
-GuardProblem yard(bool with_errors) {
+GuardProblem yard_with_walls(bool with_errors) {
   GuardProblem problem;
   problem.world.name = "yard";
   problem.world.bounds = {{-6, -6}, {6, 6}};
@@ -45,7 +45,7 @@ GuardProblem yard(bool with_errors) {
 
 const std::vector<double> often_at_the_pond = {12.0, 0.3, 0.3, 0.3, 3.0};
 
-/// What was seen of earlier intruders: their walks under another seed, every half second.
+/// Returns the observations of earlier intruders: their walks under another seed, every half second.
 std::vector<Track> past(const GuardProblem& problem, const FiringMap& firing_map,
                         const WanderOptions& options) {
   const auto walks = draw_walks(problem, firing_map, often_at_the_pond, options, 999, 600.0);
@@ -76,8 +76,8 @@ std::vector<double> visits(const std::vector<double>& weights) {
 }
 
 TEST(Wander, WalksOnFreeGroundAtItsSpeedAndLikesWhatItPrefers) {
-  const GuardProblem problem = yard(true);
-  const auto firing_map = build_firing_map(problem, coarse());
+  const GuardProblem problem = yard_with_walls(true);
+  const auto firing_map = build_firing_map(problem, walkers_options());
   WanderOptions options;
   options.speed_mps = 0.7;
   options.rest_s = 5.0;
@@ -114,8 +114,8 @@ TEST(Wander, WalksOnFreeGroundAtItsSpeedAndLikesWhatItPrefers) {
 
 /// The map finds the pond, and how long they stay, from what was seen.
 TEST(VisitMap, LearnsWhereTheyRest) {
-  const GuardProblem problem = yard(true);
-  const auto firing_map = build_firing_map(problem, coarse());
+  const GuardProblem problem = yard_with_walls(true);
+  const auto firing_map = build_firing_map(problem, walkers_options());
   WanderOptions options;
   options.speed_mps = 0.7;
   options.rest_s = 8.0;
@@ -150,18 +150,18 @@ TEST(MovingTargets, HitsEverybodyAndSaysWhatHappened) {
   wander.speed_mps = 0.5;
   wander.rest_s = 10.0;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(cases(3)); ++seed) {
-    const GuardProblem problem = yard(true);
-    const auto firing_map = build_firing_map(problem, coarse());
+    const GuardProblem problem = yard_with_walls(true);
+    const auto firing_map = build_firing_map(problem, walkers_options());
     const auto history = past(problem, *firing_map, wander);
     const auto walks = draw_walks(problem, *firing_map, often_at_the_pond, wander, seed, 7200.0);
-    const auto plan =
-        plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, wander), coarse(), wander);
+    const auto plan = plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, wander),
+                                  walkers_options(), wander);
     ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
-    auto run = testing::run_walkers(*plan, *walks, coarse(), seed);
+    auto run = testing::run_walkers(*plan, *walks, walkers_options(), seed);
     EXPECT_EQ(run.report.status, "done") << run.report.reason;
     test::LogRecorder recorder;
-    EXPECT_EQ(test::bytes_of_run(run), test::bytes_of_run(testing::run_walkers(*plan, *walks, coarse(), seed,
-                                                                               {.sinks = {&recorder}})));
+    EXPECT_EQ(test::bytes_of_run(run), test::bytes_of_run(testing::run_walkers(
+                                           *plan, *walks, walkers_options(), seed, {.sinks = {&recorder}})));
     EXPECT_EQ(recorder.finish(), test::bytes_of_log(run.log));
     for (const auto& stamped : testing::shots_of(run.log)) {
       const outrider_msgs::Shot& shot = stamped.message;
@@ -188,7 +188,7 @@ TEST(MovingTargets, HitsEverybodyAndSaysWhatHappened) {
 
 /// Two who rest near: the second is shot at before the ball at the first has landed, unless from rest.
 TEST(MovingTargets, AreAimedAtWhileABallFliesAtAnother) {
-  GuardProblem problem = yard(false);
+  GuardProblem problem = yard_with_walls(false);
   problem.world.solids.resize(1);
   problem.targets.resize(2);
   problem.targets[0].base = {1.0, -1.5, 0.0};
@@ -197,7 +197,7 @@ TEST(MovingTargets, AreAimedAtWhileABallFliesAtAnother) {
   WanderOptions wander;
   wander.sight_m = 0.0;
   for (const bool on_the_move : {true, false}) {
-    GuardOptions options = coarse();
+    GuardOptions options = walkers_options();
     options.shoot_on_the_move = on_the_move;
     const auto firing_map = build_firing_map(problem, options);
     const auto plan =
@@ -216,10 +216,10 @@ TEST(MovingTargets, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
   Rng rng(74);
   int shots = 0;
   for (int i = 0; i < cases(6); ++i) {
-    GuardProblem problem = yard(false);
+    GuardProblem problem = yard_with_walls(false);
     problem.world.solids.resize(1);
     problem.targets.resize(1);
-    const auto firing_map = build_firing_map(problem, coarse());
+    const auto firing_map = build_firing_map(problem, walkers_options());
     WanderOptions wander;
     wander.speed_mps = 0.4;
     wander.sight_m = 0.0;
@@ -227,8 +227,8 @@ TEST(MovingTargets, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
     const Vec2 from{rng.uniform(-3.0, 3.0), -2.0};
     const Vec2 velocity = 0.4 * direction(rng.uniform(0.0, 6.28));
     const std::vector<Walk> walks = {{{{0.0, from}, {60.0, from + 60.0 * velocity}}}};
-    const auto plan =
-        plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), coarse(), wander);
+    const auto plan = plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander),
+                                  walkers_options(), wander);
     ASSERT_TRUE(plan.has_value());
     Log log;
     auto robot = simulated_guard(problem, *firing_map, log, 1, {.walks = walks, .look_s = wander.look_s});
@@ -246,18 +246,18 @@ TEST(MovingTargets, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
 
 /// One who never moves is hit as a still one is: by the best shot from where the robot stands.
 TEST(MovingTargets, OfThoseWhoStayIsTheStillYard) {
-  GuardProblem problem = yard(false);
+  GuardProblem problem = yard_with_walls(false);
   problem.world.solids.resize(1);
   problem.targets.resize(1);
   problem.targets[0].base = {1.0, -2.0, 0.0};
-  const auto firing_map = build_firing_map(problem, coarse());
+  const auto firing_map = build_firing_map(problem, walkers_options());
   WanderOptions wander;
   wander.sight_m = 0.0;
   const std::vector<Walk> walks = {{{{0.0, {1.0, -2.0}}}}};
-  const auto plan =
-      plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), coarse(), wander);
+  const auto plan = plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander),
+                                walkers_options(), wander);
   ASSERT_TRUE(plan.has_value());
-  const GuardOptions options = coarse();
+  const GuardOptions options = walkers_options();
   Log log;
   const auto report =
       run_guard({.mission = GuardMission(*plan), .options = options, .seed = 1, .walks = walks}, log);
@@ -275,24 +275,24 @@ TEST(MovingTargets, OfThoseWhoStayIsTheStillYard) {
 
 /// Knowing where they like to be shortens their stay, on average.
 TEST(MovingTargets, IsShorterOnAverageWithTheLearnedMap) {
-  const GuardProblem problem = yard(true);
-  const auto firing_map = build_firing_map(problem, coarse());
+  const GuardProblem problem = yard_with_walls(true);
+  const auto firing_map = build_firing_map(problem, walkers_options());
   WanderOptions wander;
   wander.speed_mps = 0.8;
   wander.rest_s = 4.0;
   const auto history = past(problem, *firing_map, wander);
-  const auto learned =
-      plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, wander), coarse(), wander);
+  const auto learned = plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, wander),
+                                   walkers_options(), wander);
   WanderOptions blank = wander;
   blank.learn = false;
-  const auto unlearned =
-      plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, blank), coarse(), blank);
+  const auto unlearned = plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, blank),
+                                     walkers_options(), blank);
   ASSERT_TRUE(learned && unlearned);
   double with_map = 0.0, without = 0.0, expected = 0.0, hits = 0.0;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(cases(40)); ++seed) {
     const auto walks = draw_walks(problem, *firing_map, often_at_the_pond, wander, seed, 7200.0);
-    const auto a = testing::run_walkers(*learned, *walks, coarse(), seed);
-    const auto b = testing::run_walkers(*unlearned, *walks, coarse(), seed);
+    const auto a = testing::run_walkers(*learned, *walks, walkers_options(), seed);
+    const auto b = testing::run_walkers(*unlearned, *walks, walkers_options(), seed);
     with_map += metric(a, "intruder_seconds");
     without += metric(b, "intruder_seconds");
     expected += metric(a, "expected_hits");
@@ -304,14 +304,14 @@ TEST(MovingTargets, IsShorterOnAverageWithTheLearnedMap) {
 }
 
 TEST(Wander, IsRefusedWhereItCannotBe) {
-  GuardProblem problem = yard(true);
-  const auto firing_map = build_firing_map(problem, coarse());
+  GuardProblem problem = yard_with_walls(true);
+  const auto firing_map = build_firing_map(problem, walkers_options());
   WanderOptions options;
   options.speed_mps = 1.0;
   problem.targets[1].base.z = 0.5;
   EXPECT_EQ(draw_walks(problem, *firing_map, often_at_the_pond, options, 1, 10.0).error().where,
             "wander.speed");
-  problem = yard(true);
+  problem = yard_with_walls(true);
   problem.targets[1].base = {-1.5, 0.105, 0.0};
   EXPECT_EQ(draw_walks(problem, *firing_map, often_at_the_pond, options, 1, 10.0).error().where,
             "wander.speed");

@@ -10,48 +10,34 @@
 #include "outrider/jobs/guard/plan/supply_plan.hpp"
 #include "outrider/jobs/guard/run/run.hpp"
 #include "support/guard_runs.hpp"
-#include "support/guard_yard.hpp"
+#include "support/planned_yard.hpp"
 #include "support/random_cases.hpp"
 #include "support/run_bytes.hpp"
 
 namespace outrider {
 namespace {
 
-GuardOptions coarse() {
-  GuardOptions options = testing::from_rest();
-  options.resolution_m = 0.25;
-  options.stops = 60;
-  options.refinements = 0;
-  options.iterations = 100;
-  return options;
-}
+using testing::coarse;
+using testing::planned_yard;
+using testing::PlannedYard;
 
 /// A yard of 8 x 8 m with six targets; the well and the dock are beside the start.
-GuardProblem yard(std::uint64_t seed) {
+GuardProblem yard_with_stations(std::uint64_t seed) {
   Rng rng(seed);
   GuardProblem problem = testing::random_guard_problem(rng, 2, 6, 4.0);
-  problem.supplies.tank = 2.0;
-  problem.supplies.battery_wh = 0.6;
-  problem.supplies.stations = {{"well", problem.start.position + Vec2{0.5, 0.0}, true, false},
-                               {"dock", problem.start.position + Vec2{-0.5, 0.0}, false, true}};
+  testing::limit_stores(problem, 0.6);
   return problem;
 }
 
-struct Mission {
-  GuardProblem problem;
-  FiringMap firing_map;
-  GuardPlan plan;
-};
-
-Outcome<Mission> planned(GuardProblem problem, bool on_the_move = false) {
-  auto firing_map = build_firing_map(problem, coarse());
-  if (!firing_map) return pass_on(firing_map);
-  auto plan = plan_guard(problem, *firing_map, coarse(), {});
+/// Plans with supplies; refused where a station stands in an obstacle.
+Outcome<PlannedYard> supplied(GuardProblem problem, bool on_the_move = false) {
+  PlannedYard yard = planned_yard(std::move(problem), coarse());
   GuardOptions options = coarse();
   options.shoot_on_the_move = on_the_move;
-  if (plan) plan = supply_plan(problem, *firing_map, std::move(*plan), options, {});
+  auto plan = supply_plan(yard.problem, yard.firing_map, std::move(yard.plan), options, {});
   if (!plan) return pass_on(plan);
-  return Mission{std::move(problem), std::move(*firing_map), std::move(*plan)};
+  yard.plan = std::move(*plan);
+  return yard;
 }
 
 /// No store below zero or above full, and each level goes up only where the robot fills it.
@@ -77,10 +63,10 @@ void expect_sound_levels(const Run& run) {
 TEST(SupplyRun, WithoutErrorsTakesWhatItsPlanSays) {
   int fills = 0, passing = 0;
   for (int i = 0; i < testing::cases(8); ++i) {
-    GuardProblem problem = yard(static_cast<std::uint64_t>(i / 2));
+    GuardProblem problem = yard_with_stations(static_cast<std::uint64_t>(i / 2));
     problem.errors = {0.0, 0.0, {0.0, 0.0}, 0.0};
     const bool on_the_move = i % 2 != 0;
-    const auto mission = planned(std::move(problem), on_the_move);
+    const auto mission = supplied(std::move(problem), on_the_move);
     if (!mission) continue;  // a station stands in an obstacle
     ASSERT_EQ(mission->plan.on_the_move, on_the_move);
     for (const SupplyLevel& level : planned_levels(mission->problem, mission->firing_map, mission->plan))
@@ -107,7 +93,7 @@ TEST(SupplyRun, WithoutErrorsTakesWhatItsPlanSays) {
 TEST(SupplyRun, WithErrorsNeverRunsDryAndIsTheSameTwice) {
   int missions = 0;
   for (int i = 0; i < testing::cases(6); ++i) {
-    const auto mission = planned(yard(static_cast<std::uint64_t>(100 + i / 2)), i % 2 != 0);
+    const auto mission = supplied(yard_with_stations(static_cast<std::uint64_t>(100 + i / 2)), i % 2 != 0);
     if (!mission) continue;
     ++missions;
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
@@ -124,10 +110,10 @@ TEST(SupplyRun, WithErrorsNeverRunsDryAndIsTheSameTwice) {
 }
 
 TEST(SupplyRun, SaysWhatTheSuppliesDoNotSufficeFor) {
-  GuardProblem problem = yard(1);
+  GuardProblem problem = yard_with_stations(1);
   problem.supplies.battery_wh = 0.0;
   problem.supplies.stations.clear();
-  const auto mission = planned(problem);
+  const auto mission = supplied(problem);
   ASSERT_TRUE(mission) << mission.error().sentence;
   const std::size_t hits = problem.targets.size() - mission->plan.unreachable.size();
   ASSERT_EQ(mission->plan.unsupplied.size(), hits - 2);
@@ -139,37 +125,34 @@ TEST(SupplyRun, SaysWhatTheSuppliesDoNotSufficeFor) {
 
 TEST(SupplyPlan, RefusesWhatIsWrong) {
   const auto says = [](GuardProblem problem, const std::string& key, const std::string& words) {
-    const auto mission = planned(std::move(problem));
+    const auto mission = supplied(std::move(problem));
     ASSERT_FALSE(mission) << words;
     EXPECT_EQ(mission.error().code, FaultCode::bad_input);
     EXPECT_EQ(mission.error().where, key);
     EXPECT_NE(mission.error().sentence.find(words), std::string::npos) << mission.error().sentence;
   };
-  GuardProblem problem = yard(1);
+  GuardProblem problem = yard_with_stations(1);
   problem.supplies.shot_water = 3.0;
   says(problem, "supplies.tank", "too small for any shot");
-  problem = yard(1);
+  problem = yard_with_stations(1);
   problem.supplies.shot_j = 1e5;
   says(problem, "supplies.battery", "too little for any shot");
-  problem = yard(1);
+  problem = yard_with_stations(1);
   problem.supplies.stations[0].position = {50.0, 0.0};
   says(problem, "supplies.stations", "well at (50, 0) is outside the yard");
-  problem = yard(1);
+  problem = yard_with_stations(1);
   problem.supplies.stations[1].position = {3.95, 3.95};
   says(problem, "supplies.stations", "too close to an obstacle");
 }
 
 TEST(SupplyPlan, WithoutEndIsThePlanItself) {
-  GuardProblem problem = yard(2);
+  GuardProblem problem = yard_with_stations(2);
   problem.supplies = {};
-  const auto firing_map = build_firing_map(problem, coarse());
-  ASSERT_TRUE(firing_map);
-  const auto plan = plan_guard(problem, *firing_map, coarse(), {});
-  ASSERT_TRUE(plan);
-  const auto same = supply_plan(problem, *firing_map, *plan, {}, {});
+  const PlannedYard yard = planned_yard(std::move(problem), coarse());
+  const auto same = supply_plan(yard.problem, yard.firing_map, yard.plan, {}, {});
   ASSERT_TRUE(same);
-  EXPECT_EQ(same->cost_s, plan->cost_s);
-  EXPECT_EQ(same->stops.size(), plan->stops.size());
+  EXPECT_EQ(same->cost_s, yard.plan.cost_s);
+  EXPECT_EQ(same->stops.size(), yard.plan.stops.size());
 }
 
 /// An open floor with a well and a dock, and the charge that it takes to get about there, by hand.

@@ -9,54 +9,30 @@
 #include "outrider/jobs/guard/run/run.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/guard_runs.hpp"
-#include "support/guard_yard.hpp"
 #include "support/logged_targets.hpp"
+#include "support/planned_yard.hpp"
 #include "support/random_cases.hpp"
 #include "support/run_bytes.hpp"
 
 namespace outrider {
 namespace {
 
+using testing::ArrivalsYard;
 using testing::cases;
 using testing::quick;
+using testing::random_arrivals_yard;
 using testing::random_guard_problem;
 
-struct Yard {
-  GuardProblem problem;
-  FiringMap firing_map;
-  GuardPlan plan;
-  ArrivalOptions options;
-  PrecomputedStops precomputed;
-};
-
-Yard random_yard(Rng& rng, std::size_t targets, bool with_errors) {
-  auto problem = random_guard_problem(rng, 6, targets, 2.5);
-  if (!with_errors) problem.errors = {0.0, 0.0, {0.0, 0.0}};
-  auto firing_map = build_firing_map(problem, quick());
-  auto plan = plan_guard(problem, *firing_map, quick(), {});
-  ArrivalOptions options;
-  options.stops = 30;
-  options.beam = 10;
-  auto precomputed = precompute_stops(problem, *firing_map, *plan, options, {});
-  return {std::move(problem), std::move(*firing_map), std::move(*plan), options, std::move(*precomputed)};
-}
-
-/// Nobody waits for sure shots any more, and there are shots in passing.
-void move_on(Yard& yard) {
-  yard.plan.on_the_move = true;
-  yard.precomputed = *precompute_stops(yard.problem, yard.firing_map, yard.plan, yard.options, {});
-}
-
 /// A random yard in which everybody can be hit.
-Yard open_yard(Rng& rng, std::size_t targets, bool with_errors) {
+ArrivalsYard yard_without_loss(Rng& rng, std::size_t targets, bool with_errors) {
   for (;;) {
-    Yard yard = random_yard(rng, targets, with_errors);
+    ArrivalsYard yard = random_arrivals_yard(rng, 6, targets, with_errors);
     const auto& reachable = yard.precomputed.reachable;
     if (std::ranges::all_of(reachable, [](char r) { return r != 0; })) return yard;
   }
 }
 
-Run mission(const Yard& yard, std::uint64_t seed) {
+Run survivors_run(const ArrivalsYard& yard, std::uint64_t seed) {
   const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
   const ReplanPolicy policy = replan_policies()[seed % 3];
   return testing::run_arrivals({watch, yard.precomputed, policy, ArrivalObjective::makespan, 3, 10}, quick(),
@@ -67,11 +43,10 @@ TEST(Survivors, AreHitUntilTheyLeaveAndRepeat) {
   Rng rng(61);
   std::size_t survived = 0;
   for (int y = 0; y < cases(4); ++y) {
-    Yard yard = random_yard(rng, 5, true);
+    ArrivalsYard yard = random_arrivals_yard(rng, 6, 5, true, y % 2 != 0);
     yard.options.leave = 0.5;
-    if (y % 2 != 0) move_on(yard);
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-      auto run = mission(yard, seed);
+      auto run = survivors_run(yard, seed);
       const auto& shots = testing::shots_of(run.log);
       const auto hits = static_cast<std::size_t>(
           std::ranges::count_if(shots, [](const auto& shot) { return shot.message.hit; }));
@@ -98,7 +73,7 @@ TEST(Survivors, AreHitUntilTheyLeaveAndRepeat) {
         ended_after_a_hit += own;
       }
       EXPECT_EQ(ended_after_a_hit, hits);
-      EXPECT_EQ(test::bytes_of_run(run), test::bytes_of_run(mission(yard, seed)));
+      EXPECT_EQ(test::bytes_of_run(run), test::bytes_of_run(survivors_run(yard, seed)));
     }
   }
   EXPECT_GT(survived, 8U);
@@ -108,7 +83,7 @@ TEST(Survivors, AreHitUntilTheyLeaveAndRepeat) {
 TEST(Survivors, AtTwoPlacesTakeTheSumOfTheSeries) {
   Rng rng(62);
   for (int y = 0; y < cases(4); ++y) {
-    Yard yard = open_yard(rng, 2, false);
+    ArrivalsYard yard = yard_without_loss(rng, 2, false);
     const double p = 0.6 + 0.1 * (y % 4);
     yard.options.leave = p;
     yard.options.walk_mps = y % 2 == 0 ? 0.0 : 0.4;
@@ -117,7 +92,7 @@ TEST(Survivors, AtTwoPlacesTakeTheSumOfTheSeries) {
     const TourProblem& table = one.table;
     const Policy policy = policies().front();
 
-    // By hand: all missions of both intruders with at most 12 survivals between them.
+    // All missions of both intruders with at most 12 survivals between them, by hand.
     struct State {
       std::vector<PendingTarget> pending;
       RobotState from;
@@ -172,11 +147,11 @@ TEST(Survivors, AtTwoPlacesTakeTheSumOfTheSeries) {
   }
 }
 
-/// What the plan expects is what missions take, simulated by other code, on average.
+/// Missions take on average the time that the plan expects; they are simulated by other code.
 TEST(Survivors, TakeOnAverageWhatIsExpected) {
   Rng rng(63);
   for (int y = 0; y < cases(1); ++y) {
-    Yard yard = open_yard(rng, 4, false);
+    ArrivalsYard yard = yard_without_loss(rng, 4, false);
     yard.options.leave = 0.6;
     const BestPolicy best = best_policy(yard.problem, yard.precomputed, yard.options, 100);
     const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
@@ -200,7 +175,7 @@ TEST(Survivors, TakeOnAverageWhatIsExpected) {
 TEST(Survivors, AreMetInTheBestPolicy) {
   Rng rng(64);
   for (int y = 0; y < cases(1); ++y) {
-    Yard yard = open_yard(rng, 4, false);
+    ArrivalsYard yard = yard_without_loss(rng, 4, false);
     yard.options.leave = 0.5;
     const BestPolicy best = best_policy(yard.problem, yard.precomputed, yard.options, 20);
     for (const Policy& policy : policies()) {
@@ -216,7 +191,7 @@ TEST(Survivors, AreMetInTheBestPolicy) {
 TEST(Survivors, ThatThereAreNoneIsTheStillYard) {
   Rng rng(65);
   for (int y = 0; y < cases(3); ++y) {
-    Yard yard = open_yard(rng, 5, true);
+    ArrivalsYard yard = yard_without_loss(rng, 5, true);
     const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
     const auto policy = find_replan_policy("each_arrival");
     const ArrivalPlan plan{watch, yard.precomputed, *policy, ArrivalObjective::makespan, 3, 30};

@@ -5,49 +5,19 @@
 
 #include <utility>
 
-#include "support/guard_yard.hpp"
+#include "support/planned_yard.hpp"
 
 namespace outrider {
 namespace {
 
-GuardOptions quick() {
-  GuardOptions options = testing::from_rest();
-  options.resolution_m = 0.25;
-  options.stops = 40;
-  options.refinements = 0;
-  options.iterations = 50;
-  return options;
-}
-
-struct Yard {
-  GuardProblem problem;
-  FiringMap firing_map;
-  GuardPlan plan;
-  PrecomputedStops precomputed;
-};
-
-Yard make_yard(GuardProblem problem) {
-  auto firing_map = build_firing_map(problem, quick());
-  auto plan = plan_guard(problem, *firing_map, quick(), {});
-  auto precomputed = precompute_stops(problem, *firing_map, *plan, {}, {});
-  return {std::move(problem), std::move(*firing_map), std::move(*plan), std::move(*precomputed)};
-}
-
-/// The way to the fox leads around two corners; the cat sits in front of the start.
-GuardProblem corners() {
-  GuardProblem problem;
-  problem.world.name = "corners";
-  problem.world.bounds = {{-4, -4}, {4, 4}};
-  problem.world.solids = {testing::floor_at(0), testing::box_at("long", {-0.75, 0, 2}, {6.5, 0.1, 4}),
-                          testing::box_at("short", {1.5, 2.45, 2}, {0.1, 3.1, 4})};
-  problem.start = {{-2, -3.5}, radians(90)};
-  problem.targets = {{"fox", {0.5, 3.3, 0}, {0.4, 0.3, 0.4}, 0.0},
-                     {"cat", {-3, -1, 0}, {0.4, 0.3, 0.4}, 0.0}};
-  return problem;
-}
+using testing::arrivals_yard;
+using testing::ArrivalsYard;
+using testing::coarse;
+using testing::corners;
+using testing::planned_yard;
 
 /// A fox and a cat, each at its place.
-ArrivalYard two_come(const Yard& yard) {
+ArrivalYard two_come(const ArrivalsYard& yard) {
   return arrival_yard(yard.problem, yard.firing_map,
                       {{"fox", 0, "gate", {}, 0.0, 0.0}, {"cat", 1, "gate", {}, 3.0, 3.0}});
 }
@@ -59,7 +29,7 @@ Observation seen_at(double time_s, Pose2 pose, std::vector<TargetArrival> arriva
 }
 
 TEST(MissionStep, AnArrivalDuringADriveIsPlannedForWherePoliciesInterrupt) {
-  const Yard yard = make_yard(corners());
+  const ArrivalsYard yard = arrivals_yard(planned_yard(corners(), coarse()));
   const ArrivalYard arriving = two_come(yard);
   for (const ReplanPolicy& policy : replan_policies()) {
     const ArrivalPlan plan{arriving, yard.precomputed, policy};
@@ -90,7 +60,7 @@ TEST(MissionStep, AnArrivalDuringADriveIsPlannedForWherePoliciesInterrupt) {
 
 /// Out of reach is what the firing map proves. Stops that happen to have no shot at a place prove nothing.
 TEST(MissionStep, APlaceWithoutAShotIsOutOfReachOnlyWhereThatIsProven) {
-  Yard yard = make_yard(corners());
+  ArrivalsYard yard = arrivals_yard(planned_yard(corners(), coarse()));
   yard.precomputed.reachable[0] = 0;
   for (const bool proven : {false, true}) {
     if (proven) yard.firing_map.regions[0].hits = 0;
@@ -105,7 +75,7 @@ TEST(MissionStep, APlaceWithoutAShotIsOutOfReachOnlyWhereThatIsProven) {
 TEST(MissionStep, WhoSurvivesAHitIsShotAtWhereItGoes) {
   GuardProblem problem = corners();
   problem.world.solids.resize(1);
-  const Yard yard = make_yard(std::move(problem));
+  const ArrivalsYard yard = arrivals_yard(planned_yard(std::move(problem), coarse()));
   const auto arriving = arrival_yard(yard.problem, yard.firing_map, {{"fox", 0, {}, {}, 0.0, 0.0}});
   const ArrivalPlan plan{arriving, yard.precomputed, *find_replan_policy("each_arrival")};
   GuardMission mission(plan);
@@ -148,7 +118,7 @@ TEST(MissionStep, AVisitToAStationIsNotDroppedWhenSomebodyEnters) {
   GuardProblem problem = corners();
   problem.supplies.tank = 1.0;
   problem.supplies.stations = {{"well", {3.0, -2.5}, true, false}};
-  const Yard yard = make_yard(std::move(problem));
+  const ArrivalsYard yard = arrivals_yard(planned_yard(std::move(problem), coarse()));
   const ArrivalYard arriving = two_come(yard);
   const ArrivalPlan plan{arriving, yard.precomputed, *find_replan_policy("each_arrival")};
   GuardMission mission(plan);
@@ -190,13 +160,13 @@ struct Walkers {
   explicit Walkers(double patience_s = 300.0) {
     problem = corners();
     problem.world.solids.resize(1);
-    firing_map = build_firing_map(problem, quick()).value();
+    firing_map = build_firing_map(problem, coarse()).value();
     WanderOptions wander;
     wander.speed_mps = 0.4;
     wander.sight_m = 0.0;
     wander.patience_s = patience_s;
     plan.emplace(
-        plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), quick(), wander)
+        plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), coarse(), wander)
             .value());
   }
 

@@ -19,6 +19,8 @@ namespace {
 using testing::cases;
 using testing::floor_at;
 using testing::fly_fine;
+using testing::planned_yard;
+using testing::PlannedYard;
 using testing::street;
 
 GuardOptions on_the_move() {
@@ -30,28 +32,20 @@ GuardOptions on_the_move() {
   return options;
 }
 
-struct Planned {
-  GuardProblem problem;
-  FiringMap firing_map;
-  GuardPlan plan;
-};
-
-Planned planned(GuardProblem problem) {
-  auto firing_map = build_firing_map(problem, on_the_move());
-  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+PlannedYard planned_in_passing(GuardProblem problem) {
   GuardOptions from_rest = on_the_move();
   from_rest.shoot_on_the_move = false;
-  auto plan = plan_guard(problem, *firing_map, from_rest, {});
-  EXPECT_TRUE(plan.has_value());
-  GuardPlan passing = shoot_in_passing(problem, *firing_map, *plan);
-  EXPECT_LT(passing.cost_s, plan->cost_s);
-  return {std::move(problem), std::move(*firing_map), std::move(passing)};
+  PlannedYard yard = planned_yard(std::move(problem), from_rest);
+  GuardPlan passing = shoot_in_passing(yard.problem, yard.firing_map, yard.plan);
+  EXPECT_LT(passing.cost_s, yard.plan.cost_s);
+  yard.plan = std::move(passing);
+  return yard;
 }
 
 TEST(PassingRun, WithoutErrorsTakesWhatThePlanSays) {
   GuardProblem problem = street();
   problem.errors = {0.0, 0.0, {0.0, 0.0}, 0.0};
-  const Planned p = planned(problem);
+  const PlannedYard p = planned_in_passing(problem);
   const auto run = testing::run_still(p.problem, p.firing_map, p.plan, on_the_move(), 1);
   EXPECT_NEAR(metric(run, "mission_s"), p.plan.cost_s, 1e-6);
   EXPECT_EQ(metric(run, "reached"), 5.0);
@@ -73,7 +67,7 @@ Platform seen_at(const std::vector<testing::TrackSample>& track, double time_s) 
 }
 
 TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
-  const Planned p = planned(street());
+  const PlannedYard p = planned_in_passing(street());
   double passed = 0.0;
   for (int seed = 1; seed <= cases(4); ++seed) {
     auto run =
@@ -113,7 +107,7 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
 /// Intruders in their places: who can be hit from a drive needs no stop, and all are hit sooner than from
 /// rest.
 TEST(PassingRun, IntrudersAreHitByTheWay) {
-  const Planned p = planned(street());
+  const PlannedYard p = planned_in_passing(street());
   GuardOptions from_rest = on_the_move();
   from_rest.shoot_on_the_move = false;
   auto plan = plan_guard(p.problem, p.firing_map, from_rest, {});
@@ -138,7 +132,7 @@ TEST(PassingRun, IntrudersAreHitByTheWay) {
 }
 
 TEST(PassingRun, WhoIsMissedInPassingIsShotAtFromRest) {
-  const Planned p = planned(street());
+  const PlannedYard p = planned_in_passing(street());
   GuardProblem shaky = p.problem;  // worse than planned for
   shaky.errors.aim = {0.12, 0.05};
   int missed = 0;
@@ -170,7 +164,7 @@ TEST(PassingRun, WhoIsMissedInPassingIsShotAtFromRest) {
 /// A target is to be hit on a drive from which it cannot be hit: it gets a stop where the way leads past it,
 /// and a later drive hits it before.
 TEST(PassingRun, WhoIsLostOnOneDriveIsHitFromALaterOne) {
-  const Planned p = planned(street());
+  const PlannedYard p = planned_in_passing(street());
   constexpr std::size_t lost = 4;  // at x = 13.6 m
   TaskBoard board(p.problem, p.firing_map, p.plan);
   board.set_tasks({{{1.0, 0.0}, {0}, {}, {lost}}, {{3.0, 0.0}, {1}}, {{15.0, 0.0}, {3}}});
@@ -261,7 +255,7 @@ TEST(PassingRun, WhoIsLostOnADriveGetsAStopBeforeItIfThatIsShorter) {
 
 /// A robot that carries nothing out and tells nothing.
 TEST(PassingRun, EndsWhenNobodyTellsOfTheShots) {
-  const Planned p = planned(street());
+  const PlannedYard p = planned_in_passing(street());
   GuardMission mission(p.problem, p.firing_map, p.plan);
   Observation seen{.odometry = p.problem.start, .gun = GunState{}};
   int commands = 0;
@@ -312,7 +306,7 @@ struct SlowBalls final : Robot {
 };
 
 TEST(PassingRun, AMissThatIsToldLateIsShotAtAgain) {
-  const Planned p = planned(street());
+  const PlannedYard p = planned_in_passing(street());
   SlowBalls robot(p.problem);
   GuardMission mission(p.problem, p.firing_map, p.plan);
   int commands = 0;

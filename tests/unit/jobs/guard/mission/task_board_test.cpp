@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "outrider/jobs/guard/plan/stops.hpp"
-#include "support/guard_yard.hpp"
+#include "support/planned_yard.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {
@@ -13,7 +13,10 @@ namespace {
 
 using testing::box_at;
 using testing::cases;
+using testing::coarse;
 using testing::floor_at;
+using testing::planned_yard;
+using testing::PlannedYard;
 using testing::random_guard_problem;
 
 /// A robot that does what it is told, as far as a script lets it.
@@ -58,30 +61,8 @@ struct Scripted final : Robot {
   std::vector<std::vector<Vec2>> ways;
 };
 
-struct Yard {
-  GuardProblem problem;
-  FiringMap firing_map;
-  GuardPlan plan;
-};
-
-GuardOptions quick_options() {
-  GuardOptions options = testing::from_rest();
-  options.resolution_m = 0.2;
-  options.stops = 40;
-  options.iterations = 100;
-  return options;
-}
-
-Yard make_yard(GuardProblem problem) {
-  auto firing_map = build_firing_map(problem, quick_options());
-  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
-  auto plan = plan_guard(problem, *firing_map, quick_options(), {});
-  EXPECT_TRUE(plan.has_value());
-  return {std::move(problem), std::move(*firing_map), std::move(*plan)};
-}
-
 /// Two targets in the open and one that is out of reach.
-GuardProblem open_yard() {
+GuardProblem three_targets() {
   GuardProblem problem;
   problem.world.bounds = {{-3, -3}, {3, 3}};
   problem.world.solids = {floor_at(0)};
@@ -93,7 +74,7 @@ GuardProblem open_yard() {
 }
 
 /// Runs the mission; the number of commands is bounded.
-GuardMission run(const Yard& yard, Robot& robot, std::size_t most_commands = 2000) {
+GuardMission run(const PlannedYard& yard, Robot& robot, std::size_t most_commands = 2000) {
   GuardMission mission(yard.problem, yard.firing_map, yard.plan);
   std::size_t commands = 0;
   while (const auto command = mission.step(robot.sense())) {
@@ -107,7 +88,7 @@ GuardMission run(const Yard& yard, Robot& robot, std::size_t most_commands = 200
 }
 
 TEST(TaskBoard, ReachesWhatItHits) {
-  const Yard yard = make_yard(open_yard());
+  const PlannedYard yard = planned_yard(three_targets(), coarse());
   Scripted robot(yard.problem);
   const GuardMission mission = run(yard, robot);
   EXPECT_EQ(mission.board().records()[0].status, TargetStatus::reached);
@@ -123,7 +104,7 @@ TEST(TaskBoard, ReachesWhatItHits) {
 }
 
 TEST(TaskBoard, TriesAsOftenAsAskedAndOnceMoreFromElsewhere) {
-  Yard yard = make_yard(open_yard());
+  PlannedYard yard = planned_yard(three_targets(), coarse());
   for (const std::int64_t tries : {1, 3, 5}) {
     yard.problem.tries = tries;
     Scripted robot(yard.problem);
@@ -144,7 +125,7 @@ TEST(TaskBoard, TriesAsOftenAsAskedAndOnceMoreFromElsewhere) {
 }
 
 TEST(TaskBoard, ASecondPassCanStillReach) {
-  const Yard yard = make_yard(open_yard());
+  const PlannedYard yard = planned_yard(three_targets(), coarse());
   Scripted robot(yard.problem);
   std::vector<int> shots(3, 0);
   robot.hits = [&](std::size_t target, int) { return ++shots[target] > 3; };
@@ -155,7 +136,7 @@ TEST(TaskBoard, ASecondPassCanStillReach) {
 }
 
 TEST(TaskBoard, AMissIsAimedAnewFromTheSamePlace) {
-  const Yard yard = make_yard(open_yard());
+  const PlannedYard yard = planned_yard(three_targets(), coarse());
   Scripted robot(yard.problem);
   robot.hits = [](std::size_t, int shot) { return shot >= 2; };
   const GuardMission mission = run(yard, robot);
@@ -165,7 +146,7 @@ TEST(TaskBoard, AMissIsAimedAnewFromTheSamePlace) {
 }
 
 TEST(TaskBoard, AShotOfWhichNothingIsHeardIsAMiss) {
-  const Yard yard = make_yard(open_yard());
+  const PlannedYard yard = planned_yard(three_targets(), coarse());
   Scripted robot(yard.problem);
   robot.hits = [](std::size_t, int) { return std::optional<bool>{}; };
   const GuardMission mission = run(yard, robot);
@@ -183,11 +164,11 @@ TEST(TaskBoard, AShotOfWhichNothingIsHeardIsAMiss) {
 
 /// A screen hides the target from the place where the robot ends up; it goes and finds another.
 TEST(TaskBoard, GoesElsewhereWhenThePlaceReachedHasNoShot) {
-  GuardProblem problem = open_yard();
+  GuardProblem problem = three_targets();
   problem.targets.resize(1);
   problem.targets[0].base = {0, 1.5, 0};
   problem.world.solids.push_back(box_at("screen", {-2.0, 0.5, 1.5}, {1.9, 0.05, 3.0}));
-  const Yard yard = make_yard(problem);
+  const PlannedYard yard = planned_yard(problem, coarse());
   Scripted robot(yard.problem);
   const Vec2 behind{-2.6, -0.5};
   ASSERT_FALSE(
@@ -195,7 +176,7 @@ TEST(TaskBoard, GoesElsewhereWhenThePlaceReachedHasNoShot) {
           .has_value());
   robot.arrive = [&](Vec2 goal, int drive) { return drive == 0 ? behind : goal; };
   // Make it drive first.
-  Yard moved = yard;
+  PlannedYard moved = yard;
   moved.plan.stops[0].position = {-1.0, -1.9};
   const GuardMission mission = run(moved, robot);
   EXPECT_EQ(mission.board().records()[0].status, TargetStatus::reached);
@@ -213,9 +194,9 @@ TEST(TaskBoard, GoesElsewhereWhenThePlaceReachedHasNoShot) {
   EXPECT_EQ(nowhere.board().records()[0].pose.position, behind);
 }
 
-/// What has no shot with the margin is tried without it in the second pass.
+/// A target that has no shot with the margin is tried without it in the second pass.
 TEST(TaskBoard, GivesTheMarginUpInTheSecondPass) {
-  GuardProblem problem = open_yard();
+  GuardProblem problem = three_targets();
   problem.targets = {{"slit", {0, 1.5, 0}, {0.4, 0.2, 0.4}, 0.0}};
   for (const double side : {-1.0, 1.0}) {
     // A slit of 5 cm lets the ball through, but not with 3 cm on both sides.
@@ -223,7 +204,7 @@ TEST(TaskBoard, GivesTheMarginUpInTheSecondPass) {
     problem.world.solids.push_back(box_at("side", {side * 0.4, 1.5, 2.5}, {0.02, 1.0, 5.0}));
   }
   problem.world.solids.push_back(box_at("back", {0, 2.0, 2.5}, {6.0, 0.02, 5.0}));
-  const Yard yard = make_yard(problem);
+  const PlannedYard yard = planned_yard(problem, coarse());
   ASSERT_EQ(yard.plan.unreachable.size(), 1U);
   Scripted robot(yard.problem);
   const GuardMission mission = run(yard, robot);
@@ -241,7 +222,7 @@ TEST(TaskBoard, AlwaysEndsAndLosesNoTarget) {
   for (int y = 0; y < cases(6); ++y) {
     auto problem = random_guard_problem(rng, 8, 5, 2.0);
     if (y % 2 == 0) problem.targets[0].base.z = 8.0;
-    const Yard yard = make_yard(problem);
+    const PlannedYard yard = planned_yard(problem, coarse());
     for (int i = 0; i < 12; ++i) {
       Rng script = rng.child(static_cast<std::uint64_t>(1000 * y + i));
       Scripted robot(yard.problem);
@@ -275,11 +256,11 @@ TEST(TaskBoard, AlwaysEndsAndLosesNoTarget) {
 
 /// A bottle on a pole at the far end, shot at by a gun that strays by 10 degrees: few shots hit.
 TEST(TaskBoard, GivesUpWhatTakesTooLongToHit) {
-  GuardProblem problem = open_yard();
+  GuardProblem problem = three_targets();
   problem.targets = {{"bottle", {0, 2.5, 1.5}, {0.07, 0.07, 0.25}, 0.0}};
   problem.world.solids.push_back(box_at("fence", {0, -1.5, 0.25}, {6.0, 0.05, 0.5}));
   problem.errors.aim.gun_rad = radians(10);
-  Yard yard = make_yard(problem);
+  PlannedYard yard = planned_yard(problem, coarse());
   const auto shots_of = [&](double give_up_s) {
     yard.problem.give_up_s = give_up_s;
     Scripted robot(yard.problem);

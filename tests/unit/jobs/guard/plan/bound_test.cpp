@@ -122,8 +122,8 @@ TEST(MissionBound, IsNeverAboveTheOptimumOverAllCellsAndOrders) {
   EXPECT_GT(yards, 10);
 }
 
-/// Where there is nothing to go round and no shot is stopped, the bound is what it claims to be but for
-/// the lattice's two percent, the chord below v^2 / a, and the shots tried here.
+/// On ground with nothing to go round and no stopped shot, the bound is what it claims to be but for the
+/// lattice's two percent, the chord below v^2 / a, and the shots tried here.
 TEST(MissionBound, IsCloseOnOpenGround) {
   Rng rng(86);
   double tightness = 0.0;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "outrider/jobs/guard/plan/passing_plan.hpp"
-#include "support/guard_yard.hpp"
+#include "support/planned_yard.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {
@@ -38,23 +38,18 @@ GuardProblem street(Rng& rng, std::size_t targets) {
   return problem;
 }
 
-struct Case {
-  GuardProblem problem;
-  FiringMap firing_map;
-  GuardPlan plan;     ///< from rest
-  GuardPlan passing;  ///< and from the way
+struct PassingCase : testing::PlannedYard {  // from rest
+  GuardPlan passing;                         // and from the way
 };
 
-Case planned_case(GuardProblem problem) {
-  auto firing_map = build_firing_map(problem, quick_on_the_move());
-  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
-  auto plan = plan_guard(problem, *firing_map, testing::quick(), {});
-  EXPECT_TRUE(plan.has_value()) << plan.error().sentence;
-  GuardPlan passing = shoot_in_passing(problem, *firing_map, *plan);
-  return {std::move(problem), std::move(*firing_map), std::move(*plan), std::move(passing)};
+PassingCase planned_case(GuardProblem problem) {
+  testing::PlannedYard yard = testing::planned_yard(std::move(problem), testing::quick());
+  GuardPlan passing = shoot_in_passing(yard.problem, yard.firing_map, yard.plan);
+  return {std::move(yard), std::move(passing)};
 }
 
-/// Where a robot is and how fast, that long after it left a place on its way to another, by small steps.
+/// Returns the place and speed of a robot that long after it left a place on its way to another, by small
+/// steps.
 Platform own_platform(const RobotModel& robot, Vec2 from, Vec2 to, double after_s) {
   constexpr int steps = 20000;
   const double total = own_duration(norm(to - from), robot.speed_mps, robot.acceleration_mps2);
@@ -69,7 +64,7 @@ Platform own_platform(const RobotModel& robot, Vec2 from, Vec2 to, double after_
 }
 
 /// Flies the ball of a shot from a robot that drives, by small steps.
-bool hits_from(const Case& c, const Platform& platform, std::size_t target, const Shot& shot) {
+bool hits_from(const PassingCase& c, const Platform& platform, std::size_t target, const Shot& shot) {
   const OwnGun gun{c.problem.gun};
   const Vec2 yaw{std::cos(shot.yaw_rad), std::sin(shot.yaw_rad)};
   const double level = shot.speed_mps * std::cos(shot.pitch_rad);
@@ -166,7 +161,7 @@ TEST(ShootInPassing, KeepsItsPromises) {
   Rng rng(502);
   std::size_t passed = 0;
   for (int i = 0; i < cases(6); ++i) {
-    const Case c = planned_case(i % 2 == 0 ? street(rng, 5) : random_guard_problem(rng, 8, 5, 2.5));
+    const PassingCase c = planned_case(i % 2 == 0 ? street(rng, 5) : random_guard_problem(rng, 8, 5, 2.5));
     EXPECT_LE(c.passing.cost_s, c.plan.cost_s);
     EXPECT_NEAR(c.passing.cost_s, own_cost_in_passing(c.problem, c.passing), 1e-6);
     EXPECT_LE(c.passing.lower_bound_s, c.passing.cost_s);
@@ -227,14 +222,14 @@ TEST(ShootInPassing, MovesAStopToWhereTheDrivesAreShorter) {
 
 TEST(ShootInPassing, ShortensAStreet) {
   Rng rng(503);
-  const Case c = planned_case(street(rng, 6));
+  const PassingCase c = planned_case(street(rng, 6));
   EXPECT_LT(c.passing.cost_s, 0.9 * c.plan.cost_s);
   EXPECT_GE(in_passing(c.passing), 2U);
 }
 
 TEST(PassingShot, HitsUnderErrorsWithinTheBounds) {
   Rng rng(504);
-  const Case c = planned_case(street(rng, 6));
+  const PassingCase c = planned_case(street(rng, 6));
   const ExecutionErrors& errors = c.problem.errors;
   int flown = 0;
   int hits = 0;
@@ -264,7 +259,7 @@ TEST(PassingShot, HitsInWind) {
   Rng rng(505);
   GuardProblem problem = street(rng, 4);
   problem.air = {0.03, 3.0, 1.0};
-  const Case c = planned_case(problem);
+  const PassingCase c = planned_case(problem);
   EXPECT_GE(in_passing(c.passing), 1U);
   const Vec3 wind{3.0 * std::cos(1.0), 3.0 * std::sin(1.0), 0.0};
   const auto law = [&](Vec3 v) { return Vec3{0, 0, -9.8} - 0.03 * norm(v - wind) * (v - wind); };

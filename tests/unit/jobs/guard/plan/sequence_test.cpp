@@ -13,14 +13,14 @@ namespace {
 
 using testing::cases;
 
-struct Case {
+struct SequenceCase {
   TourProblem table;
   std::vector<PendingTarget> pending;
   RobotState from;
 };
 
-Case random_case(Rng& rng, std::size_t stops, std::size_t goals, bool nimble, bool walking) {
-  Case c;
+SequenceCase random_case(Rng& rng, std::size_t stops, std::size_t goals, bool nimble, bool walking) {
+  SequenceCase c;
   c.table.goals = goals;
   c.table.turning = {nimble ? 1e9 : 0.8, nimble ? 1e12 : 6.0};
   c.table.yaw_rate_radps = c.table.pitch_rate_radps = nimble ? 1e9 : 1.0;
@@ -53,8 +53,8 @@ Case random_case(Rng& rng, std::size_t stops, std::size_t goals, bool nimble, bo
 double turned(double a, double b) { return std::abs(std::remainder(a - b, 2.0 * pi)); }
 
 /// Every order with every choice of stops, by recursion over plain numbers.
-double brute_force(const Case& c, ArrivalObjective objective, std::vector<char> done, std::size_t stop,
-                   double time, double sum, double heading, double yaw, double pitch) {
+double brute_force(const SequenceCase& c, ArrivalObjective objective, std::vector<char> done,
+                   std::size_t stop, double time, double sum, double heading, double yaw, double pitch) {
   if (std::count(done.begin(), done.end(), 0) == 0)
     return objective == ArrivalObjective::makespan ? time : sum;
   double best = std::numeric_limits<double>::infinity();
@@ -82,16 +82,16 @@ double brute_force(const Case& c, ArrivalObjective objective, std::vector<char> 
   return best;
 }
 
-double brute_force(const Case& c, ArrivalObjective objective) {
+double brute_force(const SequenceCase& c, ArrivalObjective objective) {
   return brute_force(c, objective, std::vector<char>(c.pending.size(), 0), c.table.services.size(),
                      c.from.time_s, 0.0, c.from.heading_rad, 0.0, 0.0);
 }
 
-/// Where turning and aiming take no time and nobody is on the way, nothing is lost.
+/// Nothing is lost when turning and aiming take no time and nobody is on the way.
 TEST(BestSequence, IsTheBestOfAll) {
   Rng rng(31);
   for (int i = 0; i < cases(200); ++i) {
-    const Case c = random_case(rng, 2 + rng.below(3), 1 + rng.below(4), true, false);
+    const SequenceCase c = random_case(rng, 2 + rng.below(3), 1 + rng.below(4), true, false);
     for (const auto objective : {ArrivalObjective::time_inside, ArrivalObjective::makespan}) {
       const Sequence best = best_sequence(c.table, c.pending, c.from, objective, 100000);
       EXPECT_NEAR(best.value, brute_force(c, objective), 1e-6);
@@ -104,7 +104,7 @@ TEST(BestSequence, IsWholeWorthWhatItSaysAndSeldomFarFromTheBest) {
   double value = 0.0;
   double least = 0.0;
   for (int i = 0; i < cases(100); ++i) {
-    const Case c = random_case(rng, 2 + rng.below(3), 1 + rng.below(4), false, true);
+    const SequenceCase c = random_case(rng, 2 + rng.below(3), 1 + rng.below(4), false, true);
     for (const auto objective : {ArrivalObjective::time_inside, ArrivalObjective::makespan}) {
       const Sequence best = best_sequence(c.table, c.pending, c.from, objective, 20);
       std::vector<int> hits(c.pending.size(), 0);
@@ -128,7 +128,7 @@ TEST(BestSequence, IsWholeWorthWhatItSaysAndSeldomFarFromTheBest) {
 
 TEST(BestSequence, SaysWhenSomebodyCannotBeHit) {
   Rng rng(33);
-  Case c = random_case(rng, 3, 3, false, false);
+  SequenceCase c = random_case(rng, 3, 3, false, false);
   for (auto& services : c.table.services) {
     std::erase_if(services, [](const Service& s) { return s.goal == 1; });
   }

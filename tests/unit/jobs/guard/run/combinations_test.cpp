@@ -9,7 +9,7 @@
 #include "outrider/jobs/guard/run/run.hpp"
 #include "support/guard_replay.hpp"
 #include "support/guard_runs.hpp"
-#include "support/guard_yard.hpp"
+#include "support/planned_yard.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_terrain.hpp"
 
@@ -17,36 +17,21 @@ namespace outrider {
 namespace {
 
 using testing::cases;
+using testing::coarse;
 using testing::expect_everybody_accounted_for;
 using testing::expect_sound_stores;
 using testing::Ledger;
+using testing::limit_stores;
 using testing::logged_run;
 using testing::LoggedTarget;
 using testing::replay_shots;
 using testing::Replayed;
 
-/// Where somebody at the place of a target is, and how large.
+/// Returns the box of somebody at the place of a target.
 auto boxes_of(const GuardProblem& problem) {
   return [&problem](const LoggedTarget& target, double shot_s, double) {
     return testing::box_in(problem, target, shot_s);  // who was hit goes on only then
   };
-}
-
-GuardOptions coarse() {
-  GuardOptions options = testing::from_rest();
-  options.resolution_m = 0.25;
-  options.stops = 60;
-  options.refinements = 0;
-  options.iterations = 50;
-  return options;
-}
-
-/// A tank of two shots and a small battery; the well and the dock are beside the start.
-void limit_stores(GuardProblem& problem) {
-  problem.supplies.tank = 2.0;
-  problem.supplies.battery_wh = 0.5;
-  problem.supplies.stations = {{"well", problem.start.position + Vec2{0.5, 0.0}, true, false},
-                               {"dock", problem.start.position + Vec2{-0.5, 0.0}, false, true}};
 }
 
 ArrivalOptions eight_intruders() {
@@ -74,7 +59,7 @@ Outcome<Run> run_arrivals(const GuardProblem& problem, const ArrivalOptions& arr
     scenario.intruders = std::move(*intruders);
   }
   const auto guard = prepare_guard(std::move(scenario));
-  if (!guard) return tl::unexpected<Fault>(guard.error());
+  if (!guard) return pass_on(guard);
   return logged_run({}, [&](Log& log) { return run_guard(**guard, log); });
 }
 
@@ -84,7 +69,7 @@ bool came(const Run& run, const std::string& name) {
   });
 }
 
-/// What several missions with limited stores had in them, so that a test shows something.
+/// The counts of several missions with limited stores, so that a test shows something.
 struct Premises {
   int missions = 0;
   int done = 0;
@@ -100,7 +85,7 @@ Premises run_with_limited_stores(const ArrivalOptions& arrivals, std::uint64_t f
   for (int i = 0; i < yards; ++i) {
     Rng rng(first_yard + static_cast<std::uint64_t>(i));
     GuardProblem problem = testing::random_guard_problem(rng, 3, 4, 3.0);
-    limit_stores(problem);
+    limit_stores(problem, 0.5);
     problem.supplies.battery_wh = rng.uniform(0.15, 0.5);
     const auto run = run_arrivals(problem, arrivals, 1 + static_cast<std::uint64_t>(i % 3), i % 2 != 0);
     if (!run) {
@@ -198,7 +183,7 @@ TEST(Combinations, IntrudersKeepComingOverHills) {
   EXPECT_GT(on_slopes, 0);
 }
 
-/// Where a walk is, by hand.
+/// Returns the place of a walk, by hand.
 Vec2 place_on(const Walk& walk, double time_s) {
   for (std::size_t i = walk.knots.size() - 1; i > 0; --i) {
     const auto& a = walk.knots[i - 1];
@@ -333,7 +318,7 @@ TEST(Combinations, WithoutAWellTheMissionEndsWhenTheTankIsEmpty) {
   for (const double leave : {1.0, 0.5}) {
     Rng rng(380);
     GuardProblem problem = testing::random_guard_problem(rng, 0, 4, 3.0);
-    limit_stores(problem);
+    limit_stores(problem, 0.5);
     problem.supplies.stations.erase(problem.supplies.stations.begin());
     ArrivalOptions arrivals = eight_intruders();
     arrivals.leave = leave;
@@ -361,7 +346,7 @@ TEST(Combinations, WithoutAChargerInReachTheMissionEnds) {
   for (const bool far_charger : {true, false}) {
     Rng rng(390);
     GuardProblem problem = testing::random_guard_problem(rng, 0, 4, 3.0);
-    limit_stores(problem);
+    limit_stores(problem, 0.5);
     problem.supplies.battery_wh = 0.06;
     problem.supplies.stations.pop_back();
     if (far_charger) problem.supplies.stations.push_back({"dock", {0.0, 2.6}, false, true});

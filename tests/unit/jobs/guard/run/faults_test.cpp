@@ -78,7 +78,7 @@ TEST(GuardFaults, AGunThatIsJammedForGoodEndsTheMission) {
   }
 }
 
-/// Of the three targets each would be tried 2 x 3 times; the gun is given up long before.
+/// Each of the three targets would be tried 2 x 3 times; the gun is given up long before.
 TEST(GuardFaults, AGunThatGivesNoResultIsGivenUp) {
   GunSilence silence;
   for (int shot = 0; shot < 20; ++shot) {

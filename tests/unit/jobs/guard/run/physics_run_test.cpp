@@ -9,8 +9,8 @@
 #include "outrider/core/rng.hpp"
 #include "outrider/jobs/guard/run/physics_robot.hpp"
 #include "support/fine_flight.hpp"
-#include "support/guard_yard.hpp"
 #include "support/logged_targets.hpp"
+#include "support/planned_yard.hpp"
 #include "support/random_cases.hpp"
 #include "support/run_bytes.hpp"
 
@@ -31,10 +31,7 @@ class RunGuardInPhysics : public ::testing::Test {
 
   static outrider::Run carry_out(const GuardProblem& problem, std::uint64_t seed, LogSink* sink = nullptr,
                                  const GuardOptions& options = quick()) {
-    const auto firing_map = build_firing_map(problem, options);
-    EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
-    const auto plan = plan_guard(problem, *firing_map, options, {});
-    EXPECT_TRUE(plan.has_value());
+    const testing::PlannedYard yard = testing::planned_yard(problem, options);
     double last = 0.0;
     RunWatch watch;
     if (sink != nullptr) watch.sinks = {sink};
@@ -43,7 +40,7 @@ class RunGuardInPhysics : public ::testing::Test {
       last = step.part;
     };
     const GuardRun guard{
-        .mission = {problem, *firing_map, *plan}, .options = options, .seed = seed, .rigid = true};
+        .mission = {problem, yard.firing_map, yard.plan}, .options = options, .seed = seed, .rigid = true};
     auto run = testing::logged_run(watch, [&](Log& log) { return run_guard(guard, log, watch); });
     EXPECT_TRUE(run.has_value()) << run.error().sentence;
     EXPECT_EQ(last, 1.0);

@@ -16,7 +16,7 @@ using testing::box_at;
 using testing::cases;
 using testing::floor_at;
 
-GuardProblem yard(std::vector<Solid> solids) {
+GuardProblem yard_of(std::vector<Solid> solids) {
   GuardProblem problem;
   problem.world.solids = std::move(solids);
   problem.world.bounds = {{-10, -10}, {10, 10}};
@@ -28,7 +28,7 @@ GuardProblem yard(std::vector<Solid> solids) {
 class RigidBodies : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto made = make_rigid_world(yard({floor_at(0.0)}));
+    const auto made = make_rigid_world(yard_of({floor_at(0.0)}));
     if (!made) GTEST_SKIP() << made.error().sentence;
   }
 
@@ -48,7 +48,7 @@ class RigidBodies : public ::testing::Test {
 
 TEST_F(RigidBodies, ABallFliesItsParabolaButForTheStep) {
   Rng rng(601);
-  const auto bodies = made(yard({floor_at(0.0)}));
+  const auto bodies = made(yard_of({floor_at(0.0)}));
   for (const double step : {0.25e-3, 1e-3}) {
     for (int i = 0; i < cases(5); ++i) {
       const Vec3 velocity{rng.uniform(-8, 8), rng.uniform(-8, 8), rng.uniform(0, 6)};
@@ -72,7 +72,7 @@ TEST_F(RigidBodies, AThinWallStopsABallFromAnySide) {
   const std::vector<Shape> thin{BoxShape{{0.5e-4, 3.0, 3.0}}, sheet};
   for (const Shape& shape : thin) {
     const Solid wall{"wall", {{0.0, 0.0, 1.0}, {}}, shape};
-    const auto bodies = made(yard({floor_at(0.0), wall}));
+    const auto bodies = made(yard_of({floor_at(0.0), wall}));
     for (int i = 0; i < cases(16); ++i) {
       const double side = i % 2 == 0 ? 1.0 : -1.0;
       const Flight flight{{side * 0.3, rng.uniform(-0.4, 0.4), 1.0},
@@ -93,7 +93,7 @@ TEST_F(RigidBodies, AThinWallStopsABallFromAnySide) {
   }
 }
 
-/// What a thrown ball touches first: a body, or nothing within 2 s.
+/// Returns the body that a thrown ball touches first, or nothing within 2 s.
 std::vector<std::size_t> first_touch(RigidWorld& bodies, const Flight& flight) {
   const std::size_t ball = bodies.throw_ball(flight, 0).value();
   std::vector<std::size_t> touched;
@@ -113,7 +113,7 @@ TEST_F(RigidBodies, ABallTouchesWhatSmallStepsTouch) {
     const Rotation leaning = Rotation::from_rpy(0.0, rng.uniform(1.0, 2.0), rng.uniform(-pi, pi));
     const Vec3 uphill = leaning.axes[2];
     small.solids.push_back({"cliff", {-4.0 * uphill, leaning}, HalfSpaceShape{}});
-    GuardProblem problem = yard(small.solids);
+    GuardProblem problem = yard_of(small.solids);
     problem.targets = {small.target};
     const auto bodies = made(problem);
     const double radius = problem.gun.ball_radius_m;
@@ -142,7 +142,7 @@ TEST_F(RigidBodies, ABallTouchesWhatSmallStepsTouch) {
 }
 
 TEST_F(RigidBodies, OnlyTheTargetThrownAtFeelsTheBall) {
-  GuardProblem problem = yard({floor_at(0.0), box_at("wall", {3, 0, 1}, {0.1, 2, 2})});
+  GuardProblem problem = yard_of({floor_at(0.0), box_at("wall", {3, 0, 1}, {0.1, 2, 2})});
   problem.targets = {{"near", {1.0, 0.0, 0.5}, {0.3, 0.3, 1.0}, 0.0},
                      {"far", {2.0, 0.0, 0.5}, {0.3, 0.3, 1.0}, 0.0}};
   const Flight flight{{0, 0, 1}, {8, 0, 1}, 9.8};
@@ -165,7 +165,7 @@ TEST_F(RigidBodies, OnlyTheTargetThrownAtFeelsTheBall) {
 }
 
 TEST_F(RigidBodies, ManyBallsFlyAtOnceAndEachTouchesItsOwnTarget) {
-  GuardProblem problem = yard({floor_at(0.0), box_at("wall", {3, 0, 1}, {0.1, 4, 2})});
+  GuardProblem problem = yard_of({floor_at(0.0), box_at("wall", {3, 0, 1}, {0.1, 4, 2})});
   problem.targets.clear();
   for (int i = 0; i < 14; ++i) {
     problem.targets.push_back({std::to_string(i), {0.5 + 0.15 * i, 0.0, 0.0}, {0.1, 1.0, 2.0}, 0.0});
@@ -192,7 +192,7 @@ TEST_F(RigidBodies, ManyBallsFlyAtOnceAndEachTouchesItsOwnTarget) {
 }
 
 TEST_F(RigidBodies, TwoBallsAtOneTargetAreBothFelt) {
-  GuardProblem problem = yard({floor_at(0.0)});
+  GuardProblem problem = yard_of({floor_at(0.0)});
   problem.targets = {{"box", {1.0, 0.0, 0.5}, {0.3, 0.3, 1.0}, 0.0}};
   const auto bodies = made(problem);
   const Flight soon{{0.5, 0, 1}, {4, 0, 1}, 9.8}, late{{0, 0, 1}, {4, 0, 1}, 9.8};
@@ -212,7 +212,7 @@ TEST_F(RigidBodies, TwoBallsAtOneTargetAreBothFelt) {
 }
 
 TEST_F(RigidBodies, APointOfTheRobotMovesAsItsVelocitySays) {
-  const auto bodies = made(yard({floor_at(0.0)}));
+  const auto bodies = made(yard_of({floor_at(0.0)}));
   const WheelBase base = wheel_base(RobotModel{});
   const Vec3 on_robot{0.1, 0.15, 0.3};
   bodies->turn_wheels({0.2 / base.wheel_radius_m, 0.4 / base.wheel_radius_m});
@@ -229,7 +229,7 @@ TEST_F(RigidBodies, APointOfTheRobotMovesAsItsVelocitySays) {
 
 TEST_F(RigidBodies, TheRobotStandsRollsTurnsAndIsStoppedByAWall) {
   for (const Solid& floor : {floor_at(0.0), box_at("slab", {0, 0, -0.1}, {30, 30, 0.2})}) {
-    GuardProblem problem = yard({floor, box_at("wall", {2, 0, 0.5}, {0.1, 4, 1})});
+    GuardProblem problem = yard_of({floor, box_at("wall", {2, 0, 0.5}, {0.1, 4, 1})});
     problem.start = {{-1.0, 0.0}, 0.0};
     problem.targets = {{"cat", {0.8, 0.1, 0.0}, {0.4, 0.4, 0.4}, 0.0}};  // no obstacle
     const auto bodies = made(problem);
@@ -260,7 +260,7 @@ TEST_F(RigidBodies, TheRobotStandsRollsTurnsAndIsStoppedByAWall) {
 }
 
 TEST(RigidWorldWithoutEngine, SaysWhatIsMissing) {
-  const auto made = make_rigid_world(yard({floor_at(0.0)}));
+  const auto made = make_rigid_world(yard_of({floor_at(0.0)}));
   if (made) GTEST_SKIP() << "this build has the physics engine";
   EXPECT_EQ(made.error().code, FaultCode::bad_input);
   EXPECT_NE(made.error().sentence.find("install"), std::string::npos) << made.error().sentence;

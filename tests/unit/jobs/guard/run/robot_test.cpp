@@ -8,7 +8,7 @@
 #include "outrider/log/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/costly_cases.hpp"
-#include "support/guard_yard.hpp"
+#include "support/planned_yard.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {
@@ -16,13 +16,14 @@ namespace {
 
 using testing::box_at;
 using testing::cases;
+using testing::firing_map_of;
 using testing::floor_at;
 using testing::own_duration;
 using testing::random_guard_problem;
 
 Vec3 vec3_of(const auto& v) { return {v.x, v.y, v.z}; }
 
-GuardProblem open_yard() {
+GuardProblem one_target() {
   GuardProblem problem;
   problem.world.bounds = {{-5, -5}, {5, 5}};
   problem.world.solids = {floor_at(0)};
@@ -31,15 +32,9 @@ GuardProblem open_yard() {
   return problem;
 }
 
-FiringMap site_of(const GuardProblem& problem) {
-  auto firing_map = build_firing_map(problem, {.resolution_m = 0.25});
-  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
-  return std::move(*firing_map);
-}
-
 TEST(SimulatedGuard, ArrivesUniformlyWithinTheErrors) {
-  const GuardProblem problem = open_yard();
-  const FiringMap firing_map = site_of(problem);
+  const GuardProblem problem = one_target();
+  const FiringMap firing_map = firing_map_of(problem, {.resolution_m = 0.25});
   Log log;
   auto robot = simulated_guard(problem, firing_map, log, 5);
   const int drives = 4000;
@@ -71,9 +66,9 @@ TEST(SimulatedGuard, ArrivesUniformlyWithinTheErrors) {
 
 /// A drive ends with an error of the heading. The next one begins with it, and the log says so.
 TEST(SimulatedGuard, LogsWhereADriveBegins) {
-  GuardProblem problem = open_yard();
+  GuardProblem problem = one_target();
   problem.errors.heading_rad = 0.2;
-  const FiringMap firing_map = site_of(problem);
+  const FiringMap firing_map = firing_map_of(problem, {.resolution_m = 0.25});
   Log log;
   auto robot = simulated_guard(problem, firing_map, log, 5);
   robot.act(FollowWaypoints{{{0.0, 0.0}, {1.0, 0.0}}});
@@ -93,7 +88,7 @@ TEST(SimulatedGuard, NeverArrivesInsideAnObstacle) {
   Rng rng(101);
   for (int i = 0; i < cases(5); ++i) {
     const auto problem = random_guard_problem(rng, 10, 0, 2.0);
-    const FiringMap firing_map = site_of(problem);
+    const FiringMap firing_map = firing_map_of(problem, {.resolution_m = 0.25});
     Log log;
     auto robot = simulated_guard(problem, firing_map, log, static_cast<std::uint64_t>(i));
     for (int k = 0; k < 300; ++k) {
@@ -114,9 +109,9 @@ TEST(SimulatedGuard, NeverArrivesInsideAnObstacle) {
 }
 
 TEST(SimulatedGuard, MovesAsItsModelAndAddsItUp) {
-  GuardProblem problem = open_yard();
+  GuardProblem problem = one_target();
   problem.errors = {0.0, 0.0, {0.0, 0.0}};
-  const FiringMap firing_map = site_of(problem);
+  const FiringMap firing_map = firing_map_of(problem, {.resolution_m = 0.25});
   Log log;
   auto robot = simulated_guard(problem, firing_map, log, 1);
   const std::vector<Vec2> way{{0, 0}, {0.3, 0.3}, {0.3, 3.0}, {-2.0, 3.0}, {-2.0, -1.0}};
@@ -162,8 +157,8 @@ TEST(SimulatedGuard, MovesAsItsModelAndAddsItUp) {
 }
 
 TEST(SimulatedGuard, BringsTheBarrelWhereItIsTold) {
-  const GuardProblem problem = open_yard();
-  const FiringMap firing_map = site_of(problem);
+  const GuardProblem problem = one_target();
+  const FiringMap firing_map = firing_map_of(problem, {.resolution_m = 0.25});
   Log log;
   auto robot = simulated_guard(problem, firing_map, log, 1);
   robot.act(FollowWaypoints{{{0, 0}, {1, 1}}});
@@ -179,8 +174,8 @@ TEST(SimulatedGuard, BringsTheBarrelWhereItIsTold) {
 }
 
 TEST(SimulatedGuard, GoesOnWhileABallIsInTheAirAndTellsWhenItHasLanded) {
-  const GuardProblem problem = open_yard();
-  const FiringMap firing_map = site_of(problem);
+  const GuardProblem problem = one_target();
+  const FiringMap firing_map = firing_map_of(problem, {.resolution_m = 0.25});
   Log log;
   auto robot = simulated_guard(problem, firing_map, log, 7);
   robot.act(AimGun{0.0, 0.2});
@@ -202,10 +197,10 @@ TEST(SimulatedGuard, GoesOnWhileABallIsInTheAirAndTellsWhenItHasLanded) {
 }
 
 TEST(SimulatedGuard, TurnsItsGunDuringADrive) {
-  GuardProblem problem = open_yard();
+  GuardProblem problem = one_target();
   problem.errors.position_m = problem.errors.heading_rad = 0.0;
   problem.gun.pitch_rate_radps = 0.15;
-  const FiringMap firing_map = site_of(problem);
+  const FiringMap firing_map = firing_map_of(problem, {.resolution_m = 0.25});
   for (const double pitch : {0.2, 0.7}) {
     Log log;
     auto robot = simulated_guard(problem, firing_map, log, 7);
@@ -222,8 +217,8 @@ TEST(SimulatedGuard, TurnsItsGunDuringADrive) {
 }
 
 TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
-  const GuardProblem problem = open_yard();
-  const FiringMap firing_map = site_of(problem);
+  const GuardProblem problem = one_target();
+  const FiringMap firing_map = firing_map_of(problem, {.resolution_m = 0.25});
   Log log;
   auto robot = simulated_guard(problem, firing_map, log, 9);
   const Shot shot{0.0, 0.2, 6.5};
@@ -264,12 +259,12 @@ TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
 
 TEST(SimulatedGuard, TheReferenceRuleIsTheBallNearTheBase) {
   Rng rng(102);
-  GuardProblem problem = open_yard();
+  GuardProblem problem = one_target();
   int counted = 0;
   int uncounted = 0;
   for (int i = 0; i < cases(100); ++i) {
     problem.targets[0].base = {rng.uniform(1.0, 4.0), 0.0, rng.uniform(0.0, 1.5)};
-    const FiringMap firing_map = site_of(problem);
+    const FiringMap firing_map = firing_map_of(problem, {.resolution_m = 0.25});
     Log log;
     auto robot = simulated_guard(problem, firing_map, log, static_cast<std::uint64_t>(i));
     robot.act(Fire{0, {rng.uniform(-0.4, 0.4), rng.uniform(-0.2, 0.7), rng.uniform(3.0, 9.0)}});
@@ -289,8 +284,8 @@ TEST(SimulatedGuard, TheReferenceRuleIsTheBallNearTheBase) {
 }
 
 TEST(SimulatedGuard, SameSeedSameRunOtherSeedOtherRun) {
-  const GuardProblem problem = open_yard();
-  const FiringMap firing_map = site_of(problem);
+  const GuardProblem problem = one_target();
+  const FiringMap firing_map = firing_map_of(problem, {.resolution_m = 0.25});
   const auto end = [&](std::uint64_t seed) {
     Log log;
     auto robot = simulated_guard(problem, firing_map, log, seed);

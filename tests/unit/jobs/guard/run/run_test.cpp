@@ -5,7 +5,6 @@
 #include <map>
 
 #include "support/guard_runs.hpp"
-#include "support/guard_yard.hpp"
 #include "support/logged_targets.hpp"
 #include "support/random_cases.hpp"
 #include "support/run_bytes.hpp"
@@ -16,28 +15,15 @@ namespace {
 using testing::cases;
 using testing::quick;
 using testing::random_guard_problem;
-
-struct Mission {
-  GuardProblem problem;
-  GuardPlan plan;
-  Run run;
-};
-
-Mission carried_out(GuardProblem problem, std::uint64_t seed) {
-  const auto firing_map = build_firing_map(problem, quick());
-  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
-  auto plan = plan_guard(problem, *firing_map, quick(), {});
-  EXPECT_TRUE(plan.has_value());
-  auto run = testing::run_still(problem, *firing_map, *plan, quick(), seed);
-  return {std::move(problem), std::move(*plan), std::move(run)};
-}
+using testing::run_yard;
+using testing::YardRun;
 
 TEST(RunGuard, WithoutErrorsTakesWhatThePlanSays) {
   Rng rng(121);
   for (int i = 0; i < cases(8); ++i) {
     auto problem = random_guard_problem(rng, 10, 4, 2.5);
     problem.errors = {0.0, 0.0, {0.0, 0.0}};
-    const Mission done = carried_out(problem, 1);
+    const YardRun done = run_yard(problem, quick(), 1);
     EXPECT_NEAR(metric(done.run, "mission_s"), done.plan.cost_s, 1e-6);
     EXPECT_EQ(metric(done.run, "planned_s"), done.plan.cost_s);
     EXPECT_EQ(metric(done.run, "failed"), 0.0);
@@ -50,7 +36,7 @@ TEST(RunGuard, CountsEveryTargetOnceAndReplays) {
   for (int i = 0; i < cases(5); ++i) {
     auto problem = random_guard_problem(rng, 10, 5, 2.5);
     if (i % 2 == 0) problem.targets[1].base.z = 8.0;
-    Mission done = carried_out(problem, static_cast<std::uint64_t>(i));
+    YardRun done = run_yard(problem, quick(), static_cast<std::uint64_t>(i));
     const auto& run = done.run;
     const auto targets = testing::targets_of(run.log);
     const auto& shots = testing::shots_of(run.log);
@@ -80,13 +66,13 @@ TEST(RunGuard, CountsEveryTargetOnceAndReplays) {
     }
     EXPECT_NEAR(metric(run, "driven_m"), driven, 1e-9);
     EXPECT_EQ(test::bytes_of_run(done.run),
-              test::bytes_of_run(carried_out(problem, static_cast<std::uint64_t>(i)).run));
+              test::bytes_of_run(run_yard(problem, quick(), static_cast<std::uint64_t>(i)).run));
   }
 }
 
 TEST(RunGuard, IsOverAtOnceWithoutTargets) {
   Rng rng(123);
-  const Mission done = carried_out(random_guard_problem(rng, 4, 0, 2.0), 1);
+  const YardRun done = run_yard(random_guard_problem(rng, 4, 0, 2.0), quick(), 1);
   EXPECT_EQ(done.run.report.status, "done");
   EXPECT_EQ(metric(done.run, "mission_s"), 0.0);
   EXPECT_TRUE(testing::shots_of(done.run.log).empty());

@@ -18,7 +18,7 @@ Solid box(std::string name, Vec2 low, Vec2 high) {
 }
 
 /// A room of 5 x 4 m with a hedge in it and a closet that is shut; a target behind each and one in the open.
-GuardProblem yard() {
+GuardProblem room_with_closet() {
   GuardProblem problem;
   problem.world.name = "room";
   problem.world.solids = {box("south", {-0.1, -0.1}, {5.1, 0}), box("north", {-0.1, 4}, {5.1, 4.1}),
@@ -36,7 +36,7 @@ GuardProblem yard() {
 
 Outcome<outrider::Run> mission(std::uint64_t seed, LogSink* sink = nullptr) {
   GuardJob job;
-  job.scenario.problem = yard();
+  job.scenario.problem = room_with_closet();
   job.scenario.options.shoot_on_the_move = false;
   job.scenario.options.resolution_m = 0.25;
   job.scenario.scout.unknown = true;

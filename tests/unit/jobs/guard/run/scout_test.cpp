@@ -9,7 +9,7 @@ namespace outrider {
 namespace {
 
 /// A room of 4 x 3 m, mapped with cells of 5 cm, nothing known outside.
-Grid<std::uint8_t> room() {
+Grid<std::uint8_t> room_map() {
   Grid<std::uint8_t> map({{-1.0, -1.0}, 0.05, 120, 100}, unknown_cell);
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
     const Vec2 p = map.frame.centre(map.frame.cell(i));
@@ -37,7 +37,7 @@ std::optional<SeenTarget> at(Vec2 place) {
 }
 
 TEST(Scout, MakesAWorldOfWhatIsNotFree) {
-  const auto map = room();
+  const auto map = room_map();
   const auto found =
       found_yard(known(), {}, map, {}, {at({1.1, 1.0}), {}, at({4.02, 1.0})}, {{2.0, 2.0}, 0.0});
   ASSERT_TRUE(found) << to_string(found.error());
@@ -55,7 +55,7 @@ TEST(Scout, MakesAWorldOfWhatIsNotFree) {
 }
 
 TEST(Scout, IsFreeWhereTheRobotStood) {
-  auto map = room();
+  auto map = room_map();
   map[map.frame.cell_at({2.0, 1.0})] = occupied_cell;  // a speck that it drove over
   map[map.frame.cell_at({3.0, 1.0})] = occupied_cell;
   const auto found = found_yard(known(), {}, map, {{2.1, 1.0}}, {{}, {}, {}}, {{1.0, 2.0}, 0.0});
@@ -66,7 +66,7 @@ TEST(Scout, IsFreeWhereTheRobotStood) {
 }
 
 TEST(Scout, LeavesTheRobotAsWideAsTheStartHasRoom) {
-  const auto found = found_yard(known(), {}, room(), {}, {{}, {}, {}}, {{0.3, 1.0}, 0.0});
+  const auto found = found_yard(known(), {}, room_map(), {}, {{}, {}, {}}, {{0.3, 1.0}, 0.0});
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->problem.robot.radius_m, 0.3, 1e-5);
 }

@@ -3,7 +3,6 @@
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/jobs/guard/run/run.hpp"
 #include "support/guard_runs.hpp"
-#include "support/guard_yard.hpp"
 #include "support/logged_targets.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_terrain.hpp"
@@ -13,32 +12,15 @@ namespace outrider {
 namespace {
 
 using testing::cases;
+using testing::coarse;
 using testing::hill;
 using testing::terrain_of;
+using testing::YardRun;
 
-GuardOptions on_terrain() {
-  GuardOptions options = testing::from_rest();
-  options.resolution_m = 0.25;
-  options.refinements = 0;
-  options.iterations = 50;
-  return options;
-}
-
-struct Mission {
-  FiringMap firing_map;
-  GuardPlan plan;
-  Run run;
-};
-
-Mission run_of(const GuardProblem& problem, std::uint64_t seed, bool on_the_move = false) {
-  GuardOptions options = on_terrain();
+YardRun run_of(const GuardProblem& problem, std::uint64_t seed, bool on_the_move = false) {
+  GuardOptions options = coarse();
   options.shoot_on_the_move = on_the_move;
-  auto firing_map = build_firing_map(problem, options);
-  EXPECT_TRUE(firing_map) << firing_map.error().sentence;
-  auto plan = plan_guard(problem, *firing_map, options, {});
-  EXPECT_TRUE(plan);
-  auto run = testing::run_still(problem, *firing_map, *plan, options, seed);
-  return {std::move(*firing_map), std::move(*plan), std::move(run)};
+  return testing::run_yard(problem, options, seed);
 }
 
 /// The yard with its things and targets lifted onto ground of that shape.
@@ -67,8 +49,8 @@ TEST(TerrainRun, GroundThatIsFlatAndHigherGivesTheSamePlan) {
   const GuardProblem high =
       lifted(problem, terrain_of({-4, -4}, {0.5, 0.5}, 17, 17, [](Vec2) { return 2.0; }));
   ASSERT_NE(high.world.terrain, nullptr);
-  const Mission low_run = run_of(problem, 3);
-  const Mission high_run = run_of(high, 3);
+  const YardRun low_run = run_of(problem, 3);
+  const YardRun high_run = run_of(high, 3);
   ASSERT_EQ(low_run.plan.stops.size(), high_run.plan.stops.size());
   EXPECT_NEAR(low_run.plan.cost_s, high_run.plan.cost_s, 1e-6);
   for (std::size_t t = 0; t < problem.targets.size(); ++t) {
@@ -83,7 +65,7 @@ TEST(TerrainRun, OnHillsTheBoundHoldsShotsHitAndDrivesAreOnTheSurface) {
   for (int i = 0; i < cases(3); ++i) {
     const HeightField field = hill(4.5, 0.5, rng.uniform(0.3, 0.8), 3.0);
     const GuardProblem problem = lifted(testing::random_guard_problem(rng, 4, 3, 3.0), field);
-    const Mission mission = run_of(problem, 1);
+    const YardRun mission = run_of(problem, 1);
     EXPECT_LE(mission.plan.lower_bound_s, mission.plan.bounded_s() + 1e-6);
     for (const PlannedStop& stop : mission.plan.stops) {
       const Stance stance = stance_at(mission.firing_map.rules, stop.position);
@@ -105,7 +87,7 @@ TEST(TerrainRun, OnHillsTheBoundHoldsShotsHitAndDrivesAreOnTheSurface) {
         }
       }
     }
-    // What was driven is as long as the track on the surface.
+    // The driven way is as long as the track on the surface.
     double along = 0.0;
     for (const auto& path : testing::driven_paths(mission.run.log)) {
       for (std::size_t k = 1; k < path.size(); ++k) along += field.length({path[k - 1], path[k]});
@@ -150,7 +132,7 @@ TEST(TerrainRun, OnHillsShotsInPassingHit) {
     const HeightField field = hill(4.5, 0.5, rng.uniform(0.3, 0.8), 3.0);
     GuardProblem problem = lifted(testing::random_guard_problem(rng, 3, 5, 3.0), field);
     problem.errors = {0.0, 0.0, {0.0, 0.0}, 0.0};
-    const Mission mission = run_of(problem, 1, true);
+    const YardRun mission = run_of(problem, 1, true);
     ASSERT_TRUE(mission.plan.on_the_move);
     EXPECT_LE(mission.plan.lower_bound_s, mission.plan.cost_s + 1e-6);
     EXPECT_NEAR(metric(mission.run, "mission_s"), mission.plan.cost_s, 1e-6);
@@ -207,8 +189,8 @@ TEST(TerrainSurvey, SaysWhereTheStartIsTooSteep) {
         terrain_of({-4, -4}, {1, 1}, 9, 9, [by](Vec2 p) { return by * p.x; })));
     return on;
   };
-  EXPECT_TRUE(build_firing_map(slope(0.3), on_terrain()));
-  const auto steep = build_firing_map(slope(1.0), on_terrain());
+  EXPECT_TRUE(build_firing_map(slope(0.3), coarse()));
+  const auto steep = build_firing_map(slope(1.0), coarse());
   ASSERT_FALSE(steep);
   EXPECT_EQ(steep.error().where, "start");
   EXPECT_EQ(
@@ -227,7 +209,7 @@ TEST(TerrainSurvey, TargetsBeyondSteepGroundAreOutOfReach) {
       terrain_of({-10, -4}, {0.5, 0.5}, 41, 17, [](Vec2 p) { return 1.0 * std::clamp(p.x + 1.0, 0.0, 2.0); });
   problem.world = problem.world.on(std::make_shared<const HeightField>(field));
   problem.targets = {{"near", {-5, 0, 0}, {0.4, 0.4, 0.4}}, {"far", {7, 0, 2}, {0.4, 0.4, 0.4}}};
-  const Mission mission = run_of(problem, 1);
+  const YardRun mission = run_of(problem, 1);
   ASSERT_EQ(mission.plan.unreachable.size(), 1U);
   EXPECT_EQ(mission.plan.unreachable[0].target, 1U);
   EXPECT_EQ(testing::targets_of(mission.run.log)[0].status, "reached");
@@ -238,7 +220,7 @@ TEST(TerrainSurvey, RefusesTerrainThatEndsWithinTheYard) {
   problem.world.bounds = {{-5, -3}, {3, 3}};
   problem.world.solids = {testing::floor_at(0.0)};
   problem.world = problem.world.on(std::make_shared<const HeightField>(hill(4.0, 0.5, 0.5, 3.0)));
-  const auto refused = build_firing_map(problem, on_terrain());
+  const auto refused = build_firing_map(problem, coarse());
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().where, "terrain");
   EXPECT_NE(refused.error().sentence.find("spans (-4, -4) to (4, 4)"), std::string::npos);

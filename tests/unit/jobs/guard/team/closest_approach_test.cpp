@@ -13,8 +13,8 @@ namespace {
 
 using testing::cases;
 
-/// Where a robot is, by the functions that move simulated robots.
-Vec2 place_at(const RobotModel& robot, const TimedDrives& driven, double time_s) {
+/// Returns the place of a robot, by the functions that move simulated robots.
+Vec2 own_place_at(const RobotModel& robot, const TimedDrives& driven, double time_s) {
   Pose2 pose = driven.start;
   for (const TimedDrive& drive : driven.drives) {
     double begin_s = drive.begin_s;
@@ -62,7 +62,7 @@ TEST(ClosestApproach, IsThatOfFineSteps) {
     const auto nearest = closest_approach(robot, robots);
     ASSERT_TRUE(nearest) << nearest.error().sentence;
     const auto apart = [&](std::size_t one, std::size_t other, double time_s) {
-      return distance(place_at(robot, robots[one], time_s), place_at(robot, robots[other], time_s));
+      return distance(own_place_at(robot, robots[one], time_s), own_place_at(robot, robots[other], time_s));
     };
     EXPECT_NEAR(apart(nearest->one, nearest->other, nearest->time_s), nearest->distance_m, 1e-6);
     constexpr double step_s = 0.01;

@@ -5,17 +5,17 @@
 namespace outrider {
 namespace {
 
-const Box2 yard{{-5, -5}, {5, 5}};
+const Box2 square{{-5, -5}, {5, 5}};
 
 GuardProblem two_targets() {
   GuardProblem problem;
-  problem.world.bounds = yard;
+  problem.world.bounds = square;
   problem.targets = {{"garfield", {3, 4, 0}, {0.5, 0.2, 0.4}, 0.0}, {"tom", {0, 0, 0}, {0.5, 0.2, 0.4}, 0.0}};
   return problem;
 }
 
 Outcome<std::vector<Intruder>> read(const std::string& text) {
-  const auto doors = entrances_from_text("gate=0,0 gap=-5,2", yard);
+  const auto doors = entrances_from_text("gate=0,0 gap=-5,2", square);
   return arrivals_from_text(text, "list.txt", two_targets(), *doors, ArrivalOptions{});
 }
 
@@ -48,7 +48,7 @@ TEST(Arrivals, NameTheLineAndTheWord) {
 }
 
 TEST(Entrances, NameWhatIsWrong) {
-  EXPECT_TRUE(entrances_from_text("", yard)->empty());
+  EXPECT_TRUE(entrances_from_text("", square)->empty());
   const std::vector<std::pair<std::string, std::string>> wrong = {
       {"gate", "name=x,y"},
       {"=1,2", "name=x,y"},
@@ -58,7 +58,7 @@ TEST(Entrances, NameWhatIsWrong) {
       {"a=0,0 a=1,1", "twice"},
   };
   for (const auto& [text, part] : wrong) {
-    const auto entrances = entrances_from_text(text, yard);
+    const auto entrances = entrances_from_text(text, square);
     ASSERT_FALSE(entrances.has_value()) << text;
     EXPECT_EQ(entrances.error().where, "arrivals.entrances");
     EXPECT_NE(entrances.error().sentence.find(part), std::string::npos) << entrances.error().sentence;

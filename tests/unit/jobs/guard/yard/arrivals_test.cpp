@@ -24,7 +24,7 @@ ArrivalOptions many() {
   return options;
 }
 
-/// Of 1000 gaps with mean 4 s the mean is within 4 standard errors, and so are the shares.
+/// The mean of 1000 gaps with mean 4 s is within 4 standard errors, and so are the shares.
 TEST(Arrivals, ComeAtTheRateByEveryDoorToEveryPlace) {
   const GuardProblem problem = three_places();
   const auto drawn = draw_arrivals(problem, doors, many(), 5);

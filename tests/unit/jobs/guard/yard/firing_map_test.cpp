@@ -290,7 +290,7 @@ TEST(Survey, TargetsBlockShotsAndDrivingOnlyWhenTold) {
   EXPECT_EQ(build_firing_map(problem, {}).error().code, FaultCode::start_blocked);
 }
 
-/// What a quicker survey leaves out is the exhaustive search and what it finds, and nothing else.
+/// A quicker survey leaves out the exhaustive search and what it finds, and nothing else.
 TEST(Survey, WithoutProofsHasTheSameRegionsOfCentres) {
   Rng rng(95);
   int left_out = 0;

@@ -6,24 +6,17 @@
 #include <cmath>
 
 #include "outrider/path/routes/routes.hpp"
-#include "support/guard_yard.hpp"
+#include "support/planned_yard.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {
 namespace {
 
 using testing::cases;
+using testing::firing_map_of;
 using testing::random_guard_problem;
 
-FiringMap surveyed(const GuardProblem& problem, double resolution_m) {
-  GuardOptions options;
-  options.resolution_m = resolution_m;
-  auto firing_map = build_firing_map(problem, options);
-  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
-  return std::move(*firing_map);
-}
-
-/// By cell, metres from one of them.
+/// Returns for each cell the metres from one of them.
 std::vector<double> ways_from(const Lattice& lattice, const FiringMap& firing_map, std::size_t cell) {
   Field field(firing_map.frame.size(), endless);
   field[cell] = 0;
@@ -37,7 +30,7 @@ TEST(Lattice, IsWithinFourPercentOfStraightLinesOnOpenGround) {
   GuardProblem problem;
   problem.world.bounds = {{-3, -3}, {3, 3}};
   problem.start = {{0, 0}, 0};
-  const FiringMap firing_map = surveyed(problem, 0.1);
+  const FiringMap firing_map = firing_map_of(problem, {.resolution_m = 0.1});
   const Lattice lattice(firing_map, problem.robot.radius_m);
   const std::size_t from = firing_map.frame.index({12, 20});
   const auto ways = ways_from(lattice, firing_map, from);
@@ -54,7 +47,7 @@ TEST(Lattice, RunsAlongAYardThatIsOneCellWide) {
   GuardProblem problem;
   problem.world.bounds = {{-0.3, -3}, {0.3, 3}};
   problem.start = {{0, 0}, 0};
-  const FiringMap firing_map = surveyed(problem, 0.65);
+  const FiringMap firing_map = firing_map_of(problem, {.resolution_m = 0.65});
   ASSERT_EQ(firing_map.frame.width, 1);
   const Lattice lattice(firing_map, problem.robot.radius_m);
   const auto ways = ways_from(lattice, firing_map, 1);
@@ -73,7 +66,7 @@ TEST(Lattice, IsNeverAboveAFreeWay) {
     GuardProblem problem = random_guard_problem(rng, 4 + rng.below(20), 1, 2.5);
     problem.robot.radius_m = rng.uniform(0.02, 0.3);
     problem.gun.tip_forward_m = problem.gun.tip_up_m = 0.0;  // within the smallest of these robots
-    const FiringMap firing_map = surveyed(problem, rng.uniform(0.05, 0.4));
+    const FiringMap firing_map = firing_map_of(problem, {.resolution_m = rng.uniform(0.05, 0.4)});
     const Lattice lattice(firing_map, problem.robot.radius_m);
     std::vector<std::size_t> cells;
     std::vector<Vec2> places;
@@ -108,7 +101,7 @@ TEST(Lattice, SpreadsManySourcesAtOnce) {
   Rng rng(85);
   for (int i = 0; i < cases(10); ++i) {
     const GuardProblem problem = random_guard_problem(rng, 12, 1, 2.0);
-    const FiringMap firing_map = surveyed(problem, 0.25);
+    const FiringMap firing_map = firing_map_of(problem, {.resolution_m = 0.25});
     const Lattice lattice(firing_map, problem.robot.radius_m);
     Field field(firing_map.frame.size(), endless);
     for (int k = 0; k < 5; ++k) field[rng.below(field.size())] = static_cast<std::uint16_t>(rng.below(90));

@@ -1,11 +1,11 @@
-#include "plan/assembly.hpp"
+#include "plan/hit_table.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 
 #include "outrider/jobs/guard/plan/supply_plan.hpp"
-#include "plan/assemble.hpp"
+#include "plan/plan_clock.hpp"
 
 namespace outrider {
 namespace {
@@ -19,24 +19,24 @@ std::array<Vec2, 4> displacements(double off_m) {
 
 }  // namespace
 
-std::vector<std::size_t>& Choice::passing_beside(std::size_t stop) {
+std::vector<std::size_t>& HitTable::passing_beside(std::size_t stop) {
   const auto before = stops.begin() + static_cast<std::ptrdiff_t>(stop);
   const auto stations =
       std::count_if(stops.begin(), before, [](const ChosenStop& s) { return s.call.has_value(); });
   return passing[static_cast<std::size_t>(stations)];
 }
 
-Choice choice_of(const GuardPlan& plan) {
-  Choice choice;
+HitTable hit_table_of(const GuardPlan& plan) {
+  HitTable table;
   for (const PlannedStop& stop : plan.stops) {
-    choice.stops.push_back({stop.position, {}, stop.call});
-    for (const PlannedHit& hit : stop.hits) choice.stops.back().targets.push_back(hit.target);
-    if (stop.call) choice.passing.emplace_back();
+    table.stops.push_back({stop.position, {}, stop.call});
+    for (const PlannedHit& hit : stop.hits) table.stops.back().targets.push_back(hit.target);
+    if (stop.call) table.passing.emplace_back();
   }
-  return choice;
+  return table;
 }
 
-Assembly::Assembly(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan)
+TablePlanner::TablePlanner(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan)
     : problem_(problem),
       firing_map_(firing_map),
       plan_(plan),
@@ -49,14 +49,14 @@ Assembly::Assembly(const GuardProblem& problem, const FiringMap& firing_map, con
   }
 }
 
-std::optional<GuardPlan> Assembly::plan_of(const Choice& choice) {
+std::optional<GuardPlan> TablePlanner::plan_of(const HitTable& table) {
   GuardPlan result = plan_;
   result.stops.clear();
   Pose2 pose = problem_.start;
   GunState gun;
-  auto segment = choice.passing.begin();
+  auto segment = table.passing.begin();
   std::vector<std::size_t> left = *segment;
-  for (const ChosenStop& chosen : choice.stops) {
+  for (const ChosenStop& chosen : table.stops) {
     if (!chosen.made()) continue;
     const auto& [place, targets, call] = chosen;
     PlannedStop stop{place, way(pose, place), {}, call};
@@ -89,10 +89,10 @@ std::optional<GuardPlan> Assembly::plan_of(const Choice& choice) {
   return result;
 }
 
-double Assembly::drives_s(const Choice& choice) {
+double TablePlanner::drives_s(const HitTable& table) {
   Pose2 pose = problem_.start;
   double time = 0.0;
-  for (const ChosenStop& stop : choice.stops) {
+  for (const ChosenStop& stop : table.stops) {
     if (!stop.made()) continue;
     const auto& waypoints = way(pose, stop.place);
     if (waypoints.empty()) return std::numeric_limits<double>::infinity();
@@ -103,7 +103,7 @@ double Assembly::drives_s(const Choice& choice) {
   return time;
 }
 
-bool Assembly::may_stop(Vec2 place, const std::vector<std::size_t>& targets) {
+bool TablePlanner::may_stop(Vec2 place, const std::vector<std::size_t>& targets) {
   const Cell cell = firing_map_.frame.cell_at(place);
   if (!firing_map_.frame.contains(cell)) return false;
   const std::size_t index = firing_map_.frame.index(cell);
@@ -114,7 +114,7 @@ bool Assembly::may_stop(Vec2 place, const std::vector<std::size_t>& targets) {
   return std::ranges::all_of(targets, [&](std::size_t target) { return sure_.has(target, index); });
 }
 
-double Assembly::expected_s(const GuardPlan& plan) {
+double TablePlanner::expected_s(const GuardPlan& plan) {
   double time = plan.cost_s;
   for (const PlannedStop& stop : plan.stops) {
     for (const PlannedHit& hit : stop.hits) time += expected_wait_s(stop.position, hit);
@@ -129,7 +129,7 @@ double Assembly::expected_s(const GuardPlan& plan) {
 
 /// The time that a shot from the first leg adds on average because the leg begins beside the stop before it,
 /// and no shot is found there at about the same time.
-double Assembly::expected_loss_s(const std::vector<Vec2>& waypoints, const PassingHit& hit) const {
+double TablePlanner::expected_loss_s(const std::vector<Vec2>& waypoints, const PassingHit& hit) const {
   constexpr double later_s = 0.2;
   const double off = problem_.errors.position_m;
   if (off == 0.0) return 0.0;
@@ -147,7 +147,7 @@ double Assembly::expected_loss_s(const std::vector<Vec2>& waypoints, const Passi
 
 /// The time that a shot adds on average because the errors of the drive lead to a place where it has to be
 /// waited for, or where there is none.
-double Assembly::expected_wait_s(Vec2 place, const PlannedHit& hit) {
+double TablePlanner::expected_wait_s(Vec2 place, const PlannedHit& hit) {
   const double off = problem_.errors.position_m;
   if (off == 0.0) return 0.0;
   double wait_s = 0.0;
@@ -162,12 +162,12 @@ double Assembly::expected_wait_s(Vec2 place, const PlannedHit& hit) {
   return wait_s;
 }
 
-DriveCost Assembly::drive(const Pose2& from, const std::vector<Vec2>& waypoints) const {
+DriveCost TablePlanner::drive(const Pose2& from, const std::vector<Vec2>& waypoints) const {
   return drive_cost(problem_.robot, from.heading_rad, waypoints, firing_map_.ground.terrain());
 }
 
 /// The fastest drive, with the turn before it.
-const std::vector<Vec2>& Assembly::way(const Pose2& from, Vec2 to) {
+const std::vector<Vec2>& TablePlanner::way(const Pose2& from, Vec2 to) {
   const Place begin{from.position.x, from.position.y}, end{to.x, to.y};
   const auto [entry, added] = ways_.try_emplace({begin, from.heading_rad, end});
   if (!added) return entry->second;
@@ -179,7 +179,7 @@ const std::vector<Vec2>& Assembly::way(const Pose2& from, Vec2 to) {
   return entry->second;
 }
 
-const std::optional<PlannedShot>& Assembly::shot_from(Vec2 place, std::size_t target, double pitch_rad) {
+const std::optional<PlannedShot>& TablePlanner::shot_from(Vec2 place, std::size_t target, double pitch_rad) {
   const auto [entry, added] = shots_.try_emplace({{place.x, place.y}, target, pitch_rad});
   if (added) {
     entry->second =

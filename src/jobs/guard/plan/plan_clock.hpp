@@ -1,4 +1,5 @@
-// What every guard planner begins and ends with.
+// PlanClock: time and supplies of a plan, stop by stop; and the first and the last step of every guard
+// planner.
 #pragma once
 
 #include "outrider/jobs/guard/plan/plan.hpp"

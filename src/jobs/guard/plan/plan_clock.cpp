@@ -1,4 +1,4 @@
-#include "plan/assemble.hpp"
+#include "plan/plan_clock.hpp"
 
 #include <algorithm>
 

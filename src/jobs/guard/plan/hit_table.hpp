@@ -1,4 +1,4 @@
-// Assembly: plans on the move, put together from who is hit from which stop and who in passing.
+// HitTable: the targets that are hit from each stop and in passing. TablePlanner makes it a plan on the move.
 #pragma once
 
 #include <map>
@@ -20,8 +20,8 @@ struct ChosenStop {
   [[nodiscard]] bool made() const { return call || !targets.empty(); }
 };
 
-/// Who is hit from where.
-struct Choice {
+/// The stops with the targets that are hit from them, and the targets that are hit in passing.
+struct HitTable {
   std::vector<ChosenStop> stops;  ///< in order; only those made() are in the plan
   /// Targets that are hit during some drive: before the first station, between it and the second, and so on.
   /// So each tankful serves the same targets whether they are hit from stops or in passing.
@@ -31,21 +31,22 @@ struct Choice {
   std::vector<std::size_t>& passing_beside(std::size_t stop);
 };
 
-/// Returns the choice that a plan from rest has made.
-Choice choice_of(const GuardPlan& plan);
+/// Returns the table of a plan from rest.
+HitTable hit_table_of(const GuardPlan& plan);
 
-/// Makes plans of choices and keeps what it has solved. Thread rule: use each object from one thread.
-class Assembly {
+/// Makes plans of tables and keeps the shots and drives that it has found. Thread rule: use each object from
+/// one thread.
+class TablePlanner {
  public:
   /// The arguments must outlive this object. `plan` must have routes.
-  Assembly(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan);
+  TablePlanner(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan);
 
   /// Returns the plan, with all its shots solved from where the gun is then; nothing if some target cannot be
   /// hit as chosen, or a stop not be driven to. A call for stops and legs that are known takes O(stops *
   /// passing targets); new ones take a search for a route and shots each.
-  std::optional<GuardPlan> plan_of(const Choice& choice);
+  std::optional<GuardPlan> plan_of(const HitTable& table);
   /// Returns the time of the drives, turns included; infinite if there is no way.
-  double drives_s(const Choice& choice);
+  double drives_s(const HitTable& table);
   /// Returns true if the robot fits at the place despite the errors of a drive, and the place is in cells
   /// from which all those targets are sure hits (SureCells).
   [[nodiscard]] bool may_stop(Vec2 place, const std::vector<std::size_t>& targets);
