@@ -19,7 +19,9 @@ constexpr double leave_part = 1.5;  // of within_m: a robot at its place may be 
 constexpr double at_rest_mps = 0.03;
 constexpr double at_rest_radps = 0.05;
 constexpr double instant_s = 1e-9;
-constexpr double around_m = 0.5;  // that is looked at beyond where a motion may lead
+constexpr double lost_after = 20.0;   // times that without a scan after which the robot stands
+constexpr double plan_again_m = 1.0;  // from where it was planned
+constexpr double around_m = 0.5;      // that is looked at beyond where a motion may lead
 constexpr double back_off_s = 1.5;
 
 }  // namespace
@@ -102,7 +104,6 @@ Situation Navigator::perceive(const Observation& seen) {
   if (seen.scan && check(*seen.scan)) take(*seen.scan);
   const Pose2 here = pose();
   map_.follow(here.position);
-  touching_ = seen.touching;
   if (seen.touching) {
     const double bearing_rad = seen.touch_rad.value_or(twist_.ahead_mps < 0.0 ? pi : 0.0);
     const double away_m = setup_.footprint.outer_m() + touch_ahead_m;
@@ -150,26 +151,33 @@ Command Navigator::act(const Order& order) {
   commanded_ = {};
   choice_ = {{}, {}, true};
   const auto* const go = std::get_if<GoTo>(&order);
-  const bool blind = !scan_s_ || time_s_ - *scan_s_ > setup_.options.blind_s;
-  if (go == nullptr || blind || track_.empty()) {
-    nearer_s_ = time_s_;
-    return DriveTwist{{}, until_s};
-  }
+  if (go == nullptr) nearer_s_ = time_s_;
+  if (go == nullptr || track_.empty()) return DriveTwist{{}, until_s};
   if (!order_ || *order_ != *go) begin(*go);
-  if (progress_.state != Progress::State::underway) return DriveTwist{{}, until_s};
+  if (progress_.state != Progress::State::underway || is_blind()) return DriveTwist{{}, until_s};
   plan(*go);
-  note_progress();
+  note_progress(*go);
   if (progress_.state != Progress::State::underway) return DriveTwist{{}, until_s};
   const MotionState state = state_of(*go);
-  if (at_place_) {
-    commanded_ = turn_at_place(state, *go->heading_rad);
-  } else if (recovery_ == Recovery::turn || recovery_ == Recovery::back_off) {
+  if (recovery_ == Recovery::turn || recovery_ == Recovery::back_off) {
     commanded_ = recovery_twist(state);
+  } else if (at_place_) {
+    commanded_ = turn_at_place(state, *go->heading_rad);
   } else {
     choice_ = rule_->choose(state);
     commanded_ = choice_.twist;
   }
   return DriveTwist{commanded_, until_s};
+}
+
+/// Returns true if no scan has come for too long; after a while the robot is lost.
+bool Navigator::is_blind() {
+  const double blind_s = time_s_ - scan_s_.value_or(nearer_s_);
+  if (scan_s_ && blind_s <= setup_.options.blind_s) return false;
+  if (scan_s_) nearer_s_ = time_s_;
+  if (blind_s > lost_after * setup_.options.blind_s)
+    progress_ = {Progress::State::lost, {}, fmt::format("no scan has come for {:.1f} s", blind_s)};
+  return true;
 }
 
 /// A new order.
@@ -181,7 +189,7 @@ void Navigator::begin(const GoTo& order) {
   recoveries_ = 0;
   at_place_ = false;
   left_s_.reset();
-  least_left_s_ = std::numeric_limits<double>::infinity();
+  least_left_s_ = best_left_s_ = std::numeric_limits<double>::infinity();
   nearer_s_ = time_s_;
   judge(order);
 }
@@ -190,11 +198,13 @@ void Navigator::begin(const GoTo& order) {
 void Navigator::plan(const GoTo& order) {
   const Vec2 here = pose().position;
   const bool due = !planned_s_ || time_s_ - *planned_s_ >= setup_.options.plan_again_s - instant_s;
-  if (due && (!planned_s_ || map_.changes() != planned_changes_)) {
+  const bool far = distance(planned_at_, here) > plan_again_m || !field_.time_s(here);
+  if (due && (!planned_s_ || far || map_.changes() != planned_changes_)) {
     field_.compute(map_, setup_.footprint, setup_.robot,
                    {order.place, order.within_m, setup_.motion.wide_m, setup_.motion.margin_m}, here);
     planned_s_ = time_s_;
     planned_changes_ = map_.changes();
+    planned_at_ = here;
   }
   const double reach_m =
       setup_.robot.speed_mps * setup_.motion.horizon_s + setup_.footprint.outer_m() + around_m;
@@ -202,12 +212,25 @@ void Navigator::plan(const GoTo& order) {
   left_s_ = field_.time_s(here);
 }
 
-/// Notes whether the robot gets nearer in time, and recovers if it does not.
-void Navigator::note_progress() {
-  if (at_place_ || (left_s_ && *left_s_ < least_left_s_ - better_s)) {
-    least_left_s_ = left_s_.value_or(least_left_s_);
+/// Notes whether the robot gets nearer in time, in the end by turning, and recovers if it does not.
+/// Recoveries are in a row until it is nearer than ever, so an order ends.
+void Navigator::note_progress(const GoTo& order) {
+  if (order.heading_rad) {
+    const double off_rad = std::abs(wrap_angle(*order.heading_rad - pose().heading_rad));
+    const double turn_left_s = off_rad / setup_.robot.turn_rate_radps;
+    if (at_place_) {
+      left_s_ = turn_left_s;
+    } else if (left_s_) {
+      *left_s_ += pi / setup_.robot.turn_rate_radps;  // as long as any turn
+    }
+  }
+  if (left_s_ && *left_s_ < least_left_s_ - better_s) {
+    least_left_s_ = *left_s_;
     nearer_s_ = time_s_;
-    if (recovery_ == Recovery::none) recoveries_ = 0;
+  }
+  if (left_s_ && *left_s_ < best_left_s_ - better_s) {
+    best_left_s_ = *left_s_;
+    recoveries_ = 0;
   }
   if (recovery_ != Recovery::none && time_s_ >= recovers_until_s_) {
     recovery_ = Recovery::none;

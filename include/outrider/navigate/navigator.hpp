@@ -112,7 +112,8 @@ class Navigator {
   [[nodiscard]] Twist2 turn_at_place(const MotionState& state, double heading_rad) const;
   void begin(const GoTo& order);
   void plan(const GoTo& order);
-  void note_progress();
+  void note_progress(const GoTo& order);
+  [[nodiscard]] bool is_blind();
   [[nodiscard]] MotionState state_of(const GoTo& order) const;
 
   struct TimedOdometry {
@@ -133,15 +134,16 @@ class Navigator {
   std::optional<double> scan_s_;
   std::deque<TimedOdometry> track_;  // the last second
   Twist2 twist_;
-  bool touching_ = false;
 
   std::optional<GoTo> order_;
   std::optional<double> planned_s_;
+  Vec2 planned_at_;
   std::uint64_t planned_changes_ = 0;
   std::optional<double> left_s_;
-  double least_left_s_ = 0.0;
-  double nearer_s_ = 0.0;  // when the time left last became less, or a recovery began
-  bool at_place_ = false;  // it stands there and turns to the heading
+  double least_left_s_ = 0.0;  // since the last recovery
+  double best_left_s_ = 0.0;   // of the whole order
+  double nearer_s_ = 0.0;      // when the time left last became less, or a recovery began
+  bool at_place_ = false;      // it stands there and turns to the heading
   Recovery recovery_ = Recovery::none;
   double recovers_until_s_ = 0.0;
   std::int64_t recoveries_ = 0;  // in a row

@@ -82,6 +82,35 @@ TEST(Navigator, SaysThatThereIsNoWay) {
   EXPECT_EQ(result.contacts, 0);
 }
 
+TEST(Navigator, GivesUpAHeadingThatItCannotTurnTo) {
+  World world;
+  world.solids = {box_at({2.0, 0.31}, {6.0, 0.2}), box_at({2.0, -0.31}, {6.0, 0.2}),
+                  box_at({4.5, 0.0}, {0.2, 2.0})};
+  NavigatorSetup setup = small_robot();
+  setup.options.most_recoveries = 3;
+  SimulatedRobot robot = simulated_explorer(world, {{-1.5, 0.0}, 0.0}, setup.robot, devices(setup), 5);
+  auto navigator = Navigator::make(setup, {{-1.5, 0.0}, 0.0});
+  Progress progress;
+  while (robot.time_s() < 300.0 && progress.state == Progress::State::underway) {
+    progress = navigator->perceive(robot.sense()).progress;
+    robot.act(navigator->act(GoTo{{2.0, 0.0}, 0.15, pi}));
+  }
+  EXPECT_EQ(progress.state, Progress::State::blocked)
+      << robot.pose().position.x << ' ' << robot.pose().heading_rad;
+  EXPECT_EQ(robot.body<TwistBody>().contacts(), 0);
+}
+
+TEST(Navigator, IsLostWhenNoScanComesAnyMore) {
+  NavigatorSetup setup = small_robot();
+  ExplorerSimParams params = devices(setup);
+  params.faults.blind_from_s = 1.0;
+  const Result result = drive({}, setup, {6.0, 0.0}, 60.0, params);
+  EXPECT_EQ(result.progress.state, Progress::State::lost);
+  EXPECT_LT(result.time_s, 15.0);
+  params.faults.blind_from_s = 0.0;
+  EXPECT_EQ(drive({}, setup, {6.0, 0.0}, 60.0, params).progress.state, Progress::State::lost);
+}
+
 TEST(Navigator, StandsWithoutScans) {
   World world;
   NavigatorSetup setup = small_robot();
