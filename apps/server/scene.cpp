@@ -8,10 +8,10 @@
 
 #include "maps.hpp"
 #include "outrider/io/cover_area.hpp"
-#include "outrider/io/explore_world.hpp"
 #include "outrider/io/pursuit_map.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/io/values.hpp"
+#include "outrider/io/world_file.hpp"
 #include "outrider/path/visibility/polygons_from_world.hpp"
 #include "yard_scenarios.hpp"
 

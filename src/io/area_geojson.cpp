@@ -84,9 +84,7 @@ Outcome<AreaRings> polygon_of(const FoundPolygon& found) {
 int epsg_code(std::string_view name) {
   if (name.find("EPSG") == std::string_view::npos) return 0;
   const auto digits = name.substr(name.find_last_of(":/#") + 1);
-  int code = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code);
-  return error == std::errc() && end == digits.data() + digits.size() ? code : 0;
+  return number<int>(digits).value_or(0);
 }
 
 /// Returns the units of a named reference system. In the EPSG registry the codes from 4000 to 4999 stand for
@@ -102,14 +100,10 @@ Units units_of_crs(std::string_view name) {
 
 /// Reads the member "crs" of the GeoJSON before RFC 7946.
 void note_crs(const GeoJson& object, AreaFile& file) {
-  const auto crs = object.find("crs");
-  if (crs == object.end() || !crs->is_object()) return;
-  const auto properties = crs->find("properties");
-  if (properties == crs->end() || !properties->is_object()) return;
-  const auto name = properties->find("name");
-  if (name == properties->end() || !name->is_string()) return;
-  file.crs_name = name->get<std::string>();
-  file.crs = crs->dump(-1, ' ', false, GeoJson::error_handler_t::replace);
+  const GeoJson::json_pointer name("/crs/properties/name");
+  if (!object.contains(name) || !object.at(name).is_string()) return;
+  file.crs_name = object.at(name).get<std::string>();
+  file.crs = object.at("crs").dump(-1, ' ', false, GeoJson::error_handler_t::replace);
   file.units = units_of_crs(file.crs_name);
 }
 

@@ -1,15 +1,13 @@
 #include <fmt/format.h>
 
 #include "area_formats.hpp"
-#include "outrider/io/text.hpp"
 #include "yaml.hpp"
 
 namespace outrider {
 namespace {
 
 Outcome<double> coordinate(const YAML::Node& point, const char* key, const std::string& name) {
-  const YAML::Node node = point.IsMap() ? point[key] : YAML::Node();
-  const auto value = node.IsDefined() && node.IsScalar() ? number<double>(node.Scalar()) : std::nullopt;
+  const auto value = point.IsMap() ? yaml_number(point[key]) : std::nullopt;
   if (!value) return bad_input("a corner is {x: 1.5, y: -2} in metres", yaml_where(name, point));
   return *value;
 }

@@ -17,21 +17,11 @@ constexpr std::array<std::string_view, 7> columns = {"ahead_mps", "left_mps", "t
 constexpr std::size_t most_runs = 100'000;
 constexpr double largest = 1e6;
 
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  while (true) {
-    const std::size_t comma = line.find(',');
-    fields.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return fields;
-    line.remove_prefix(comma + 1);
-  }
-}
-
 /// Returns the index of the column for each field of a line.
 Outcome<std::vector<std::size_t>> order_of(std::string_view head, const std::string& where) {
   std::vector<std::size_t> order;
   std::array<bool, columns.size()> seen{};
-  for (const std::string_view field : fields_of(head)) {
+  for (const std::string_view field : parts_between(head, ',')) {
     const auto found = std::ranges::find(columns, field);
     if (found == columns.end()) {
       return bad_input(
@@ -50,7 +40,7 @@ Outcome<std::vector<std::size_t>> order_of(std::string_view head, const std::str
 
 Outcome<CalibrationRun> run_from(std::string_view line, const std::vector<std::size_t>& order,
                                  const std::string& where) {
-  const auto fields = fields_of(line);
+  const auto fields = parts_between(line, ',');
   if (fields.size() != order.size()) {
     return bad_input(fmt::format("{} values for {} columns", fields.size(), order.size()), where);
   }
@@ -73,13 +63,11 @@ Outcome<std::vector<CalibrationRun>> calibration_runs_from_text(std::string_view
                                                                 const std::string& name) {
   std::vector<CalibrationRun> runs;
   std::vector<std::size_t> order;
-  for (std::size_t line_number = 1; !text.empty(); ++line_number) {
-    std::string_view line = take_line(text);
-    line = line.substr(0, line.find('#'));
-    if (line.find_first_not_of(white_space) == std::string_view::npos) continue;
-    const std::string where = fmt::format("{}:{}", name, line_number);
+  TextLines lines{text, name};
+  while (lines.next_filled()) {
+    const std::string where = lines.where();
     if (order.empty()) {
-      auto found = order_of(line, where);
+      auto found = order_of(lines.line, where);
       if (!found) return pass_on(found);
       order = std::move(*found);
       continue;
@@ -87,7 +75,7 @@ Outcome<std::vector<CalibrationRun>> calibration_runs_from_text(std::string_view
     if (runs.size() == most_runs) {
       return bad_input(fmt::format("more than {} runs are not taken", most_runs), where);
     }
-    auto run = run_from(line, order, where);
+    auto run = run_from(lines.line, order, where);
     if (!run) return pass_on(run);
     runs.push_back(std::move(*run));
   }

@@ -21,15 +21,7 @@ YAML::Node either(const YAML::Node& map, const char* first, const char* second) 
 
 /// Returns the numbers of a sequence, or of the sequence `data` in a map.
 std::optional<std::vector<double>> matrix_of(const YAML::Node& node) {
-  const YAML::Node list = node.IsMap() ? node["data"] : node;
-  if (!list.IsDefined() || !list.IsSequence() || list.size() > 100) return std::nullopt;
-  std::vector<double> numbers;
-  for (const auto& entry : list) {
-    const auto value = entry.IsScalar() ? number<double>(entry.Scalar()) : std::nullopt;
-    if (!value) return std::nullopt;
-    numbers.push_back(*value);
-  }
-  return numbers;
+  return yaml_numbers(node.IsMap() ? node["data"] : node);
 }
 
 Status read_matrix(const YAML::Node& node, const std::string& name, Camera& camera) {
@@ -59,7 +51,7 @@ Status read_matrix(const YAML::Node& node, const std::string& name, Camera& came
 
 Status read_lens(const YAML::Node& map, const std::string& name, Camera& camera) {
   const YAML::Node model = map["distortion_model"];
-  if (model.IsDefined() && (!model.IsScalar() || model.Scalar() != "plumb_bob")) {
+  if (model.IsDefined() && yaml_text(model) != "plumb_bob") {
     return bad_input("this distortion_model is not known; expected plumb_bob", yaml_where(name, model));
   }
   const YAML::Node node = either(map, "distortion_coefficients", "D");
@@ -75,7 +67,7 @@ Status read_lens(const YAML::Node& map, const std::string& name, Camera& camera)
 
 Status read_side(const YAML::Node& node, const std::string& name, int& side) {
   if (!node.IsDefined()) return {};
-  const auto value = node.IsScalar() ? number<int>(node.Scalar()) : std::nullopt;
+  const auto value = number<int>(yaml_text(node).value_or(""));
   if (!value || *value < 1 || *value > 100'000) {
     return bad_input("the size of the image is not valid; expected a whole number from 1 to 100000 px",
                      yaml_where(name, node));
@@ -100,9 +92,7 @@ Outcome<YAML::Node> camera_in(const YAML::Node& root, const std::string& name, c
   if (sections.empty()) {
     return bad_input("it has no camera matrix; expected the key camera_matrix with data, or K", name);
   }
-  std::string known;
-  for (const std::string& one : sections) known += (known.empty() ? "" : ", ") + one;
-  return bad_input(fmt::format("its cameras are {}; {}", known,
+  return bad_input(fmt::format("its cameras are {}; {}", fmt::join(sections, ", "),
                                section.empty() ? "name one of them"
                                                : fmt::format("'{}' is none of them", excerpt(section))),
                    name);

@@ -184,14 +184,9 @@ std::vector<Option> describe(CarmenOptions& options) {
 }
 
 bool is_carmen_log(std::string_view text) {
-  constexpr int lines_looked_at = 1000;
-  for (int i = 0; i < lines_looked_at && !text.empty(); ++i) {
-    std::string_view line = take_line(text);
-    const std::string_view word = take_word(line);
-    if (word == "FLASER" || word == "ROBOTLASER1" || word == "ODOM" || word == "PARAM") return true;
-    if (!word.empty() && !word.starts_with('#')) return false;
-  }
-  return false;
+  constexpr std::array<std::string_view, 4> beginnings = {"FLASER", "ROBOTLASER1", "ODOM", "PARAM"};
+  TextLines lines{text, {}};
+  return lines.next_filled() && std::ranges::count(beginnings, words(lines.line, 1).front()) > 0;
 }
 
 Outcome<LaserLog> laser_log_from_carmen(const NamedText& log, const CarmenOptions& options) {

@@ -10,10 +10,6 @@
 namespace outrider {
 namespace {
 
-bool is_image(std::string_view bytes) {
-  return bytes.starts_with("\x89PNG") || bytes.starts_with("P2") || bytes.starts_with("P5");
-}
-
 Outcome<CostMap> from_image(std::string_view bytes, const std::string& path, double of_black) {
   auto image = image_from_bytes(bytes, path);
   if (!image) return pass_on(image);

@@ -25,26 +25,16 @@ bool ends_with_any(std::string_view name, std::initializer_list<std::string_view
   return std::any_of(ends.begin(), ends.end(), [&](std::string_view end) { return name.ends_with(end); });
 }
 
-/// Returns the lines that are not empty, each as its number (from 1) and its first word.
-std::vector<std::pair<std::size_t, std::string_view>> filled_lines(std::string_view text) {
-  std::vector<std::pair<std::size_t, std::string_view>> lines;
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    std::string_view line = take_line(text);
-    line = line.substr(0, line.find('#'));
-    if (const std::string_view word = take_word(line); !word.empty()) lines.emplace_back(number, word);
-  }
-  return lines;
-}
-
 Outcome<AreaRings> rings_from_polygon_text(std::string_view text, const std::string& name) {
   auto map = polygon_map_from_text(text, name);
   if (!map) return pass_on(map);
-  const auto lines = filled_lines(text);
-  auto line = lines.begin();  // the boundary ends at ---; then each obstacle has one line
-  AreaRings rings{{std::move(map->boundary), fmt::format("{}:{}", name, line->first)}};
-  while (line->second != "---") ++line;
-  for (auto& obstacle : map->obstacles) {
-    rings.push_back({std::move(obstacle), fmt::format("{}:{}", name, (++line)->first)});
+  TextLines lines{text, name};
+  lines.next_filled();
+  AreaRings rings{{std::move(map->boundary), lines.where()}};
+  while (trimmed(lines.line) != "---") lines.next_filled();
+  for (auto& obstacle : map->obstacles) {  // each has one line
+    lines.next_filled();
+    rings.push_back({std::move(obstacle), lines.where()});
   }
   return rings;
 }

@@ -1,5 +1,3 @@
-#include "outrider/io/folders.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -7,6 +5,7 @@
 #include <system_error>
 
 #include "outrider/core/text.hpp"
+#include "outrider/io/files.hpp"
 
 namespace outrider {
 namespace {

@@ -12,13 +12,7 @@
 namespace outrider {
 namespace {
 
-struct Form {
-  std::string_view tag;
-  std::size_t names;
-  std::size_t numbers;
-  std::string_view sentence;
-};
-constexpr std::array<Form, 7> planar_forms = {{
+constexpr std::array<GraphForm, 7> planar_forms = {{
     {"VERTEX_SE2", 1, 3, "VERTEX_SE2 id x y heading"},
     {"VERTEX_XY", 1, 2, "VERTEX_XY id x y"},
     {"EDGE_SE2", 2, 9, "EDGE_SE2 from to x y heading and 6 numbers of the information's upper triangle"},
@@ -27,57 +21,36 @@ constexpr std::array<Form, 7> planar_forms = {{
     {"VERTEX2", 1, 3, "VERTEX2 id x y heading"},
     {"EDGE2", 2, 9, "EDGE2 from to x y heading and the information as xx xy yy hh xh yh"},
 }};
-constexpr std::array<Form, 3> spatial_forms = {{
+constexpr std::array<GraphForm, 3> spatial_forms = {{
     {"VERTEX_SE3:QUAT", 1, 7, "VERTEX_SE3:QUAT id x y z and a quaternion qx qy qz qw"},
     {"EDGE_SE3:QUAT", 2, 28,
      "EDGE_SE3:QUAT from to x y z qx qy qz qw and 21 numbers of the information's upper triangle"},
     {"FIX", 1, 0, "FIX id"},
 }};
 
-/// The words of a line that has one of the forms.
-struct Line {
-  std::string_view tag;
-  std::vector<std::string_view> names;
-  std::vector<double> numbers;
-};
-
-Outcome<Line> read_words(std::string_view line, std::span<const Form> forms, std::string_view ground) {
-  const std::vector<std::string_view> all = words(line);
-  const auto form = std::ranges::find(forms, all[0], &Form::tag);
-  if (form == forms.end()) {
-    std::vector<std::string_view> tags;
-    for (const Form& known : forms) tags.push_back(known.tag);
-    return bad_input(fmt::format("'{}' is no line of a graph of {}; expected one of {}", excerpt(all[0]),
-                                 ground, fmt::join(tags, ", ")));
-  }
-  const std::span<const std::string_view> rest(all.begin() + 1, all.end());
-  const auto values =
-      rest.size() == form->names + form->numbers ? numbers_of(rest.subspan(form->names)) : std::nullopt;
-  const bool names =
-      values && number<std::int64_t>(rest[0]) && (form->names < 2 || number<std::int64_t>(rest[1]));
-  if (!names) return bad_input(fmt::format("'{}' is not valid; expected {}", excerpt(line), form->sentence));
-  return Line{form->tag, {rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(form->names)}, *values};
+Status check_name(std::string_view name) {
+  if (number<std::int64_t>(name)) return {};
+  return bad_input(fmt::format("g2o names nodes by whole numbers, not '{}'", excerpt(name)));
 }
 
 template <class Pose>
-Status fix(const Line& line, const GraphLines<Pose>& lines) {
+Status fix(const GraphLine& line, const GraphLines<Pose>& lines) {
   const bool first = !lines.graph.nodes.empty() && lines.graph.nodes.front().name == line.names[0];
   return first ? Status{} : bad_input("only the first vertex can be fixed; take the line out");
 }
 
-Status add_line(const Line& line, GraphLines<Pose2>& lines) {
+Status add_line(const GraphLine& line, GraphLines<Pose2>& lines) {
   const auto& v = line.numbers;
   const std::span<const double> numbers(v);
   if (line.tag == "FIX") return fix(line, lines);
   const Pose2 pose = {{v[0], v[1]}, line.tag == "VERTEX_XY" || line.tag == "EDGE_SE2_XY" ? 0.0 : v[2]};
   if (line.tag.starts_with("VERTEX")) return lines.place(line.names[0], pose, line.tag == "VERTEX_XY");
   if (line.tag == "EDGE_SE2_XY") {
-    return lines.join(EdgeKind::point, line.names[0], line.names[1], pose, numbers.subspan(2),
-                      EdgeMatrix::information);
+    return lines.join(EdgeKind::point, line.names[0], line.names[1], pose, numbers.subspan(2));
   }
   const std::array<double, 6> toro = {v[3], v[4], v[7], v[5], v[8], v[6]};
   const auto triangle = line.tag == "EDGE2" ? std::span<const double>(toro) : numbers.subspan(3);
-  return lines.join(EdgeKind::pose, line.names[0], line.names[1], pose, triangle, EdgeMatrix::information);
+  return lines.join(EdgeKind::pose, line.names[0], line.names[1], pose, triangle);
 }
 
 /// Returns the pose of seven numbers; a fault if the quaternion is not of length 1, to the digits of a file.
@@ -94,25 +67,25 @@ Outcome<Pose3> pose3_of(std::span<const double> v) {
   return pose;
 }
 
-Status add_line(const Line& line, GraphLines<Pose3>& lines) {
+Status add_line(const GraphLine& line, GraphLines<Pose3>& lines) {
   if (line.tag == "FIX") return fix(line, lines);
   const std::span<const double> numbers(line.numbers);
   auto pose = pose3_of(numbers);
   if (!pose) return pass_on(pose);
   if (line.tag == "VERTEX_SE3:QUAT") return lines.place(line.names[0], *pose, false);
-  return lines.join(EdgeKind::pose, line.names[0], line.names[1], *pose, numbers.subspan(7),
-                    EdgeMatrix::information);
+  return lines.join(EdgeKind::pose, line.names[0], line.names[1], *pose, numbers.subspan(7));
 }
 
 template <class Pose>
 Outcome<PoseGraphOf<Pose>> read_graph(std::string_view text, const std::string& name, InformationTerms terms,
-                                      std::span<const Form> forms, std::string_view ground) {
+                                      std::span<const GraphForm> forms, std::string_view ground) {
   GraphLines<Pose> lines;
   lines.terms = terms;
-  auto read = read_graph_lines(text, name, [&](std::string_view line) -> Status {
-    auto found = read_words(line, forms, ground);
-    if (!found) return pass_on(found);
-    return add_line(*found, lines);
+  auto read = read_graph_lines(text, name, forms, ground, [&](const GraphLine& line) -> Status {
+    for (const std::string_view node : line.names) {
+      if (auto ok = check_name(node); !ok) return ok;
+    }
+    return add_line(line, lines);
   });
   if (!read) return pass_on(read);
   auto graph = std::move(lines).finish();
@@ -140,15 +113,6 @@ std::string pose_text(const Pose3& pose) {
                      q.z(), q.w());
 }
 
-template <class Pose>
-Status check_names(const PoseGraphOf<Pose>& graph) {
-  for (const auto& node : graph.nodes) {
-    if (number<std::int64_t>(node.name)) continue;
-    return bad_input(fmt::format("g2o names nodes by whole numbers, not '{}'", excerpt(node.name)));
-  }
-  return {};
-}
-
 }  // namespace
 
 Outcome<PoseGraph> pose_graph_from_g2o(std::string_view text, const std::string& name,
@@ -162,19 +126,14 @@ Outcome<PoseGraph3> pose_graph3_from_g2o(std::string_view text, const std::strin
 }
 
 bool is_spatial_g2o(std::string_view text) {
-  while (!text.empty()) {
-    std::string_view line = take_line(text);
-    line = line.substr(0, line.find('#'));
-    if (line.find_first_not_of(white_space) == std::string_view::npos) continue;
-    return words(line)[0].find("_SE3:") != std::string_view::npos;
-  }
-  return false;
+  TextLines lines{text, {}};
+  return lines.next_filled() && words(lines.line)[0].find("_SE3:") != std::string_view::npos;
 }
 
 Outcome<std::string> to_g2o(const PoseGraph& graph, const std::vector<Pose2>& poses) {
-  if (auto ok = check_names(graph); !ok) return pass_on(ok);
   std::string text;
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+    if (auto ok = check_name(graph.nodes[i].name); !ok) return pass_on(ok);
     const auto& [position, heading_rad] = poses[i];
     text += graph.nodes[i].is_point
                 ? fmt::format("VERTEX_XY {} {} {}\n", graph.nodes[i].name, position.x, position.y)
@@ -193,9 +152,9 @@ Outcome<std::string> to_g2o(const PoseGraph& graph, const std::vector<Pose2>& po
 }
 
 Outcome<std::string> to_g2o(const PoseGraph3& graph, const std::vector<Pose3>& poses) {
-  if (auto ok = check_names(graph); !ok) return pass_on(ok);
   std::string text;
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+    if (auto ok = check_name(graph.nodes[i].name); !ok) return pass_on(ok);
     text += fmt::format("VERTEX_SE3:QUAT {} {}\n", graph.nodes[i].name, pose_text(poses[i]));
   }
   for (const GraphEdge3& edge : graph.edges) {

@@ -88,7 +88,7 @@ Status GraphLines<Pose>::place(std::string_view name, const Pose& pose, bool is_
 
 template <class Pose>
 Status GraphLines<Pose>::join(EdgeKind kind, std::string_view from, std::string_view to, const Pose& measured,
-                              std::span<const double> triangle, EdgeMatrix matrix) {
+                              std::span<const double> triangle) {
   if (from == to) return bad_input(fmt::format("it joins {} to itself; take it out", excerpt(from)));
   if (!is_near(measured)) return bad_input("it measures more than 1e9 m; correct it");
   const bool range = kind == EdgeKind::range;
@@ -100,17 +100,16 @@ Status GraphLines<Pose>::join(EdgeKind kind, std::string_view from, std::string_
   if (!a) return pass_on(a);
   auto b = node(to, range ? known_point(to) : kind == EdgeKind::point);
   if (!b) return pass_on(b);
-  const bool covariance = matrix == EdgeMatrix::covariance;
   const Eigen::Index rows = rows_of(kind, dimension<Pose>, freedoms<Pose>);
   PoseMatrix<Pose> information = from_upper<Pose>(triangle, rows);
-  if (!covariance) information = reduced<Pose>(information, rows, terms);
+  if (!covariances) information = reduced<Pose>(information, rows, terms);
   const auto inverse = inverse_of_part<Pose>(information, rows);
-  if (!inverse || (covariance && !inverse_of_part<Pose>(*inverse, rows))) {
-    return bad_input(covariance ? "its covariance is not positive definite; correct it"
-                                : "its information is not positive definite; correct it, or read only its "
-                                  "diagonal");
+  if (!inverse || (covariances && !inverse_of_part<Pose>(*inverse, rows))) {
+    return bad_input(covariances ? "its covariance is not positive definite; correct it"
+                                 : "its information is not positive definite; correct it, or read only its "
+                                   "diagonal");
   }
-  if (covariance) information = *inverse;
+  if (covariances) information = *inverse;
   graph.edges.push_back({kind, *a, *b, measured, information});
   return {};
 }
@@ -122,30 +121,27 @@ Outcome<PoseGraphOf<Pose>> GraphLines<Pose>::finish() && {
   return std::move(graph);
 }
 
-std::optional<std::vector<double>> numbers_of(std::span<const std::string_view> words) {
-  std::vector<double> result;
-  for (const std::string_view word : words) {
-    const auto value = number<double>(word);
-    if (!value || std::abs(*value) > 1e18) return std::nullopt;
-    result.push_back(*value);
-  }
-  return result;
-}
-
-Status read_graph_lines(std::string_view text, const std::string& name,
-                        const std::function<Status(std::string_view)>& read) {
-  constexpr std::size_t most_lines = 2'000'000;
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    std::string_view line = take_line(text);
-    line = line.substr(0, line.find('#'));
-    if (number > most_lines) {
-      return bad_input(fmt::format("more than {} lines; take a smaller graph", most_lines),
-                       fmt::format("{}:{}", name, number));
+Status read_graph_lines(std::string_view text, const std::string& name, std::span<const GraphForm> forms,
+                        std::string_view ground, const std::function<Status(const GraphLine&)>& read) {
+  constexpr double largest = 1e18;
+  return for_each_line({text, name}, [&](std::span<const std::string_view> words) -> Status {
+    const auto form = std::ranges::find(forms, words[0], &GraphForm::tag);
+    if (form == forms.end()) {
+      std::vector<std::string_view> tags;
+      for (const GraphForm& known : forms) tags.push_back(known.tag);
+      return bad_input(fmt::format("'{}' is no line of a graph of {}; expected one of {}", excerpt(words[0]),
+                                   ground, fmt::join(tags, ", ")));
     }
-    if (line.find_first_not_of(white_space) == std::string_view::npos) continue;
-    if (auto ok = read(line); !ok) return bad_input(ok.error().sentence, fmt::format("{}:{}", name, number));
-  }
-  return {};
+    const std::size_t numbers_from = form->names_from + form->names;
+    auto numbers = words.size() == numbers_from + form->numbers
+                       ? numbers_of(words.subspan(numbers_from), largest)
+                       : std::nullopt;
+    if (!numbers) {
+      return bad_input(fmt::format("'{}' is not valid; expected {}",
+                                   excerpt(fmt::format("{}", fmt::join(words, " "))), form->sentence));
+    }
+    return read({form->tag, words.subspan(form->names_from, form->names), std::move(*numbers)});
+  });
 }
 
 template class GraphLines<Pose2>;

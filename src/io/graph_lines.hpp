@@ -15,9 +15,6 @@
 
 namespace outrider {
 
-/// The kind of matrix that comes with an edge.
-enum class EdgeMatrix { information, covariance };
-
 template <class Pose>
 class GraphLines {
  public:
@@ -25,12 +22,13 @@ class GraphLines {
   Status place(std::string_view name, const Pose& pose, bool is_point);
   /// Adds an edge. New nodes are not placed. `triangle` is the upper triangle of its matrix, by rows.
   Status join(EdgeKind kind, std::string_view from, std::string_view to, const Pose& measured,
-              std::span<const double> triangle, EdgeMatrix matrix);
+              std::span<const double> triangle);
   [[nodiscard]] bool knows(std::string_view name) const { return numbers_.contains(name); }
   /// Returns the graph. Nodes that no line placed are placed by the edges.
   Outcome<PoseGraphOf<Pose>> finish() &&;
 
   InformationTerms terms = InformationTerms::all;
+  bool covariances = false;  ///< the matrices of edges are covariances, not information
   PoseGraphOf<Pose> graph;
   std::vector<bool> placed;
 
@@ -40,12 +38,25 @@ class GraphLines {
   std::map<std::string, std::uint32_t, std::less<>> numbers_;
 };
 
-/// Returns the words as finite numbers up to 1e18 in size, or nothing if a word is not such a number.
-std::optional<std::vector<double>> numbers_of(std::span<const std::string_view> words);
+/// The form of a line: its first word, its names and its numbers.
+struct GraphForm {
+  std::string_view tag;
+  std::size_t names;
+  std::size_t numbers;
+  std::string_view sentence;
+  std::size_t names_from = 1;  ///< index of the word with the first name
+};
 
-/// Calls `read` for each line that is not empty after removal of its comment. A fault gets the line number.
-/// Reads at most 2,000,000 lines.
-Status read_graph_lines(std::string_view text, const std::string& name,
-                        const std::function<Status(std::string_view)>& read);
+/// The words of a line that has one of the forms.
+struct GraphLine {
+  std::string_view tag;
+  std::span<const std::string_view> names;
+  std::vector<double> numbers;
+};
+
+/// Calls `read` for each line that is not empty. Faults: bad_input with the line number, for lines of no
+/// form; more than 2,000,000 lines. `ground` says what the graph is of.
+Status read_graph_lines(std::string_view text, const std::string& name, std::span<const GraphForm> forms,
+                        std::string_view ground, const std::function<Status(const GraphLine&)>& read);
 
 }  // namespace outrider

@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdint>
 
+#include "image.hpp"
 #include "outrider/world/height_field.hpp"
-#include "png_reader.hpp"
 
 namespace outrider {
 namespace {
@@ -30,35 +30,25 @@ std::string without_colours(std::string_view bytes) {
   return kept;
 }
 
-/// Reads the pixels as integers of `channels` each, of which the first is the height and a second one says
-/// how opaque it is, and scales them to 1 for white. Refuses pixels that one can see through.
-template <class Number, std::size_t channels>
+/// Reads the pixels as two integers, the height and how opaque it is, and scales them to 1 for white. Refuses
+/// pixels that one can see through.
+template <class Number>
 Outcome<std::vector<double>> read_pixels(PngReader& png, std::uint32_t format, const std::string& name) {
   constexpr auto white = static_cast<Number>(-1);
   png.header.format = format;
-  std::vector<std::array<Number, channels>> pixels(std::size_t{png.header.width} * png.header.height);
+  std::vector<std::array<Number, 2>> pixels(std::size_t{png.header.width} * png.header.height);
   if (png_image_finish_read(&png.header, nullptr, pixels.data(), 0, nullptr) == 0) {
     return bad_input(fmt::format("libpng refuses it: {}", png.header.message), name);
   }
   std::vector<double> values;
   values.reserve(pixels.size());
   for (const auto& pixel : pixels) {
-    if (channels > 1 && pixel.back() != white) {
+    if (pixel.back() != white) {
       return bad_input("pixels of it are transparent, and every height must be known; save it as grey", name);
     }
     values.push_back(static_cast<double>(pixel.front()) / static_cast<double>(white));
   }
   return values;
-}
-
-Outcome<std::vector<double>> read_values(PngReader& png, const std::string& name) {
-  const bool wide = (png.header.format & PNG_FORMAT_FLAG_LINEAR) != 0;
-  if ((png.header.format & PNG_FORMAT_FLAG_ALPHA) != 0) {
-    return wide ? read_pixels<std::uint16_t, 2>(png, PNG_FORMAT_LINEAR_Y_ALPHA, name)
-                : read_pixels<std::uint8_t, 2>(png, PNG_FORMAT_GA, name);
-  }
-  return wide ? read_pixels<std::uint16_t, 1>(png, PNG_FORMAT_LINEAR_Y, name)
-              : read_pixels<std::uint8_t, 1>(png, PNG_FORMAT_GRAY, name);
 }
 
 }  // namespace
@@ -72,7 +62,9 @@ Outcome<HeightImage> height_image_from_png(std::string_view bytes, const std::st
   if (auto size = HeightField::check_size(png.header.width, png.header.height); !size) {
     return bad_input(size.error().sentence, name);
   }
-  auto values = read_values(png, name);
+  const bool wide = (png.header.format & PNG_FORMAT_FLAG_LINEAR) != 0;
+  auto values = wide ? read_pixels<std::uint16_t>(png, PNG_FORMAT_LINEAR_Y_ALPHA, name)
+                     : read_pixels<std::uint8_t>(png, PNG_FORMAT_GA, name);
   if (!values) return pass_on(values);
   return HeightImage{static_cast<int>(png.header.width), static_cast<int>(png.header.height),
                      std::move(*values)};

@@ -5,24 +5,9 @@
 #include <optional>
 
 #include "outrider/io/text.hpp"
-#include "png_reader.hpp"
 
 namespace outrider {
 namespace {
-
-constexpr int longest_side = 100'000;
-constexpr std::size_t most_pixels = 100'000'000;
-
-Status check_size(std::size_t width, std::size_t height, const std::string& name) {
-  if (width >= 1 && height >= 1 && width <= longest_side && height <= longest_side &&
-      width * height <= most_pixels) {
-    return {};
-  }
-  return bad_input(
-      fmt::format("an image of {} x {} pixels is not read; sides go from 1 to {} and pixels to {}", width,
-                  height, longest_side, most_pixels),
-      name);
-}
 
 /// Reads the next number of a PGM header or of P2 pixels; comments go from '#' to the end of the line.
 std::optional<unsigned> pgm_number(std::string_view& rest) {
@@ -57,7 +42,7 @@ Outcome<PgmHeader> pgm_header(std::string_view& rest, const std::string& name) {
   header.width = *width;
   header.height = *height;
   header.white = *white;
-  if (auto size = check_size(header.width, header.height, name); !size) return pass_on(size);
+  if (auto size = check_image_size(header.width, header.height, name); !size) return pass_on(size);
   const std::size_t pixels = header.width * header.height;
   const std::size_t least = header.text ? 2 * pixels - 1 : pixels * (header.white > 255 ? 2 : 1);
   if (rest.size() < least) {
@@ -99,7 +84,7 @@ Outcome<GreyImage> from_png(std::string_view bytes, const std::string& name) {
     return bad_input(fmt::format("libpng refuses it: {}", png.header.message), name);
   };
   if (png_image_begin_read_from_memory(&png.header, bytes.data(), bytes.size()) == 0) return damaged();
-  if (auto size = check_size(png.header.width, png.header.height, name); !size) return pass_on(size);
+  if (auto size = check_image_size(png.header.width, png.header.height, name); !size) return pass_on(size);
   constexpr std::size_t most_pixels_per_byte = std::size_t{8} * 1032;  // 1 bit per pixel, best deflate ratio
   if (std::size_t{png.header.width} * png.header.height > most_pixels_per_byte * bytes.size()) {
     return bad_input("it is cut short: its header names more pixels than its bytes can hold", name);
@@ -126,10 +111,26 @@ Outcome<GreyImage> from_png(std::string_view bytes, const std::string& name) {
 
 }  // namespace
 
+bool is_image(std::string_view bytes) {
+  if (bytes.starts_with("\x89PNG")) return true;
+  const bool grey = bytes.starts_with("P2") || bytes.starts_with("P5");
+  return grey && bytes.size() > 2 && (white_space.find(bytes[2]) != bytes.npos || bytes[2] == '#');
+}
+
+Status check_image_size(std::size_t width, std::size_t height, const std::string& name) {
+  constexpr std::size_t longest_side = 100'000, most_pixels = 100'000'000;
+  if (width >= 1 && height >= 1 && std::max(width, height) <= longest_side && width * height <= most_pixels)
+    return {};
+  return bad_input(
+      fmt::format("an image of {} x {} pixels is not read; sides go from 1 to {} and pixels to {}", width,
+                  height, longest_side, most_pixels),
+      name);
+}
+
 Outcome<GreyImage> image_from_bytes(std::string_view bytes, const std::string& name) {
-  if (bytes.starts_with("P2") || bytes.starts_with("P5")) return from_pgm(bytes, name);
-  if (bytes.starts_with("\x89PNG")) return from_png(bytes, name);
-  return bad_input("it is neither PGM (P2, P5) nor PNG; convert it to one of them", name);
+  if (!is_image(bytes))
+    return bad_input("it is neither PGM (P2, P5) nor PNG; convert it to one of them", name);
+  return bytes.starts_with('P') ? from_pgm(bytes, name) : from_png(bytes, name);
 }
 
 Status check_expansion(std::size_t pixels, std::size_t bytes, std::size_t most_per_byte,

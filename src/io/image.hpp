@@ -1,7 +1,9 @@
-// Grey images: reads PGM (P2, P5) and PNG, writes PGM.
+// Grey images: reads PGM (P2, P5) and PNG, writes PGM. Sides up to 100,000 and 100 million pixels.
 #pragma once
 
+#include <png.h>
 #include <cstddef>
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -17,6 +19,22 @@ struct GreyImage {
   std::vector<std::uint8_t> values;  ///< row by row from the top, 0 black to 255 white
   std::vector<bool> transparent;     ///< empty if no pixel is transparent
 };
+
+/// Owns the state of libpng while an image is read or written.
+struct PngReader {
+  png_image header{};
+
+  PngReader() { header.version = PNG_IMAGE_VERSION; }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+  ~PngReader() { png_image_free(&header); }
+};
+
+/// Returns true if the bytes begin like a PGM or a PNG.
+bool is_image(std::string_view bytes);
+
+/// Refuses an image without pixels, and one with more than are read.
+Status check_image_size(std::size_t width, std::size_t height, const std::string& name);
 
 /// Reads an image; the format is detected by the first bytes. 16-bit values are scaled to 8 bits, and colours
 /// are averaged. `name` is for faults.

@@ -4,14 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "image.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/io/image_topics.hpp"
 
 namespace outrider {
 namespace {
-
-constexpr std::uint32_t longest_message_side = 100'000;
-constexpr std::uint64_t most_message_pixels = 100'000'000;
 
 /// The memory layout of the pixels of an encoding.
 struct PixelLayout {
@@ -38,13 +36,7 @@ constexpr std::array<PixelLayout, 14> layouts = {{{"mono8", 1, 0, 0, 0},
                                                   {"yuv422_yuy2", 2, 0, 0, 0}}};
 
 Status check_size(const sensor_msgs::Image& message, std::size_t pixel_bytes) {
-  const std::uint64_t pixels = std::uint64_t{message.width} * message.height;
-  if (message.width == 0 || message.height == 0 ||
-      std::max(message.width, message.height) > longest_message_side || pixels > most_message_pixels) {
-    return bad_input(
-        fmt::format("an image of {} x {} pixels is not read; sides go from 1 to {} and pixels to {}",
-                    message.width, message.height, longest_message_side, most_message_pixels));
-  }
+  if (auto ok = check_image_size(message.width, message.height, ""); !ok) return ok;
   const std::uint64_t row = std::uint64_t{message.width} * pixel_bytes;
   const std::uint64_t bytes = std::uint64_t{message.step} * message.height;
   if (message.step < row || message.data.size() != bytes) {
@@ -62,14 +54,13 @@ std::uint8_t luminance(int red, int green, int blue) {
 }  // namespace
 
 Outcome<CameraImage> grey_image(const sensor_msgs::Image& message) {
-  PixelLayout layout;
   const auto found = std::ranges::find(layouts, message.encoding, &PixelLayout::name);
   if (found == layouts.end()) {
     return bad_input(
         fmt::format("images in '{}' are not read; record them in mono8, rgb8, bgr8 or compressed",
                     excerpt(message.encoding)));
   }
-  layout = *found;
+  PixelLayout layout = *found;
   const bool sixteen_bits = layout.name == "mono16" || layout.name == "16UC1";
   if (sixteen_bits && message.is_bigendian == 0)
     layout.red = layout.green = layout.blue = 1;  // the upper byte
@@ -99,11 +90,7 @@ Outcome<Camera> camera_of(const sensor_msgs::CameraInfo& message) {
   if (k[1] != 0.0 || k[3] != 0.0 || k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0) {
     return bad_input("the camera matrix is that of no pinhole; its rows are fx 0 cx, 0 fy cy, 0 0 1");
   }
-  if (message.width == 0 || message.height == 0 ||
-      std::max(message.width, message.height) > longest_message_side) {
-    return bad_input(fmt::format("a camera of {} x {} pixels; expected 1 to {}", message.width,
-                                 message.height, longest_message_side));
-  }
+  if (auto ok = check_image_size(message.width, message.height, ""); !ok) return pass_on(ok);
   Camera camera;
   camera.width_px = static_cast<int>(message.width);
   camera.height_px = static_cast<int>(message.height);

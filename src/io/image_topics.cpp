@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <variant>
 
 #include "outrider/core/text.hpp"
 #include "outrider/io/log_file.hpp"
 #include "outrider/io/photo.hpp"
-#include "outrider/log/channel_decoder.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/find_topic.hpp"
 #include "outrider/log/log.hpp"
@@ -20,67 +17,32 @@ namespace {
 using sensor_msgs::CameraInfo;
 using sensor_msgs::CompressedImage;
 using sensor_msgs::Image;
-using ImageDecoder = std::variant<ChannelDecoder<Image>, ChannelDecoder<CompressedImage>>;
 
-double time_of(const std_msgs::Header& header, const LogMessage& message) {
-  const bool stamped = header.stamp.sec != 0 || header.stamp.nanosec != 0;
-  if (!stamped) return seconds(message.time_ns);
-  return static_cast<double>(header.stamp.sec) + 1e-9 * static_cast<double>(header.stamp.nanosec);
+Outcome<TimedImage> read(const ChannelDecoder<Image>& decoder, const LogMessage& encoded) {
+  Image message;
+  if (auto ok = decoder.decode(encoded.data, message); !ok) return pass_on(ok);
+  auto image = grey_image(message);
+  if (!image) return pass_on(image);
+  return TimedImage{seconds(nanoseconds_of(message.header, encoded.time_ns)), std::move(*image)};
 }
 
-Outcome<ImageDecoder> decoder_of(const Channel& channel) {
-  if (ros2_type_name(channel.type) == CompressedImage::type) {
-    auto decoder = ChannelDecoder<CompressedImage>::of(channel);
-    if (!decoder) return pass_on(decoder);
-    return ImageDecoder(std::move(*decoder));
-  }
-  auto decoder = ChannelDecoder<Image>::of(channel);
+Outcome<TimedImage> read(const ChannelDecoder<CompressedImage>& decoder, const LogMessage& encoded) {
+  CompressedImage message;
+  if (auto ok = decoder.decode(encoded.data, message); !ok) return pass_on(ok);
+  auto image =
+      photo_from_bytes({reinterpret_cast<const char*>(message.data.data()), message.data.size()}, "");
+  if (!image) return pass_on(image);
+  return TimedImage{seconds(nanoseconds_of(message.header, encoded.time_ns)), std::move(*image)};
+}
+
+/// Adds the decoder of a channel.
+template <class Message, class Decoders>
+Status add_decoder(const std::vector<Channel>& channels, std::size_t index, Decoders& decoders) {
+  auto decoder = ChannelDecoder<Message>::of(channels[index]);
   if (!decoder) return pass_on(decoder);
-  return ImageDecoder(std::move(*decoder));
+  decoders.emplace(index, std::move(*decoder));
+  return {};
 }
-
-class LoggedImages final : public ImageTopics {
- public:
-  LoggedImages(std::unique_ptr<LogReader> log, std::map<std::size_t, ImageDecoder> decoders,
-               std::string topic, std::optional<Camera> camera)
-      : log_(std::move(log)), decoders_(std::move(decoders)), topic_(std::move(topic)), camera_(camera) {}
-
-  [[nodiscard]] const std::optional<Camera>& camera() const override { return camera_; }
-  [[nodiscard]] std::string cut_short() const override { return log_->cut_short(); }
-
-  Outcome<std::optional<TimedImage>> next() override {
-    auto message = log_->next();
-    if (!message) return pass_on(message);
-    if (!*message) return std::optional<TimedImage>{};
-    auto image = std::visit([&](const auto& decoder) { return read(decoder, **message); },
-                            decoders_.at((*message)->channel));
-    if (!image) return bad_input(std::move(image.error().sentence), printable(topic_));
-    return std::optional(std::move(*image));
-  }
-
- private:
-  Outcome<TimedImage> read(const ChannelDecoder<Image>& decoder, const LogMessage& message) {
-    if (auto ok = decoder.decode(message.data, plain_); !ok) return pass_on(ok);
-    auto image = grey_image(plain_);
-    if (!image) return pass_on(image);
-    return TimedImage{time_of(plain_.header, message), std::move(*image)};
-  }
-
-  Outcome<TimedImage> read(const ChannelDecoder<CompressedImage>& decoder, const LogMessage& message) {
-    if (auto ok = decoder.decode(message.data, packed_); !ok) return pass_on(ok);
-    const std::string_view bytes(reinterpret_cast<const char*>(packed_.data.data()), packed_.data.size());
-    auto image = photo_from_bytes(bytes, topic_);
-    if (!image) return pass_on(image);
-    return TimedImage{time_of(packed_.header, message), std::move(*image)};
-  }
-
-  std::unique_ptr<LogReader> log_;
-  std::map<std::size_t, ImageDecoder> decoders_;
-  std::string topic_;
-  std::optional<Camera> camera_;
-  Image plain_;
-  CompressedImage packed_;
-};
 
 /// Returns "/camera/camera_info" for "/camera/image_raw" and "/camera/image_raw/compressed".
 std::string info_beside(std::string topic) {
@@ -121,8 +83,7 @@ Outcome<std::optional<Camera>> read_camera(const std::string& path, const std::s
 
 }  // namespace
 
-Outcome<std::unique_ptr<ImageTopics>> open_image_topics(const std::string& path,
-                                                        const ImageTopicsOptions& options) {
+Outcome<ImageTopics> ImageTopics::open(const std::string& path, const ImageTopicsOptions& options) {
   auto contents = open_log_file(path);
   if (!contents) return pass_on(contents);
   const std::vector<Channel> channels = (*contents)->channels();
@@ -130,24 +91,35 @@ Outcome<std::unique_ptr<ImageTopics>> open_image_topics(const std::string& path,
   const auto found =
       find_topic(channels, {{Image::type, CompressedImage::type}, options.image, "--image-topic"});
   if (!found) return pass_on(found);
-  const std::string topic = channels[found->front()].topic;
-  std::map<std::size_t, ImageDecoder> decoders;
+  ImageTopics images;
+  images.topic_ = channels[found->front()].topic;
   for (const std::size_t index : *found) {
-    auto decoder = decoder_of(channels[index]);
-    if (!decoder) return pass_on(decoder);
-    decoders.emplace(index, std::move(*decoder));
+    const bool packed = ros2_type_name(channels[index].type) == CompressedImage::type;
+    auto ok = (packed ? add_decoder<CompressedImage, decltype(decoders_)>
+                      : add_decoder<Image, decltype(decoders_)>)(channels, index, images.decoders_);
+    if (!ok) return pass_on(ok);
   }
-  const auto info = find_info(channels, topic, options);
+  const auto info = find_info(channels, images.topic_, options);
   if (!info) return pass_on(info);
-  std::optional<Camera> camera;
   if (!info->empty()) {
-    auto read = read_camera(path, *info);
-    if (!read) return pass_on(read);
-    camera = *read;
+    auto camera = read_camera(path, *info);
+    if (!camera) return pass_on(camera);
+    images.camera_ = *camera;
   }
-  auto log = open_log_file(path, {.topics = {topic}});
+  auto log = open_log_file(path, {.topics = {images.topic_}});
   if (!log) return pass_on(log);
-  return std::make_unique<LoggedImages>(std::move(*log), std::move(decoders), topic, camera);
+  images.log_ = std::move(*log);
+  return images;
+}
+
+Outcome<std::optional<TimedImage>> ImageTopics::next() {
+  auto message = log_->next();
+  if (!message) return pass_on(message);
+  if (!*message) return std::optional<TimedImage>{};
+  auto image = std::visit([&](const auto& decoder) { return read(decoder, **message); },
+                          decoders_.at((*message)->channel));
+  if (!image) return bad_input(std::move(image.error().sentence), printable(topic_));
+  return std::optional(std::move(*image));
 }
 
 }  // namespace outrider

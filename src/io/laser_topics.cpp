@@ -80,7 +80,7 @@ Status check_frames(const Survey& survey, const RobotChannels& channels, const L
       "--odom");
 }
 
-class MappedLog final : public LaserTopics {
+class MappedLog final : public LaserSource {
  public:
   MappedLog(std::unique_ptr<const RobotChannels> channels, RobotLog log, LaserTopicsOptions options,
             std::string base_frame, std::optional<ScanMount> mount)
@@ -242,7 +242,7 @@ std::vector<Option> describe(LaserTopicsOptions& options) {
        &options.base_frame}};
 }
 
-Outcome<std::unique_ptr<LaserTopics>> open_laser_topics(const std::string& path,
+Outcome<std::unique_ptr<LaserSource>> open_laser_topics(const std::string& path,
                                                         const LaserTopicsOptions& options) {
   auto contents = open_log_file(path);
   if (!contents) return pass_on(contents);

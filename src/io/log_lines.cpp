@@ -21,16 +21,12 @@ std::vector<Option> describe(LogNoise& noise) {
 Status for_each_line(const NamedText& text,
                      const std::function<Status(std::span<const std::string_view>)>& read) {
   constexpr std::size_t most_lines = 2'000'000;
-  std::string_view rest = text.text;
-  for (std::size_t line_number = 1; !rest.empty(); ++line_number) {
-    const std::string_view line = take_line(rest);
-    const std::string where = fmt::format("{}:{}", text.name, line_number);
-    if (line_number > most_lines) {
-      return bad_input(fmt::format("more than {} lines; shorten the log", most_lines), where);
+  TextLines lines{text.text, text.name};
+  while (lines.next_filled()) {
+    if (lines.number > most_lines) {
+      return bad_input(fmt::format("more than {} lines; shorten the file", most_lines), lines.where());
     }
-    const std::vector<std::string_view> all = words(line.substr(0, line.find('#')));
-    if (all.empty()) continue;
-    if (auto ok = read(all); !ok) return bad_input(ok.error().sentence, where);
+    if (auto ok = read(words(lines.line)); !ok) return bad_input(ok.error().sentence, lines.where());
   }
   return {};
 }

@@ -1,4 +1,4 @@
-// Shared by the readers of landmark logs: lines of words and numbers, and motions with their noise.
+// Shared by the readers of logs and graphs: lines of words and numbers, and motions with their noise.
 #pragma once
 
 #include <functional>

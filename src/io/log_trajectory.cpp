@@ -19,21 +19,17 @@ using geometry_msgs::PoseWithCovarianceStamped;
 /// Adds the poses of a message that was recorded at a time.
 using PoseReader = std::function<Status(const LogMessage&, Trajectory&)>;
 
-std::int64_t time_of(const std_msgs::Header& header, std::int64_t recorded_ns) {
-  const std::int64_t stamp_ns = nanoseconds_of(header.stamp);
-  return stamp_ns == 0 ? recorded_ns : stamp_ns;
-}
-
 void add_poses(const PoseStamped& message, std::int64_t recorded_ns, Trajectory& trajectory) {
-  trajectory.push_back({time_of(message.header, recorded_ns), message.pose});
+  trajectory.push_back({nanoseconds_of(message.header, recorded_ns), message.pose});
 }
 template <class Message>
 void add_poses(const Message& message, std::int64_t recorded_ns, Trajectory& trajectory) {
-  trajectory.push_back({time_of(message.header, recorded_ns), message.pose.pose});
+  trajectory.push_back({nanoseconds_of(message.header, recorded_ns), message.pose.pose});
 }
 void add_poses(const nav_msgs::Path& path, std::int64_t recorded_ns, Trajectory& trajectory) {
   trajectory.clear();
-  for (const PoseStamped& pose : path.poses) add_poses(pose, time_of(path.header, recorded_ns), trajectory);
+  for (const PoseStamped& pose : path.poses)
+    add_poses(pose, nanoseconds_of(path.header, recorded_ns), trajectory);
 }
 
 template <class Message>

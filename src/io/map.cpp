@@ -5,10 +5,9 @@
 #include <array>
 #include <optional>
 
+#include "image.hpp"
 #include "outrider/io/files.hpp"
-#include "outrider/io/map_server.hpp"
 #include "outrider/io/movingai.hpp"
-#include "outrider/io/sdf.hpp"
 #include "outrider/io/text.hpp"
 #include "outrider/path/visibility/polygons_from_world.hpp"
 
@@ -16,17 +15,9 @@ namespace outrider {
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-constexpr std::string_view png_signature = "\x89PNG";
 constexpr std::array<std::string_view, 7> map_server_keys = {
     "image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode"};
 constexpr std::size_t most_looked_at = 4096;  // bytes searched for the first line that is not a comment
-
-bool is_image(std::string_view content) {
-  if (content.starts_with(png_signature)) return true;
-  const bool grey = content.starts_with("P2") || content.starts_with("P5");
-  return grey && content.size() > 2 &&
-         (white_space.find(content[2]) != std::string_view::npos || content[2] == '#');
-}
 
 /// Detects the kind of a map by a line that is not a comment.
 std::optional<MapKind> kind_of_line(std::string_view line) {
@@ -46,12 +37,8 @@ std::optional<MapKind> kind_of_line(std::string_view line) {
 std::optional<MapKind> kind_of_content(std::string_view content) {
   if (is_image(content)) return MapKind::image;
   if (content.starts_with(byte_order_mark)) content.remove_prefix(byte_order_mark.size());
-  std::string_view rest = content.substr(0, most_looked_at);
-  while (!rest.empty()) {
-    std::string_view line = take_line(rest);
-    line.remove_prefix(std::min(line.find_first_not_of(white_space), line.size()));
-    if (line.empty() || line.starts_with('#')) continue;
-    if (const auto kind = kind_of_line(line)) return kind;
+  for (TextLines lines{content.substr(0, most_looked_at), {}}; lines.next_filled();) {
+    if (const auto kind = kind_of_line(trimmed(lines.line))) return kind;
   }
   return std::nullopt;
 }
@@ -72,35 +59,27 @@ std::optional<MapKind> kind_of_name(std::string_view name) {
   return std::nullopt;
 }
 
-Outcome<LoadedMap> cells_of(MapKind kind, Outcome<MapServerMap> map) {
-  if (!map) return pass_on(map);
-  return LoadedMap{kind, MapCells{std::move(map->occupancy), map->yaw_rad}};
+/// Makes a map of the kind from what its reader returned.
+template <class Shape>
+Outcome<LoadedMap> map_of(MapKind kind, Outcome<Shape> shape, std::vector<std::string> warnings = {}) {
+  if (!shape) return pass_on(shape);
+  return LoadedMap{kind, std::move(*shape), std::move(warnings)};
 }
 
-Outcome<LoadedMap> image_map(const std::string& content, const std::string& path, double resolution_m) {
-  auto map = cells_of(MapKind::image, map_image_from_bytes(content, path, resolution_m));
-  if (map) {
-    map->warnings.push_back(
-        fmt::format("an image alone has no scale: a pixel is taken as {:g} m", resolution_m));
-  }
-  return map;
-}
-
-Outcome<LoadedMap> map_of(MapKind kind, const std::string& content, const std::string& path,
-                          const LoadMapOptions& options) {
+Outcome<LoadedMap> read_map(MapKind kind, const std::string& content, const std::string& path,
+                            const LoadMapOptions& options) {
+  const double pixel_m = options.image_resolution_m;
   switch (kind) {
-    case MapKind::map_server: return cells_of(kind, map_server_from_text(content, path));
-    case MapKind::image: return image_map(content, path, options.image_resolution_m);
+    case MapKind::map_server: return map_of(kind, map_server_from_text(content, path));
+    case MapKind::image:
+      return map_of(kind, map_image_from_bytes(content, path, pixel_m),
+                    {fmt::format("an image alone has no scale: a pixel is taken as {:g} m", pixel_m)});
     case MapKind::movingai: {
       auto cells = movingai_map_from_text(content, path);
       if (!cells) return pass_on(cells);
       return LoadedMap{kind, MapCells{std::move(*cells), 0.0}};
     }
-    case MapKind::polygons: {
-      auto polygons = polygon_map_from_text(content, path);
-      if (!polygons) return pass_on(polygons);
-      return LoadedMap{kind, std::move(*polygons)};
-    }
+    case MapKind::polygons: return map_of(kind, polygon_map_from_text(content, path));
     case MapKind::world: break;
   }
   auto loaded = sdf_from_text(content, path, options.sdf);
@@ -137,7 +116,7 @@ Outcome<LoadedMap> load_map(const std::string& path, const LoadMapOptions& optio
   if (!content) return pass_on(content);
   const auto kind = map_kind(*content, path);
   if (!kind) return bad_input(kind.error().sentence, kind.error().where);
-  auto map = map_of(*kind, *content, path, options);
+  auto map = read_map(*kind, *content, path, options);
   if (!map) return map;
   const auto* cells = std::get_if<MapCells>(&map->shape);
   if (cells != nullptr && cells->occupancy.cells.size() > options.most_cells) {

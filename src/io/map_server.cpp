@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <optional>
+#include <vector>
 
 #include "image.hpp"
 #include "outrider/io/files.hpp"
-#include "outrider/io/text.hpp"
 #include "yaml.hpp"
 
 namespace outrider {
@@ -26,84 +26,54 @@ struct MapKeys {
   bool negate = false;
   double occupied_thresh = 0.65;
   double free_thresh = 0.196;
-  std::string mode = "trinary";
+  std::string mode;
 };
 
-/// Reads keys of one YAML file and keeps the first fault.
-struct KeyReader {
-  const YAML::Node& root;
-  const std::string& name;
-  Status status = {};
-
-  void refuse(const YAML::Node& node, std::string_view key, std::string_view right) {
-    if (!status) return;
-    status = bad_input(node.IsDefined() ? fmt::format("'{}' is not valid; expected {}", key, right)
-                                        : fmt::format("the key '{}' is missing; expected {}", key, right),
-                       node.IsDefined() ? yaml_where(name, node) : name);
-  }
-  void read(double& value, std::string_view key, double low, double high, bool required,
-            std::string_view right) {
-    const YAML::Node node = root[std::string(key)];
-    if (!node.IsDefined() && !required) return;
-    const auto parsed = node.IsDefined() && node.IsScalar() ? number<double>(node.Scalar()) : std::nullopt;
-    if (parsed && *parsed >= low && *parsed <= high) {
-      value = *parsed;
-    } else {
-      refuse(node, key, right);
-    }
-  }
-  void read(std::string& value, std::string_view key, bool required, std::string_view right) {
-    const YAML::Node node = root[std::string(key)];
-    if (!node.IsDefined() && !required) return;
-    if (node.IsDefined() && node.IsScalar() && !node.Scalar().empty()) {
-      value = node.Scalar();
-    } else {
-      refuse(node, key, right);
-    }
-  }
+/// A key with a number.
+struct NumberKey {
+  const char* key;
+  double low;
+  double high;
+  double* value;
+  const char* right;
 };
-
-/// Reads x, y and, if given, yaw.
-std::optional<std::array<double, 3>> origin_of(const YAML::Node& node) {
-  if (!node.IsDefined() || !node.IsSequence() || node.size() < 2 || node.size() > 3) return std::nullopt;
-  std::array<double, 3> origin{};
-  for (std::size_t i = 0; i < node.size(); ++i) {
-    const auto value = node[i].IsScalar() ? number<double>(node[i].Scalar()) : std::nullopt;
-    if (!value || std::abs(*value) > farthest_origin_m) return std::nullopt;
-    origin[i] = *value;
-  }
-  return origin;
-}
 
 Outcome<MapKeys> map_keys(std::string_view text, const std::string& name) {
-  auto root = yaml_map(text, name);
+  const auto root = yaml_map(text, name);
   if (!root) return pass_on(root);
-  const YAML::Node& map = root->IsMap() ? *root : YAML::Node(YAML::NodeType::Map);
+  const YAML::Node& map = *root;
+  const auto refused = [&](const char* key, std::string_view right) {
+    const YAML::Node node = map[key];
+    return bad_input(node.IsDefined() ? fmt::format("'{}' is not valid; expected {}", key, right)
+                                      : fmt::format("the key '{}' is missing; expected {}", key, right),
+                     node.IsDefined() ? yaml_where(name, node) : name);
+  };
+  const auto text_of = [&](const char* key, const char* otherwise) {
+    return map[key].IsDefined() ? yaml_text(map[key]).value_or("") : otherwise;
+  };
   MapKeys keys;
-  KeyReader reader{map, name};
-  reader.read(keys.image, "image", true, "the name of a PGM or PNG file");
-  reader.read(keys.resolution_m, "resolution", 1e-4, 1e3, true, "the side of a pixel in m, from 1e-4 to 1e3");
-  if (const auto origin = origin_of(map["origin"])) {
-    keys.origin = *origin;
-  } else {
-    reader.refuse(map["origin"], "origin", "[x, y, yaw], numbers from -1e6 to 1e6");
+  keys.image = text_of("image", "");
+  if (keys.image.empty()) return refused("image", "the name of a PGM or PNG file");
+  for (const auto& [key, low, high, value, right] :
+       {NumberKey{"resolution", 1e-4, 1e3, &keys.resolution_m, "the side of a pixel in m, from 1e-4 to 1e3"},
+        NumberKey{"occupied_thresh", 0.0, 1.0, &keys.occupied_thresh, "a number from 0 to 1"},
+        NumberKey{"free_thresh", 0.0, 1.0, &keys.free_thresh, "a number from 0 to 1"}}) {
+    if (map[key].IsDefined()) *value = yaml_number(map[key]).value_or(std::nan(""));
+    if (!(*value >= low && *value <= high)) return refused(key, right);
   }
-  std::string negate = "0";
-  reader.read(negate, "negate", false, "0 or 1");
-  if (negate != "0" && negate != "1" && negate != "true" && negate != "false") {
-    reader.refuse(map["negate"], "negate", "0 or 1");
-  }
+  if (keys.free_thresh > keys.occupied_thresh)
+    return refused("free_thresh", "a number at most occupied_thresh");
+  const auto origin = yaml_numbers(map["origin"]).value_or(std::vector<double>{});
+  const auto is_far = [](double value) { return std::abs(value) > farthest_origin_m; };
+  if (origin.size() < 2 || origin.size() > 3 || std::ranges::any_of(origin, is_far))
+    return refused("origin", "[x, y, yaw], numbers from -1e6 to 1e6");
+  std::ranges::copy(origin, keys.origin.begin());
+  const std::string negate = text_of("negate", "0");
   keys.negate = negate == "1" || negate == "true";
-  reader.read(keys.occupied_thresh, "occupied_thresh", 0.0, 1.0, false, "a number from 0 to 1");
-  reader.read(keys.free_thresh, "free_thresh", 0.0, 1.0, false, "a number from 0 to 1");
-  if (keys.free_thresh > keys.occupied_thresh) {
-    reader.refuse(map["free_thresh"], "free_thresh", "a number at most occupied_thresh");
-  }
-  reader.read(keys.mode, "mode", false, "trinary, scale or raw");
-  if (keys.mode != "trinary" && keys.mode != "scale" && keys.mode != "raw") {
-    reader.refuse(map["mode"], "mode", "trinary, scale or raw");
-  }
-  if (!reader.status) return pass_on(reader.status);
+  if (!keys.negate && negate != "0" && negate != "false") return refused("negate", "0 or 1");
+  keys.mode = text_of("mode", "trinary");
+  if (keys.mode != "trinary" && keys.mode != "scale" && keys.mode != "raw")
+    return refused("mode", "trinary, scale or raw");
   return keys;
 }
 
@@ -140,12 +110,6 @@ Outcome<MapServerMap> map_from_bytes(std::string_view bytes, const std::string& 
   return map;
 }
 
-Outcome<MapServerMap> map_from_image(const std::string& path, const MapKeys& keys) {
-  auto bytes = read_file(path);
-  if (!bytes) return pass_on(bytes);
-  return map_from_bytes(*bytes, path, keys);
-}
-
 Status check_frame(const GridFrame& frame, const std::string& path) {
   const double far = std::max(std::abs(frame.origin.x), std::abs(frame.origin.y));
   if (frame.width >= 1 && frame.height >= 1 && frame.resolution_m > 0.0 &&
@@ -166,13 +130,10 @@ Outcome<MapServerMap> load_map_server(const std::string& path) {
 Outcome<MapServerMap> map_server_from_text(std::string_view text, const std::string& name) {
   auto keys = map_keys(text, name);
   if (!keys) return pass_on(keys);
-  return map_from_image((fs::path(name).parent_path() / keys->image).string(), *keys);
-}
-
-Outcome<MapServerMap> load_map_image(const std::string& path, double resolution_m) {
-  MapKeys keys;
-  keys.resolution_m = resolution_m;
-  return map_from_image(path, keys);
+  const std::string path = (fs::path(name).parent_path() / keys->image).string();
+  const auto bytes = read_file(path);
+  if (!bytes) return pass_on(bytes);
+  return map_from_bytes(*bytes, path, *keys);
 }
 
 Outcome<MapServerMap> map_image_from_bytes(std::string_view bytes, const std::string& name,

@@ -1,6 +1,7 @@
 // Collada 1.4 and 1.5: the meshes that the visual scene places (Khronos, COLLADA specification).
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <map>
 #include <numbers>
 
@@ -16,17 +17,7 @@ using Ids = std::map<std::string_view, XmlElement>;
 constexpr int deepest_nodes = 64;
 constexpr int most_nodes = 100'000;
 
-/// The affine map x -> linear x + move, with the linear part given by its columns.
-struct Affine {
-  std::array<Vec3, 3> columns = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
-  Vec3 move;
-
-  [[nodiscard]] Vec3 turn(Vec3 p) const { return p.x * columns[0] + p.y * columns[1] + p.z * columns[2]; }
-  Vec3 operator*(Vec3 p) const { return move + turn(p); }
-  Affine operator*(const Affine& b) const {
-    return {{turn(b.columns[0]), turn(b.columns[1]), turn(b.columns[2])}, *this * b.move};
-  }
-};
+using Affine = Eigen::Affine3d;
 
 struct Reader {
   const std::string& name;
@@ -124,7 +115,10 @@ void add_fan(Reader& reader, const std::vector<std::size_t>& corners, const std:
              const Affine& place) {
   for (std::size_t i = 2; i < corners.size(); ++i) {
     Triangle triangle = {points[corners[0]], points[corners[i - 1]], points[corners[i]]};
-    for (Vec3& point : triangle) point = reader.metres * (place * point);
+    for (Vec3& point : triangle) {
+      const Eigen::Vector3d placed = place * Eigen::Vector3d(point.x, point.y, point.z);
+      point = reader.metres * Vec3{placed.x(), placed.y(), placed.z()};
+    }
     reader.triangles.push_back(triangle);
   }
 }
@@ -206,15 +200,6 @@ Status add_geometry(Reader& reader, XmlElement node, XmlElement geometry, const 
 
 // ---- Scene ---------------------------------------------------------------------------------------
 
-Affine rotation(Vec3 axis, double angle_rad) {  // Rodrigues' formula
-  const Vec3 u = (1.0 / norm(axis)) * axis;
-  const auto turned = [&](Vec3 v) {
-    const double c = std::cos(angle_rad);
-    return c * v + std::sin(angle_rad) * cross(u, v) + (1.0 - c) * dot(u, v) * u;
-  };
-  return {{turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1})}, {}};
-}
-
 /// Returns the number of values of a transform; 0 for other elements.
 std::size_t value_count(std::string_view kind) {
   if (kind == "matrix") return 16;
@@ -229,19 +214,21 @@ Outcome<Affine> transform_of(const Reader& reader, XmlElement child) {
   if (kind == "lookat" || kind == "skew") {
     return reader.wrong(child, "this transform is not read; export a matrix");
   }
-  if (count == 0) return Affine{};
+  if (count == 0) return Affine::Identity();
   auto v = numbers<double>(reader, child);
   if (!v) return pass_on(v);
   if (v->size() != count) return reader.wrong(child, fmt::format("expected {} numbers", count));
   const auto& m = *v;
-  if (kind == "translate") return Affine{Affine{}.columns, {m[0], m[1], m[2]}};
-  if (kind == "scale") return Affine{{Vec3{m[0], 0, 0}, Vec3{0, m[1], 0}, Vec3{0, 0, m[2]}}, {}};
+  const Eigen::Vector3d first(m[0], m[1], m[2]);
+  if (kind == "translate") return Affine(Eigen::Translation3d(first));
+  if (kind == "scale") return Affine(Eigen::Scaling(first));
   if (kind == "rotate") {
-    const Vec3 axis{m[0], m[1], m[2]};
-    return squared_norm(axis) > 0.0 ? rotation(axis, m[3] * std::numbers::pi / 180.0) : Affine{};
+    if (first.isZero(0.0)) return Affine::Identity();
+    return Affine(Eigen::AngleAxisd(m[3] * std::numbers::pi / 180.0, first.normalized()));
   }
-  return Affine{{Vec3{m[0], m[4], m[8]}, Vec3{m[1], m[5], m[9]}, Vec3{m[2], m[6], m[10]}},
-                {m[3], m[7], m[11]}};
+  Affine matrix = Affine::Identity();
+  matrix.affine() = Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(m.data());
+  return matrix;
 }
 
 /// Returns true if no mesh hangs at the node, as at one with a camera. Exporters write anything for its
@@ -250,7 +237,8 @@ bool is_bare(XmlElement node) {
   return !node.child("node") && !node.child("instance_node") && !node.child("instance_geometry");
 }
 
-Status add_node(Reader& reader, XmlElement node, Affine place, int depth) {
+Status add_node(Reader& reader, XmlElement node, const Affine& parent, int depth) {
+  Affine place = parent;
   if (is_bare(node)) return {};
   if (depth > deepest_nodes || ++reader.nodes > most_nodes) {
     return reader.wrong(node, "its nodes nest too deep, or hold each other in a circle");
@@ -290,12 +278,13 @@ Outcome<std::vector<Triangle>> mesh_from_collada(std::string_view text, const st
   root.traverse(collector);
   reader.metres = root.child("asset").child("unit").attribute("meter").as_double(1.0);
   if (const XmlElement scene = scene_of(reader, root)) {
-    if (auto added = add_node(reader, scene, {}, 0); !added) return pass_on(added);
+    if (auto added = add_node(reader, scene, Affine::Identity(), 0); !added) return pass_on(added);
     return std::move(reader.triangles);
   }
   // no scene: no transforms
   for (const XmlElement geometry : root.child("library_geometries").children("geometry")) {
-    if (auto added = add_geometry(reader, geometry, geometry, {}); !added) return pass_on(added);
+    if (auto added = add_geometry(reader, geometry, geometry, Affine::Identity()); !added)
+      return pass_on(added);
   }
   return std::move(reader.triangles);
 }

@@ -17,16 +17,6 @@ std::optional<std::size_t> vertex_index(std::string_view word, std::size_t count
   return static_cast<std::size_t>(*index > 0 ? *index - 1 : size + *index);
 }
 
-/// Reads the three numbers after "v"; a weight may follow.
-std::optional<Vec3> vertex(const std::vector<std::string_view>& parts) {
-  if (parts.size() < 4) return std::nullopt;
-  const auto x = number<double>(parts[1]);
-  const auto y = number<double>(parts[2]);
-  const auto z = number<double>(parts[3]);
-  if (!x || !y || !z) return std::nullopt;
-  return Vec3{*x, *y, *z};
-}
-
 Status add_face(const std::vector<std::string_view>& parts, const std::vector<Vec3>& vertices,
                 std::vector<Triangle>& triangles, const std::string& where) {
   std::vector<Vec3> corners;
@@ -49,18 +39,16 @@ Outcome<std::vector<Triangle>> mesh_from_obj(std::string_view text, const std::s
   bool wanted = part.empty();
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;
-  for (std::size_t line_number = 1; !text.empty(); ++line_number) {
-    const std::string_view line = take_line(text);
-    const auto parts = words(line.substr(0, line.find('#')));
+  TextLines lines{text, name};
+  while (lines.next_filled()) {
+    const auto parts = words(lines.line);
     if (!part.empty() && parts.size() > 1 && (parts[0] == "o" || parts[0] == "g")) wanted = parts[1] == part;
-    if (parts.empty() || (parts[0] != "v" && (parts[0] != "f" || !wanted))) continue;
-    const std::string where = fmt::format("{}:{}", name, line_number);
-    if (parts[0] == "v") {
-      const auto point = vertex(parts);
-      if (!point) return bad_input("a vertex takes three numbers", where);
-      vertices.push_back(*point);
-    } else if (auto added = add_face(parts, vertices, triangles, where); !added) {
-      return pass_on(added);
+    if (parts[0] == "v") {  // a weight may follow
+      const auto point = numbers_of(std::span(parts).subspan(1, std::min<std::size_t>(parts.size() - 1, 3)));
+      if (!point || point->size() != 3) return bad_input("a vertex takes three numbers", lines.where());
+      vertices.push_back({(*point)[0], (*point)[1], (*point)[2]});
+    } else if (parts[0] == "f" && wanted) {
+      if (auto added = add_face(parts, vertices, triangles, lines.where()); !added) return pass_on(added);
     }
     if (triangles.size() > most_triangles) return too_many_triangles(name);
   }

@@ -40,17 +40,15 @@ Outcome<std::vector<Triangle>> from_binary(std::string_view bytes, std::size_t c
 Outcome<std::vector<Triangle>> from_text(std::string_view text, const std::string& name) {
   std::vector<Triangle> triangles;
   std::size_t corners = 0;
-  for (std::size_t line_number = 1; !text.empty(); ++line_number) {
-    const auto parts = words(take_line(text));
+  TextLines lines{text, name};
+  while (lines.next()) {
+    const auto parts = words(lines.line);
     if (parts.empty() || parts[0] != "vertex") continue;
-    const auto x = parts.size() == 4 ? number<double>(parts[1]) : std::nullopt;
-    const auto y = parts.size() == 4 ? number<double>(parts[2]) : std::nullopt;
-    const auto z = parts.size() == 4 ? number<double>(parts[3]) : std::nullopt;
-    if (!x || !y || !z)
-      return bad_input("a vertex takes three numbers", fmt::format("{}:{}", name, line_number));
+    const auto point = numbers_of(std::span(parts).subspan(1));
+    if (!point || point->size() != 3) return bad_input("a vertex takes three numbers", lines.where());
     if (corners % 3 == 0) triangles.emplace_back();
     if (triangles.size() > most_triangles) return too_many_triangles(name);
-    triangles.back()[corners++ % 3] = {*x, *y, *z};
+    triangles.back()[corners++ % 3] = {(*point)[0], (*point)[1], (*point)[2]};
   }
   if (corners % 3 != 0) return bad_input("its last facet lacks a vertex; the file is cut short", name);
   return triangles;

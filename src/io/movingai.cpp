@@ -14,39 +14,27 @@ constexpr int longest_octile_side = 100'000;
 constexpr std::size_t most_map_cells = 100'000'000;
 constexpr std::size_t most_scenarios = 1'000'000;
 
-/// Returns lines one by one and counts them.
-struct MapLines {
-  std::string_view rest;
-  const std::string& name;
-  std::size_t number = 0;
-
-  std::string_view next() {
-    ++number;
-    return take_line(rest);
-  }
-  [[nodiscard]] std::string where() const { return fmt::format("{}:{}", name, number); }
-};
-
 /// Reads "key N" with N from 1 to the longest side.
-Outcome<int> side(MapLines& lines, std::string_view key) {
-  const std::string_view line = lines.next();
-  const auto parts = words(line);
+Outcome<int> side(TextLines& lines, std::string_view key) {
+  lines.next();
+  const auto parts = words(lines.line);
   const auto value = parts.size() == 2 && parts[0] == key ? number<int>(parts[1]) : std::nullopt;
   if (!value || *value < 1 || *value > longest_octile_side) {
-    return bad_input(fmt::format("'{}' is not valid; this line is '{} N' with N from 1 to {}", excerpt(line),
-                                 key, longest_octile_side),
+    return bad_input(fmt::format("'{}' is not valid; this line is '{} N' with N from 1 to {}",
+                                 excerpt(lines.line), key, longest_octile_side),
                      lines.where());
   }
   return *value;
 }
 
-Status expect_line(MapLines& lines, std::string_view line) {
-  const std::string_view got = lines.next();
-  if (words(got) == words(line)) return {};
-  return bad_input(fmt::format("'{}' is not valid; this line is '{}'", excerpt(got), line), lines.where());
+Status expect_line(TextLines& lines, std::string_view line) {
+  lines.next();
+  if (words(lines.line) == words(line)) return {};
+  return bad_input(fmt::format("'{}' is not valid; this line is '{}'", excerpt(lines.line), line),
+                   lines.where());
 }
 
-Outcome<GridFrame> header(MapLines& lines) {
+Outcome<GridFrame> header(TextLines& lines) {
   if (auto type = expect_line(lines, "type octile"); !type) return pass_on(type);
   auto height = side(lines, "height");
   if (!height) return pass_on(height);
@@ -97,12 +85,13 @@ Outcome<MovingAiQuery> query_of(std::string_view line, const std::string& where)
 }  // namespace
 
 Outcome<Grid<std::uint8_t>> movingai_map_from_text(std::string_view text, const std::string& name) {
-  MapLines lines{text, name};
+  TextLines lines{text, name};
   auto frame = header(lines);
   if (!frame) return pass_on(frame);
   Grid<std::uint8_t> blocked(*frame);
   for (int row = frame->height - 1; row >= 0; --row) {
-    const std::string_view letters = lines.next();
+    lines.next();
+    const std::string_view letters = lines.line;
     if (letters.size() != static_cast<std::size_t>(frame->width)) {
       return bad_input(
           fmt::format("this row has {} letters; the header says {}", letters.size(), frame->width),
@@ -124,19 +113,19 @@ Outcome<Grid<std::uint8_t>> movingai_map_from_text(std::string_view text, const 
 
 Outcome<std::vector<MovingAiQuery>> movingai_scenario_from_text(std::string_view text,
                                                                 const std::string& name) {
-  MapLines lines{text, name};
-  const auto version = words(lines.next());
+  TextLines lines{text, name};
+  lines.next();
+  const auto version = words(lines.line);
   if (version.size() != 2 || version[0] != "version" || number<double>(version[1]) != 1.0) {
     return bad_input("the first line is not 'version 1'", lines.where());
   }
   std::vector<MovingAiQuery> queries;
-  while (!lines.rest.empty()) {
-    const std::string_view line = lines.next();
-    if (words(line).empty()) continue;
+  while (lines.next()) {
+    if (words(lines.line).empty()) continue;
     if (queries.size() == most_scenarios) {
       return bad_input(fmt::format("more than {} queries; split the file", most_scenarios), lines.where());
     }
-    auto query = query_of(line, lines.where());
+    auto query = query_of(lines.line, lines.where());
     if (!query) return pass_on(query);
     queries.push_back(std::move(*query));
   }

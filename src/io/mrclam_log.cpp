@@ -9,36 +9,22 @@ namespace {
 
 constexpr double last_robot = 5;  // subjects 1 to 5 are robots
 
-/// Reads the rows of a file of numbers.
-Outcome<std::vector<std::vector<double>>> rows(const NamedText& text, std::size_t count,
-                                               std::string_view takes) {
-  std::vector<std::vector<double>> result;
+using Rows = std::vector<std::vector<double>>;
+
+/// Reads the rows of a file of numbers. Fault: bad_input if they begin with a time and it decreases.
+Outcome<Rows> rows(const NamedText& text, std::size_t count, std::string_view takes, bool timed) {
+  Rows result;
   auto ok = for_each_line(text, [&](std::span<const std::string_view> words) -> Status {
     auto v = line_numbers(words, count, takes);
-    if (!v) return bad_input(v.error().sentence);
+    if (!v) return pass_on(v);
+    if (timed && !result.empty() && (*v)[0] < result.back()[0])
+      return bad_input(fmt::format("the time {} runs back; sort the lines", words[0]));
     result.push_back(std::move(*v));
     return {};
   });
   if (!ok) return pass_on(ok);
   return result;
 }
-
-/// Reads rows that begin with a time. Fault: bad_input if the time decreases.
-Outcome<std::vector<std::vector<double>>> timed_rows(const NamedText& text, std::size_t count,
-                                                     std::string_view takes) {
-  double before_s = -1e12;
-  auto ok = for_each_line(text, [&](std::span<const std::string_view> words) -> Status {
-    const auto v = line_numbers(words, count, takes);
-    if (!v) return bad_input(v.error().sentence);
-    if ((*v)[0] < before_s) return bad_input(fmt::format("the time {} runs back; sort the lines", words[0]));
-    before_s = (*v)[0];
-    return {};
-  });
-  if (!ok) return pass_on(ok);
-  return rows(text, count, takes);
-}
-
-using Rows = std::vector<std::vector<double>>;
 
 /// Adds the motion from `now_s` to `until_s`, at each time with the speeds of the latest row.
 void drive(Motion& motion, double& now_s, double until_s, const Rows& odometry, std::size_t& row,
@@ -58,13 +44,13 @@ void drive(Motion& motion, double& now_s, double until_s, const Rows& odometry, 
 }  // namespace
 
 Outcome<LandmarkLog> landmark_log_from_mrclam(const MrclamTexts& texts, const LogNoise& noise) {
-  auto odometry = timed_rows(texts.odometry, 3, "'time forward-speed turning-speed'");
+  auto odometry = rows(texts.odometry, 3, "'time forward-speed turning-speed'", true);
   if (!odometry) return pass_on(odometry);
-  auto measurements = timed_rows(texts.measurements, 4, "'time barcode range bearing'");
+  auto measurements = rows(texts.measurements, 4, "'time barcode range bearing'", true);
   if (!measurements) return pass_on(measurements);
-  auto barcodes = rows(texts.barcodes, 2, "'subject barcode'");
+  auto barcodes = rows(texts.barcodes, 2, "'subject barcode'", false);
   if (!barcodes) return pass_on(barcodes);
-  auto landmarks = rows(texts.landmarks, 5, "'subject x y x-deviation y-deviation'");
+  auto landmarks = rows(texts.landmarks, 5, "'subject x y x-deviation y-deviation'", false);
   if (!landmarks) return pass_on(landmarks);
   if (odometry->empty()) return bad_input("it has no line of odometry", texts.odometry.name);
   std::map<double, std::int64_t> subject_of;

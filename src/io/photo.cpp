@@ -3,18 +3,14 @@
 #include <fmt/format.h>
 #include <turbojpeg.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "image.hpp"
 #include "outrider/io/files.hpp"
-#include "png_reader.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr int longest_side = 100'000;
-constexpr std::size_t most_pixels = 100'000'000;
 constexpr std::size_t most_pixels_per_byte = 32;  ///< detection takes 40 bytes a pixel
 
 struct EndDecoder {
@@ -32,12 +28,9 @@ Outcome<CameraImage> from_jpeg(std::string_view bytes, const std::string& name) 
   if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &sampling, &colours) != 0) {
     return damaged();
   }
-  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  if (std::max(width, height) > longest_side || pixels > most_pixels) {
-    return bad_input(fmt::format("an image of {} x {} pixels is not read; sides go up to {} and pixels to {}",
-                                 width, height, longest_side, most_pixels),
-                     name);
-  }
+  const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
+  if (auto size = check_image_size(columns, rows, name); !size) return pass_on(size);
+  const std::size_t pixels = columns * rows;
   if (auto size = check_expansion(pixels, bytes.size(), most_pixels_per_byte, name); !size)
     return pass_on(size);
   CameraImage image{width, height, std::vector<std::uint8_t>(pixels)};
@@ -52,9 +45,8 @@ Outcome<CameraImage> from_jpeg(std::string_view bytes, const std::string& name) 
 
 Outcome<CameraImage> photo_from_bytes(std::string_view bytes, const std::string& name) {
   if (bytes.starts_with("\xFF\xD8\xFF")) return from_jpeg(bytes, name);
-  if (!bytes.starts_with("\x89PNG") && !bytes.starts_with("P2") && !bytes.starts_with("P5")) {
+  if (!is_image(bytes))
     return bad_input("it is no image that is read: PNG, JPEG or PGM; convert it to one of them", name);
-  }
   auto image = image_from_bytes(bytes, name);
   if (!image) return pass_on(image);
   if (auto size = check_expansion(image->values.size(), bytes.size(), most_pixels_per_byte, name); !size)

@@ -28,14 +28,11 @@ Outcome<Vec2> take_point(std::string_view& rest, const std::string& where) {
   const std::size_t end = rest.find(')');
   if (rest.front() != '(' || end == std::string_view::npos) return wrong();
   const std::string_view inner = rest.substr(1, end - 1);
-  const std::size_t comma = inner.find(',');
-  if (comma == std::string_view::npos || comma == 0 || comma + 1 == inner.size()) return wrong();
-  const auto x = number<double>(trimmed(inner.substr(0, comma)));
-  const auto y = number<double>(trimmed(inner.substr(comma + 1)));
-  if (!x || !y || std::abs(*x) > farthest_corner_m || std::abs(*y) > farthest_corner_m) return wrong();
+  const auto corner = numbers_of(parts_between(inner, ','), farthest_corner_m);
+  if (!corner || corner->size() != 2) return wrong();
   rest.remove_prefix(end + 1);
   skip_white(rest);
-  return Vec2{*x, *y};
+  return Vec2{(*corner)[0], (*corner)[1]};
 }
 
 Outcome<std::vector<Vec2>> points_of(std::string_view line, const std::string& where) {
@@ -92,13 +89,10 @@ Outcome<PolygonMap> polygon_map_from_text(std::string_view text, const std::stri
   PolygonMap map;
   int block = boundary_block;
   std::size_t corners = 0;
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::string where = fmt::format("{}:{}", name, number);
-    std::string_view line = take_line(text);
-    line = line.substr(0, line.find('#'));
-    const auto parts = words(line);
-    if (parts.empty()) continue;
-    if (parts.size() == 1 && parts[0] == "---") {
+  TextLines lines{text, name};
+  while (lines.next_filled()) {
+    const std::string where = lines.where();
+    if (trimmed(lines.line) == "---") {
       if (block == boundary_block) {
         if (auto good = check_polygon(map.boundary, "the boundary"); !good) {
           good.error().where = where;
@@ -108,7 +102,7 @@ Outcome<PolygonMap> polygon_map_from_text(std::string_view text, const std::stri
       if (++block <= query_block) continue;
       return bad_input("a third ---; there are three blocks: boundary, obstacles, queries", where);
     }
-    if (auto taken = take_line_of(static_cast<Block>(block), line, where, map, corners); !taken) {
+    if (auto taken = take_line_of(static_cast<Block>(block), lines.line, where, map, corners); !taken) {
       return pass_on(taken);
     }
   }

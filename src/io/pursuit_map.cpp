@@ -20,25 +20,12 @@ constexpr std::size_t small_size = 1'000'000;
 constexpr std::size_t most_steps = 10'000'000;
 constexpr std::uint32_t most_cost = 1'000'000'000;
 
-/// Returns lines one by one and counts them.
-struct Lines {
-  std::string_view rest;
-  const std::string& name;
-  std::size_t number = 0;
-
-  std::string_view next() {
-    ++number;
-    return take_line(rest);
-  }
-  [[nodiscard]] std::string where() const { return fmt::format("{}:{}", name, number); }
-};
-
-Status expect(Lines& lines, std::string_view letter) {
-  const std::string_view line = lines.next();
-  if (trimmed(line) == letter) return {};
+Status expect(TextLines& lines, std::string_view letter) {
+  lines.next();
+  if (trimmed(lines.line) == letter) return {};
   return bad_input(
       fmt::format("'{}' is not valid; this line is '{}', and a map has N, C, R, T and M in this order",
-                  excerpt(line), letter),
+                  excerpt(lines.line), letter),
       lines.where());
 }
 
@@ -51,20 +38,19 @@ std::optional<std::uint32_t> whole(std::string_view text, std::uint32_t low) {
 
 /// Parses "x,y", two integers from 1.
 std::optional<Cell> pair_of(std::string_view line) {
-  const std::size_t comma = line.find(',');
-  if (comma == std::string_view::npos) return std::nullopt;
-  const auto x = whole(line.substr(0, comma), 1), y = whole(line.substr(comma + 1), 1);
-  if (!x || !y) return std::nullopt;
+  const auto parts = parts_between(line, ',');
+  const auto x = whole(parts.front(), 1), y = whole(parts.back(), 1);
+  if (parts.size() != 2 || !x || !y) return std::nullopt;
   return Cell{static_cast<int>(*x), static_cast<int>(*y)};
 }
 
-Outcome<GridFrame> take_size(Lines& lines) {
+Outcome<GridFrame> take_size(TextLines& lines) {
   if (auto letter = expect(lines, "N"); !letter) return pass_on(letter);
-  const std::string_view line = lines.next();
-  const auto size = pair_of(line);
+  lines.next();
+  const auto size = pair_of(lines.line);
   if (!size || size->x > longest_map_side || size->y > longest_map_side) {
     return bad_input(fmt::format("'{}' is no size; expected width,height, whole numbers from 1 to {}",
-                                 excerpt(line), longest_map_side),
+                                 excerpt(lines.line), longest_map_side),
                      lines.where());
   }
   const GridFrame frame{{0.0, 0.0}, 1.0, size->x, size->y};
@@ -83,46 +69,44 @@ Outcome<GridFrame> take_size(Lines& lines) {
   return frame;
 }
 
-Outcome<std::uint32_t> take_threshold(Lines& lines) {
+Outcome<std::uint32_t> take_threshold(TextLines& lines) {
   if (auto letter = expect(lines, "C"); !letter) return pass_on(letter);
-  const std::string_view line = lines.next();
-  const auto threshold = whole(line, 0);
+  lines.next();
+  const auto threshold = whole(lines.line, 0);
   if (threshold) return *threshold;
-  return bad_input(
-      fmt::format("'{}' is no threshold; expected a whole number from 0 to {}", excerpt(line), most_cost),
-      lines.where());
+  return bad_input(fmt::format("'{}' is no threshold; expected a whole number from 0 to {}",
+                               excerpt(lines.line), most_cost),
+                   lines.where());
 }
 
-Outcome<Cell> cell_of(std::string_view line, const Lines& lines, const GridFrame& frame,
-                      std::string_view whose) {
-  const auto cell = pair_of(line);
+Outcome<Cell> cell_of(const TextLines& lines, const GridFrame& frame, std::string_view whose) {
+  const auto cell = pair_of(lines.line);
   if (cell && cell->x <= frame.width && cell->y <= frame.height) return Cell{cell->x - 1, cell->y - 1};
-  return bad_input(fmt::format("'{}' {}; expected x,y, whole numbers from 1,1 to {},{}", excerpt(line),
+  return bad_input(fmt::format("'{}' {}; expected x,y, whole numbers from 1,1 to {},{}", excerpt(lines.line),
                                cell ? fmt::format("puts the {} off the map", whose) : "is no cell",
                                frame.width, frame.height),
                    lines.where());
 }
 
-Outcome<Cell> take_robot(Lines& lines, const GridFrame& frame) {
+Outcome<Cell> take_robot(TextLines& lines, const GridFrame& frame) {
   if (auto letter = expect(lines, "R"); !letter) return pass_on(letter);
-  const std::string_view line = lines.next();
-  return cell_of(line, lines, frame, "robot");
+  lines.next();
+  return cell_of(lines, frame, "robot");
 }
 
 /// Reads the cells of the target and the line M.
-Outcome<std::vector<Cell>> take_target(Lines& lines, const GridFrame& frame) {
+Outcome<std::vector<Cell>> take_target(TextLines& lines, const GridFrame& frame) {
   if (auto letter = expect(lines, "T"); !letter) return pass_on(letter);
   std::vector<Cell> target;
   for (;;) {
-    const bool over = lines.rest.empty();
-    const std::string_view line = lines.next();
-    if (trimmed(line) == "M") break;
-    if (over) return bad_input("the file ends before the line M and the costs", lines.where());
+    const bool more = lines.next();
+    if (trimmed(lines.line) == "M") break;
+    if (!more) return bad_input("the file ends before the line M and the costs", lines.where());
     if (target.size() == most_steps) {
       return bad_input(fmt::format("the target has more than {} cells; cut its trajectory short", most_steps),
                        lines.where());
     }
-    auto cell = cell_of(line, lines, frame, "target");
+    auto cell = cell_of(lines, frame, "target");
     if (!cell) return pass_on(cell);
     target.push_back(*cell);
   }
@@ -130,85 +114,43 @@ Outcome<std::vector<Cell>> take_target(Lines& lines, const GridFrame& frame) {
   return bad_input("the target has no cells; write at least one between the lines T and M", lines.where());
 }
 
-constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-/// Fast path: reads digits, with ".000" after or blanks around them, and advances `at`. Returns false for
-/// other forms.
-bool take_usual(const char*& at, const char* end, std::uint32_t& value) {
-  constexpr int most_digits = 9;
-  const char* p = at;
-  while (p != end && is_blank(*p)) ++p;
-  const char* const first = p;
-  std::uint32_t sum = 0;
-  for (; p != end && *p >= '0' && *p <= '9' && p - first < most_digits; ++p) {
-    sum = 10 * sum + static_cast<std::uint32_t>(*p - '0');
-  }
-  if (p == first) return false;
-  if (p != end && *p == '.') p = std::find_if(p + 1, end, [](char c) { return c != '0'; });
-  while (p != end && is_blank(*p)) ++p;
-  if (p != end && *p != ',') return false;
-  at = p;
-  value = sum;
-  return true;
-}
-
 /// Reads row x of the file, which is column x of the grid, from the lowest cell up.
-Status take_row(std::string_view line, const Lines& lines, int x, std::vector<std::uint32_t>& row) {
-  const char* at = line.data();
-  const char* const end = at + line.size();
-  for (std::size_t y = 0; y < row.size(); ++y) {
-    if (!take_usual(at, end, row[y])) {
-      const std::string_view word(at, static_cast<std::size_t>(std::find(at, end, ',') - at));
-      const auto value = whole(word, 0);
-      if (!value) {
-        return bad_input(
-            fmt::format("'{}' is no cost (value {} of this row); expected a whole number from 0 to {}",
-                        excerpt(trimmed(word)), y + 1, most_cost),
-            lines.where());
-      }
-      row[y] = *value;
-      at += word.size();
+Status take_row(const TextLines& lines, int x, CostGrid& costs) {
+  std::string_view rest = lines.line;
+  for (int y = 0; y < costs.frame.height; ++y) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view word = rest.substr(0, comma);
+    const auto value = whole(word, 0);
+    if (!value) {
+      return bad_input(
+          fmt::format("'{}' is no cost (value {} of this row); expected a whole number from 0 to {}",
+                      excerpt(trimmed(word)), y + 1, most_cost),
+          lines.where());
     }
-    const bool last = y + 1 == row.size();
-    if (last != (at == end)) {
+    costs[{x, y}] = *value;
+    if ((y + 1 == costs.frame.height) != (comma == std::string_view::npos)) {
       return bad_input(fmt::format("row {} of the costs has {} values; the size says {}", x + 1,
-                                   std::count(line.begin(), line.end(), ',') + 1, row.size()),
+                                   std::ranges::count(lines.line, ',') + 1, costs.frame.height),
                        lines.where());
     }
-    if (!last) ++at;
+    rest.remove_prefix(std::min(comma, rest.size() - 1) + 1);
   }
   return {};
 }
 
-/// Transposes blocks of rows into columns, so that memory is accessed in order.
-Status take_costs(Lines& lines, CostGrid& costs) {
-  constexpr int block = 16;
-  const int width = costs.frame.width;
-  std::vector<std::vector<std::uint32_t>> rows(
-      block, std::vector<std::uint32_t>(static_cast<std::size_t>(costs.frame.height)));
-  for (int first = 0; first < width; first += block) {
-    const int count = std::min(block, width - first);
-    for (int i = 0; i < count; ++i) {
-      const bool over = lines.rest.empty();
-      const std::string_view line = lines.next();
-      if (over) {
-        return bad_input(
-            fmt::format("the file ends after {} rows of costs; the size says {}", first + i, width),
-            lines.where());
-      }
-      if (auto row = take_row(line, lines, first + i, rows[static_cast<std::size_t>(i)]); !row) return row;
+Status take_costs(TextLines& lines, CostGrid& costs) {
+  for (int x = 0; x < costs.frame.width; ++x) {
+    if (!lines.next()) {
+      return bad_input(
+          fmt::format("the file ends after {} rows of costs; the size says {}", x, costs.frame.width),
+          lines.where());
     }
-    for (int y = 0; y < costs.frame.height; ++y) {
-      std::uint32_t* const to = &costs[{first, y}];
-      for (int i = 0; i < count; ++i) {
-        to[i] = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(y)];
-      }
-    }
+    if (auto row = take_row(lines, x, costs); !row) return row;
   }
-  while (!lines.rest.empty()) {
-    const std::string_view line = lines.next();
-    if (trimmed(line).empty()) continue;
-    return bad_input(fmt::format("a row of costs too many; the size says {}", width), lines.where());
+  while (lines.next()) {
+    if (trimmed(lines.line).empty()) continue;
+    return bad_input(fmt::format("a row of costs too many; the size says {}", costs.frame.width),
+                     lines.where());
   }
   return {};
 }
@@ -216,7 +158,7 @@ Status take_costs(Lines& lines, CostGrid& costs) {
 }  // namespace
 
 Outcome<PursuitProblem> pursuit_map_from_text(std::string_view text, const std::string& name) {
-  Lines lines{text, name};
+  TextLines lines{text, name};
   auto frame = take_size(lines);
   if (!frame) return pass_on(frame);
   auto threshold = take_threshold(lines);

@@ -80,10 +80,6 @@ Outcome<RobotLog> RobotLog::open(const std::string& path, const RobotChannels& c
 }
 
 Outcome<std::optional<RobotMessage>> RobotLog::next() {
-  const auto time_of = [](const std_msgs::Header& header, const LogMessage& message) {
-    const std::int64_t stamp_ns = nanoseconds_of(header.stamp);
-    return stamp_ns == 0 ? message.time_ns : stamp_ns;
-  };
   for (;;) {
     auto read = reader_->next();
     if (!read) return pass_on(read);
@@ -92,11 +88,12 @@ Outcome<std::optional<RobotMessage>> RobotLog::next() {
     const auto& [scan_topic, odometry_topic, scans, odometry, moving, fixed] = *channels_;
     if (const auto decoder = scans.find(message.channel); decoder != scans.end()) {
       if (auto ok = decoder->second.decode(message.data, scan_); !ok) return pass_on(ok);
-      return RobotMessage{.time_ns = time_of(scan_.header, message), .scan = &scan_};
+      return RobotMessage{.time_ns = nanoseconds_of(scan_.header, message.time_ns), .scan = &scan_};
     }
     if (const auto decoder = odometry.find(message.channel); decoder != odometry.end()) {
       if (auto ok = decoder->second.decode(message.data, odometry_); !ok) return pass_on(ok);
-      return RobotMessage{.time_ns = time_of(odometry_.header, message), .odometry = &odometry_};
+      return RobotMessage{.time_ns = nanoseconds_of(odometry_.header, message.time_ns),
+                          .odometry = &odometry_};
     }
     for (const auto* decoders : {&moving, &fixed}) {
       const auto decoder = decoders->find(message.channel);

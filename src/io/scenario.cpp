@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "outrider/io/files.hpp"
 #include "outrider/io/text.hpp"
@@ -11,27 +12,17 @@
 namespace outrider {
 namespace {
 
-using Value = std::variant<double, std::int64_t, bool, std::string>;
-
-/// Returns the values of all options, to restore them if a file is refused.
-std::vector<Value> snapshot(const std::vector<OptionGroup>& groups) {
-  std::vector<Value> values;
+/// Returns a function that gives all options their present values back, for when a file is refused.
+std::function<void()> way_back(const std::vector<OptionGroup>& groups) {
+  std::vector<std::function<void()>> steps;
   for (const OptionGroup& group : groups) {
-    for (const Option& option : group.options) {
-      std::visit([&](const auto* value) { values.emplace_back(*value); }, option.value);
-    }
+    for (const Option& option : group.options)
+      std::visit([&](auto* value) { steps.push_back([value, old = *value] { *value = old; }); },
+                 option.value);
   }
-  return values;
-}
-
-void restore(const std::vector<OptionGroup>& groups, const std::vector<Value>& values) {
-  auto next = values.begin();
-  for (const OptionGroup& group : groups) {
-    for (const Option& option : group.options) {
-      std::visit([&]<class T>(T* value) { *value = std::get<T>(*next); }, option.value);
-      ++next;
-    }
-  }
+  return [steps = std::move(steps)] {
+    for (const auto& step : steps) step();
+  };
 }
 
 std::string did_you_mean(const std::string& unknown, const std::vector<std::string>& known) {
@@ -118,9 +109,9 @@ Status scenario_from_text(std::string_view text, const std::string& name,
                           const std::vector<OptionGroup>& groups) {
   auto root = yaml_map(text, name);
   if (!root) return pass_on(root);
-  const std::vector<Value> before = snapshot(groups);
+  const auto restore = way_back(groups);
   Status set = set_all(*root, name, groups);
-  if (!set) restore(groups, before);
+  if (!set) restore();
   return set;
 }
 
@@ -130,7 +121,9 @@ Outcome<std::string> scenario_job(const std::string& path) {
 }
 
 Outcome<std::string> scenario_job_from_text(const std::string& text, const std::string& name) {
-  return yaml_top_value(text, name, "job");
+  const auto root = yaml_map(text, name);
+  if (!root) return pass_on(root);
+  return yaml_text((*root)["job"]).value_or("");
 }
 
 Outcome<std::vector<std::string>> scenario_keys(const std::string& path) {

@@ -148,8 +148,8 @@ Outcome<World> build(SdfFiles& files, const SdfScene& scene, const std::string& 
 }
 
 Status check_folders(const std::string& model_path) {
-  for (const std::string& folder : parts_of_path(model_path)) {
-    if (file_kind(folder) != FileKind::folder)
+  for (const std::string_view folder : filled_parts_between(model_path, ':')) {
+    if (file_kind(std::string(folder)) != FileKind::folder)
       return bad_input(fmt::format("there is no folder '{}'; give one with models", excerpt(folder, 200)),
                        "model_path");
   }

@@ -63,7 +63,7 @@ struct FuelAddress {
 };
 
 FuelAddress fuel_address(std::string address) {
-  for (std::size_t at = 0; (at = address.find("%20")) != std::string::npos;) address.replace(at, 3, " ");
+  for (std::size_t at = 0; (at = address.find("%20")) != std::string::npos;) address.replace(at, 3, 1, ' ');
   std::vector<std::string> parts;
   for (const fs::path& part : fs::path(address)) {
     if (!part.empty()) parts.push_back(part.string());
@@ -111,23 +111,6 @@ std::optional<int> version_of(std::string_view text) {
 
 }  // namespace
 
-std::vector<std::string_view> first_words(std::string_view text, std::size_t most) {
-  std::vector<std::string_view> words;
-  for (std::string_view word; words.size() < most && !(word = take_word(text)).empty();)
-    words.push_back(word);
-  return words;
-}
-
-std::vector<std::string> parts_of_path(std::string_view list) {
-  std::vector<std::string> folders;
-  while (!list.empty()) {
-    const std::size_t colon = std::min(list.find(':'), list.size());
-    if (colon > 0) folders.emplace_back(list.substr(0, colon));
-    list.remove_prefix(std::min(colon + 1, list.size()));
-  }
-  return folders;
-}
-
 // ---- Warnings ------------------------------------------------------------------------------------
 
 void SdfWarnings::add(const std::string& where, const std::string& sentence) {
@@ -152,11 +135,12 @@ std::vector<std::string> SdfWarnings::sentences() const {
 
 // ---- Files ---------------------------------------------------------------------------------------
 
-SdfFiles::SdfFiles(std::string_view model_path) : models_(parts_of_path(model_path)) {
-  for (const char* variable : {"GZ_SIM_RESOURCE_PATH", "GAZEBO_MODEL_PATH"}) {
-    const char* list = std::getenv(variable);
-    if (list == nullptr) continue;
-    for (std::string& folder : parts_of_path(list)) models_.push_back(std::move(folder));
+SdfFiles::SdfFiles(const std::string& model_path) {
+  const char* const gazebo = std::getenv("GZ_SIM_RESOURCE_PATH");
+  const char* const classic = std::getenv("GAZEBO_MODEL_PATH");
+  for (const char* const list : {model_path.c_str(), gazebo, classic}) {
+    for (const std::string_view folder : filled_parts_between(list == nullptr ? "" : list, ':'))
+      models_.emplace_back(folder);
   }
 }
 

@@ -56,7 +56,7 @@ struct SdfFile {
 class SdfFiles {
  public:
   /// Other models are searched in the folders of `model_path`.
-  explicit SdfFiles(std::string_view model_path);
+  explicit SdfFiles(const std::string& model_path);
 
   /// Parses the text of a file.
   Outcome<const SdfFile*> parse(std::string_view text, const std::string& name);
@@ -82,11 +82,5 @@ class SdfFiles {
   std::size_t tags_ = 0;
   std::size_t includes_ = 0;
 };
-
-/// Returns the first words of a text, at most `most`.
-std::vector<std::string_view> first_words(std::string_view text, std::size_t most);
-
-/// Returns the parts of a list that are separated by ':', without empty ones.
-std::vector<std::string> parts_of_path(std::string_view list);
 
 }  // namespace outrider

@@ -146,7 +146,7 @@ class Scan {
       const auto three = [&](const char* name) { return pose.element.attribute(name).as_string("0 0 0"); };
       text = fmt::format("{} {}", three("xyz"), three("rpy"));
     }
-    const auto parts = first_words(text, v.size());
+    const auto parts = words(text, v.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const auto value = number<double>(parts[i]);
       if (!value) refuse(pose, fmt::format("'{}' in a <pose> is no finite number", excerpt(parts[i])));
@@ -353,7 +353,7 @@ class Scan {
   void read_state(const SdfPart& state) {
     for (const char* name : {"sim_time", "real_time", "wall_time"}) {
       const SdfPart time = state.child(name);
-      const auto parts = first_words(xml_text(time.element), 3);
+      const auto parts = words(xml_text(time.element), 3);
       const bool pair = parts.size() == 2 && number<std::int64_t>(parts[0]) && number<std::int64_t>(parts[1]);
       if (time.element && !pair)
         warn(time, "a time in <state> is not seconds and nanoseconds and was left out");
@@ -379,7 +379,7 @@ class Scan {
   /// Reads the saved pose of a model or a link, which is in the frame of the world.
   void read_stated(const SdfPart& part, const std::string& key) {
     if (part.child("pose").element) scene_.stated.emplace(key, pose_of(part.child("pose")));
-    const auto factors = first_words(xml_text(part.element, "scale"), 3);
+    const auto factors = words(xml_text(part.element, "scale"), 3);
     if (std::ranges::any_of(factors, [](std::string_view factor) { return number<double>(factor) != 1.0; }))
       warn(part, "a <scale> in <state> was not applied; sizes are those of the models");
   }

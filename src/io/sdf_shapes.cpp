@@ -252,20 +252,16 @@ Vec3 SdfNumbers::of(XmlElement shape, const char* part, std::size_t count, Vec3 
 }
 
 Vec3 SdfNumbers::read(XmlElement element, const char* name, std::string_view text, std::size_t count) {
-  std::array<double, 3> values{};
-  const auto parts = first_words(text, values.size() + 1);
-  bool valid = parts.size() == count;
-  for (std::size_t i = 0; i < count && valid; ++i) {
-    const auto value = number<double>(parts[i]);
-    valid = value.has_value();
-    values[i] = value.value_or(0.0);
-  }
+  auto values = numbers_of(words(text, 4));
+  const bool valid = values && values->size() == count;
   if (!valid && !fault_) {
     const std::string wanted = count == 1 ? "a finite number" : fmt::format("{} finite numbers", count);
     fault_ = Fault{FaultCode::bad_input, fmt::format("'{}' in a <{}> is not {}", excerpt(text), name, wanted),
                    file_.document.where(element)};
   }
-  return {values[0], values[1], values[2]};
+  if (!valid) return {};
+  values->resize(3);
+  return {(*values)[0], (*values)[1], (*values)[2]};
 }
 
 Outcome<HeightField> sdf_terrain(const SdfFile& file, XmlElement heightmap, const std::string& path,

@@ -21,17 +21,6 @@ constexpr double inner_floor_m = 0.15;  ///< height of the inner floor above the
 
 constexpr const char* form = "expected x0,y0,x1,y1 or model,link,x0,y0,x1,y1,... in m";
 
-std::vector<std::string_view> slice_fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    std::string_view field = line.substr(0, comma);
-    fields.push_back(take_word(field));
-    if (comma == std::string_view::npos) return fields;
-    line.remove_prefix(comma + 1);
-  }
-}
-
 /// Returns the corners as a convex polygon, or the fault that they are not convex.
 Outcome<std::vector<Vec2>> convex(const std::vector<Vec2>& corners) {
   std::vector<Vec2> hull = convex_hull(corners);
@@ -51,7 +40,7 @@ Outcome<std::vector<Vec2>> convex(const std::vector<Vec2>& corners) {
 }
 
 Outcome<WorldSlice> slice_of(std::string_view line) {
-  const std::vector<std::string_view> fields = slice_fields_of(line);
+  const std::vector<std::string_view> fields = parts_between(line, ',');
   WorldSlice slice;
   std::size_t first = 0;
   if (!number<double>(fields[0]) && fields.size() > 2) {
@@ -63,14 +52,12 @@ Outcome<WorldSlice> slice_of(std::string_view line) {
     return bad_input(fmt::format("the line has {} numbers; {}", count, form));
   }
   for (std::size_t i = first; i < fields.size(); i += 2) {
-    const auto x = number<double>(fields[i]);
-    const auto y = number<double>(fields[i + 1]);
-    const bool good = x && y && std::abs(*x) <= farthest_height_m && std::abs(*y) <= farthest_height_m;
-    if (!good) {
+    const auto corner = numbers_of(std::span(fields).subspan(i, 2), farthest_height_m);
+    if (!corner) {
       return bad_input(fmt::format("'{}' is no place within 1e6 m; {}",
                                    excerpt(fmt::format("{},{}", fields[i], fields[i + 1])), form));
     }
-    slice.corners.push_back({*x, *y});
+    slice.corners.push_back({(*corner)[0], (*corner)[1]});
   }
   if (slice.corners.size() > 2) {
     auto hull = convex(slice.corners);
@@ -112,16 +99,15 @@ MeshShape prism(const std::vector<Vec2>& corners, Vec2 centre, double half_heigh
 
 Outcome<std::vector<WorldSlice>> slices_from_text(std::string_view text, const std::string& name) {
   std::vector<WorldSlice> slices;
-  for (std::size_t line = 1; !text.empty(); ++line) {
-    std::string_view rest = take_line(text);
-    rest.remove_prefix(std::min(rest.find_first_not_of(white_space), rest.size()));
-    if (rest.empty() || rest.front() == '#') continue;
-    auto slice = slice_of(rest);
-    const std::string where = fmt::format("{}:{}", name, line);
-    if (!slice) return bad_input(slice.error().sentence, where);
+  TextLines lines{text, name};
+  while (lines.next()) {
+    const std::string_view line = trimmed(lines.line);
+    if (line.empty() || line.front() == '#') continue;
+    auto slice = slice_of(line);
+    if (!slice) return bad_input(slice.error().sentence, lines.where());
     if (slices.size() == most_pieces) {
       return bad_input(fmt::format("there are more than {} pieces, the most that is read", most_pieces),
-                       where);
+                       lines.where());
     }
     slices.push_back(std::move(*slice));
   }

@@ -79,21 +79,14 @@ Outcome<Vec3> size_of(const Words& keys, std::optional<std::size_t> type, const 
     if (type) return size_by_type[*type - 1];
     return bad_input("its size is unknown; write type=1 to 4 or size=length,width,height", where);
   }
-  std::array<double, 3> sides{};
-  std::string_view rest = found->second;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
-    const auto side = number<double>(rest.substr(0, comma));
-    if (comma == std::string_view::npos || !side || *side <= 0.0 || *side > largest_side_m) {
-      return bad_input(fmt::format("size={} is not valid; expected length,width,height, each above 0 and at "
-                                   "most 1000 m",
-                                   excerpt(found->second)),
-                       where);
-    }
-    sides[i] = *side;
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
+  const auto sides = numbers_of(parts_between(found->second, ','), largest_side_m);
+  if (!sides || sides->size() != 3 || std::ranges::min(*sides) <= 0.0) {
+    return bad_input(
+        fmt::format("size={} is not valid; expected length,width,height, each above 0 and at most 1000 m",
+                    excerpt(found->second)),
+        where);
   }
-  return Vec3{sides[0], sides[1], sides[2]};
+  return Vec3{(*sides)[0], (*sides)[1], (*sides)[2]};
 }
 
 /// Reads all of a target except its name.
@@ -118,12 +111,11 @@ Outcome<std::vector<Target>> targets_from_text(std::string_view text, const std:
   std::vector<Target> targets;
   std::map<std::string, std::size_t> count_by_type;
   std::set<std::string> names;
-  for (std::size_t line_number = 1; !text.empty(); ++line_number) {
-    const std::string_view line = take_line(text);
-    const std::string where = fmt::format("{}:{}", name, line_number);
-    auto keys = key_values(line.substr(0, line.find('#')), where);
+  TextLines lines{text, name};
+  while (lines.next_filled()) {
+    const std::string where = lines.where();
+    auto keys = key_values(lines.line, where);
     if (!keys) return pass_on(keys);
-    if (keys->empty()) continue;
     if (targets.size() == most_targets) {
       return bad_input(fmt::format("more than {} targets; split the list", most_targets), where);
     }

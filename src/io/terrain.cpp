@@ -17,22 +17,6 @@ namespace {
 
 constexpr double largest_size_m = 1e6;
 
-/// Returns the lines of a grid one by one and counts them.
-struct TerrainLines {
-  std::string_view rest;
-  const std::string& name;
-  std::size_t number = 0;
-  std::string_view line = {};
-
-  bool next() {
-    if (rest.empty()) return false;
-    line = take_line(rest);
-    ++number;
-    return true;
-  }
-  [[nodiscard]] std::string where() const { return fmt::format("{}:{}", name, number); }
-};
-
 struct GridHeader {
   int columns = 0;
   int rows = 0;
@@ -42,7 +26,7 @@ struct GridHeader {
 };
 
 /// Reads the words before the heights. After that, `lines.line` is the first line of heights.
-Outcome<std::map<std::string, double>> header_fields(TerrainLines& lines) {
+Outcome<std::map<std::string, double>> header_fields(TextLines& lines) {
   std::map<std::string, double> words_of_header;
   while (lines.next()) {
     std::string_view rest = lines.line;
@@ -63,7 +47,7 @@ Outcome<std::map<std::string, double>> header_fields(TerrainLines& lines) {
   return words_of_header;
 }
 
-Outcome<GridHeader> header_of(TerrainLines& lines) {
+Outcome<GridHeader> header_of(TextLines& lines) {
   auto known = header_fields(lines);
   if (!known) return pass_on(known);
   const auto find = [&](const char* key) -> std::optional<double> {
@@ -95,7 +79,7 @@ Outcome<GridHeader> header_of(TerrainLines& lines) {
                     find("nodata_value")};
 }
 
-Outcome<std::vector<double>> heights_of(TerrainLines& lines, const GridHeader& header) {
+Outcome<std::vector<double>> heights_of(TextLines& lines, const GridHeader& header) {
   const auto columns = static_cast<std::size_t>(header.columns);
   const std::size_t count = columns * static_cast<std::size_t>(header.rows);
   std::vector<double> heights(count);
@@ -129,7 +113,7 @@ Outcome<std::vector<double>> heights_of(TerrainLines& lines, const GridHeader& h
 }  // namespace
 
 Outcome<HeightField> terrain_from_grid(std::string_view text, const std::string& name) {
-  TerrainLines lines{text, name};
+  TextLines lines{text, name};
   auto header = header_of(lines);
   if (!header) return pass_on(header);
   auto heights = heights_of(lines, *header);

@@ -68,6 +68,15 @@ std::string tum_text_of(std::size_t count,
   return text;
 }
 
+std::string track_csv(const std::vector<Pose2>& poses) {
+  std::string text = "step,x,y,heading\n";
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", i, poses[i].position.x, poses[i].position.y,
+                   poses[i].heading_rad);
+  }
+  return text;
+}
+
 std::string tum_text(const Trajectory& trajectory) {
   return tum_text_of(trajectory.size(), [&](std::size_t i) { return trajectory[i]; });
 }

@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
-
-#include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
+#include "outrider/io/text.hpp"
 
 namespace outrider {
 namespace {
@@ -17,24 +14,9 @@ constexpr double most_m = 3e7;  // more than any projected coordinate
 
 Outcome<std::vector<double>> parse_numbers(const std::string& text, std::size_t count,
                                            const std::string& where, const std::string& form) {
-  std::vector<double> numbers;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (numbers.size() < count) {
-    while (at != end && *at == ' ') ++at;
-    double number = 0.0;
-    const auto [next, error] = std::from_chars(at, end, number);
-    if (error != std::errc{} || !std::isfinite(number) || std::abs(number) > most_m) break;
-    numbers.push_back(number);
-    at = next;
-    while (at != end && *at == ' ') ++at;
-    if (at == end || *at != ',') break;
-    ++at;
-  }
-  if (numbers.size() != count || at != end) {
-    return bad_input(fmt::format("'{}' is not valid; expected {}", excerpt(text), form), where);
-  }
-  return numbers;
+  auto numbers = numbers_of(parts_between(text, ','), most_m);
+  if (numbers && numbers->size() == count) return std::move(*numbers);
+  return bad_input(fmt::format("'{}' is not valid; expected {}", excerpt(text), form), where);
 }
 
 Outcome<Pose2> parse_pose(const std::string& text, const std::string& where) {

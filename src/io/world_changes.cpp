@@ -18,17 +18,6 @@ namespace {
 constexpr std::size_t most_near_names = 3;
 constexpr double rounding_deg = 1e-9;  // tolerance for whole degrees
 
-/// Splits a text at semicolons, without the white space around the parts and without empty parts.
-std::vector<std::string_view> parts(std::string_view text) {
-  std::vector<std::string_view> found;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(';'), text.size());
-    if (const std::string_view part = trimmed(text.substr(0, end)); !part.empty()) found.push_back(part);
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return found;
-}
-
 bool stands_for(std::string_view name, std::string_view solid) {
   return solid.starts_with(name) && (solid.size() == name.size() || solid[name.size()] == '/');
 }
@@ -104,7 +93,7 @@ Outcome<std::vector<std::size_t>> claimed(const World& world, std::string_view n
 
 Outcome<WorldChanges> changes_from_text(std::string_view moved, std::string_view removed) {
   WorldChanges changes;
-  for (const std::string_view part : parts(moved)) {
+  for (const std::string_view part : filled_parts_between(moved, ';')) {
     const std::size_t equals = part.rfind('=');
     const std::string_view name = trimmed(part.substr(0, std::min(equals, part.size())));
     if (equals == std::string_view::npos || name.empty()) {
@@ -119,7 +108,7 @@ Outcome<WorldChanges> changes_from_text(std::string_view moved, std::string_view
     if (!n) return pass_on(n);
     changes.moved.push_back({std::string(name), {{(*n)[0], (*n)[1]}, wrap_angle(radians((*n)[2]))}});
   }
-  for (const std::string_view part : parts(removed)) changes.removed.emplace_back(part);
+  for (const std::string_view part : filled_parts_between(removed, ';')) changes.removed.emplace_back(part);
   return changes;
 }
 

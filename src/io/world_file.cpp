@@ -9,12 +9,53 @@
 #include "outrider/io/files.hpp"
 #include "outrider/io/map.hpp"
 #include "outrider/io/map_server.hpp"
+#include "outrider/io/slices.hpp"
 #include "outrider/io/text.hpp"
+#include "outrider/io/values.hpp"
 #include "outrider/world/blocks.hpp"
-#include "world_pieces.hpp"
 
 namespace outrider {
 namespace {
+
+/// Adds a solid. Fault: bad_input with `where` if the world has the maximum number.
+Status add_solid(World& world, Solid solid, const std::string& where) {
+  constexpr std::size_t most_solids = 200'000;
+  if (world.solids.size() >= most_solids) {
+    return bad_input(
+        fmt::format("the world has more than {} pieces; take a part of it, or larger cells", most_solids),
+        where);
+  }
+  world.solids.push_back(std::move(solid));
+  return {};
+}
+
+/// Adds slices as solids that stand on the floor.
+Status add_slices(World& world, const std::vector<WorldSlice>& slices, double height_m,
+                  const std::string& where) {
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    const std::string name = fmt::format("{}/{}", slices[i].name.empty() ? "slice" : slices[i].name, i + 1);
+    auto ok = add_solid(world, upright(slices[i], name, world.floor_z_m, world.floor_z_m + height_m), where);
+    if (!ok) return ok;
+  }
+  return {};
+}
+
+Status add_walls(World& world, const std::string& text, double height_m) {
+  std::size_t count = 0;
+  for (const std::string_view word : words(text)) {
+    auto n = parse_numbers(std::string(word), 4, "walls", "x1,y1,x2,y2 in m, such as 0,0,4,0");
+    if (!n) return pass_on(n);
+    const WorldSlice wall{"", {{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}}};
+    if (wall.corners[0] == wall.corners[1]) {
+      return bad_input(fmt::format("the wall {} has no length; give its two ends", excerpt(word)), "walls");
+    }
+    auto ok = add_solid(
+        world, upright(wall, fmt::format("wall/{}", ++count), world.floor_z_m, world.floor_z_m + height_m),
+        "walls");
+    if (!ok) return ok;
+  }
+  return {};
+}
 
 enum class WorldKind { sdf, map_server, image, slices };
 
@@ -37,12 +78,10 @@ Outcome<World> world_of(const MapServerMap& map, const std::string& path, double
     return bad_input("the map has no free cell; check its thresholds and whether it is negated", path);
   }
   const Vec2 origin = map.occupancy.frame.origin;
-  const Vec2 along = direction(map.yaw_rad);
   World world;
   for (Solid& block : blocks(ringed(map.occupancy), 0.0, height_m)) {
     Vec3& place = block.world_T_solid.position;
-    const Vec2 from_origin = xy(place) - origin;
-    const Vec2 turned = origin + from_origin.x * along + from_origin.y * perpendicular(along);
+    const Vec2 turned = origin + rotated(map.yaw_rad, xy(place) - origin);
     place = {turned.x, turned.y, place.z};
     block.world_T_solid.rotation = Rotation::from_rpy(0.0, 0.0, map.yaw_rad);
     if (auto ok = add_solid(world, std::move(block), path); !ok) return pass_on(ok);
@@ -116,27 +155,6 @@ Outcome<LoadedWorld> load_kind(WorldKind kind, const std::string& content, const
 
 }  // namespace
 
-Status add_solid(World& world, Solid solid, const std::string& where) {
-  constexpr std::size_t most_solids = 200'000;
-  if (world.solids.size() >= most_solids) {
-    return bad_input(
-        fmt::format("the world has more than {} pieces; take a part of it, or larger cells", most_solids),
-        where);
-  }
-  world.solids.push_back(std::move(solid));
-  return {};
-}
-
-Status add_slices(World& world, const std::vector<WorldSlice>& slices, double height_m,
-                  const std::string& where) {
-  for (std::size_t i = 0; i < slices.size(); ++i) {
-    const std::string name = fmt::format("{}/{}", slices[i].name.empty() ? "slice" : slices[i].name, i + 1);
-    auto ok = add_solid(world, upright(slices[i], name, world.floor_z_m, world.floor_z_m + height_m), where);
-    if (!ok) return ok;
-  }
-  return {};
-}
-
 Outcome<LoadedWorld> load_world(const std::string& path, const WorldFileOptions& options) {
   const auto content = read_file(path);
   if (!content) return pass_on(content);
@@ -146,6 +164,29 @@ Outcome<LoadedWorld> load_world(const std::string& path, const WorldFileOptions&
   if (!loaded) return loaded;
   World& world = loaded->world;
   if (world.name.empty() || world.name == "default") world.name = name_of(path);
+  return loaded;
+}
+
+Outcome<LoadedWorld> load_explore_world(const ExploreWorldFiles& files) {
+  if (files.world.empty()) return bad_input("missing; give the file of the world to explore", "world");
+  auto loaded = load_world(files.world, files.options);
+  if (!loaded) return pass_on(loaded);
+  World& world = loaded->world;
+  if (world.terrain)
+    return bad_input("the ground of this world is not flat; give one with a floor", files.world);
+  if (!files.slices.empty()) {
+    const auto slices = load_slices(files.slices);
+    if (!slices) return pass_on(slices);
+    if (auto ok = add_slices(world, *slices, files.options.wall_height_m, files.slices); !ok)
+      return pass_on(ok);
+  }
+  if (auto ok = add_walls(world, files.walls, files.options.wall_height_m); !ok) return pass_on(ok);
+  const Box2 standing = standing_bounds(world);
+  if (!standing.empty()) {
+    world.bounds = standing;
+  } else if (world.bounds.empty()) {
+    return bad_input("nothing stands in this world; there is nothing to explore", files.world);
+  }
   return loaded;
 }
 

@@ -11,23 +11,15 @@ namespace {
 
 constexpr int deepest_element = 100;
 
-/// Returns the first element that is nested deeper than allowed, or none.
-XmlElement too_deep(XmlElement root) {
-  int depth = 1;
-  for (XmlElement at = root; at;) {
-    if (const XmlElement child = at.first_child()) {
-      at = child;
-      if (++depth > deepest_element) return at;
-      continue;
-    }
-    while (at != root && !at.next_sibling()) {
-      at = at.parent();
-      --depth;
-    }
-    at = at == root ? XmlElement() : at.next_sibling();
+/// Finds an element that is nested deeper than allowed.
+struct FindTooDeep : pugi::xml_tree_walker {
+  XmlElement found;
+
+  bool for_each(XmlElement& element) override {
+    if (depth() + 1 >= deepest_element) found = element;  // the children of the root are at depth 0
+    return !found;
   }
-  return {};
-}
+};
 
 std::string line_at(const std::vector<std::size_t>& line_ends, const std::string& name,
                     std::ptrdiff_t offset) {
@@ -45,16 +37,17 @@ Outcome<XmlDocument> XmlDocument::parse(std::string_view text, const std::string
     document.line_ends_.push_back(at);
   const auto parsed = document.tree_->load_buffer(
       text.data(), text.size(), pugi::parse_default | pugi::parse_embed_pcdata, pugi::encoding_utf8);
-  const XmlElement top = document.root();
+  XmlElement top = document.root();
   if (!parsed) {
     return bad_input(fmt::format("it is not well-formed XML ({}); correct or export it again",
                                  lower(parsed.description())),
                      line_at(document.line_ends_, name, parsed.offset));
   }
-  if (const XmlElement deep = too_deep(top))
+  FindTooDeep deep;
+  if (!top.traverse(deep))
     return bad_input(
         fmt::format("its elements nest more than {} deep; correct or export it again", deepest_element),
-        document.where(deep));
+        document.where(deep.found));
   if (!top) return bad_input("it has no elements", name);
   if (!root.empty() && top.name() != root) {
     return bad_input(fmt::format("its root element is <{}>, not <{}>", excerpt(top.name()), root), name);

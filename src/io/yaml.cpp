@@ -52,60 +52,6 @@ bool goes_on(const std::string& text) {
   return parser.HandleNextDocument(discard) && parser.HandleNextDocument(discard);
 }
 
-/// Finds the value of one key of the top-level map in the events of a document.
-class FindTopValue : public YAML::EventHandler {
- public:
-  explicit FindTopValue(std::string key) : key_(std::move(key)) {}
-
-  [[nodiscard]] const std::string& value() const { return value_; }
-  [[nodiscard]] bool is_map() const { return is_map_; }
-
-  void OnDocumentStart(const YAML::Mark&) override {}
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark&, YAML::anchor_t) override {
-    if (depth_ > 0) see({});  // an empty document is an empty map
-  }
-  void OnAlias(const YAML::Mark&, YAML::anchor_t) override { see({}); }
-  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string& text) override {
-    see(text);
-  }
-  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                       YAML::EmitterStyle::value) override {
-    begin(false);
-  }
-  void OnSequenceEnd() override { end(); }
-  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
-    begin(true);
-  }
-  void OnMapEnd() override { end(); }
-
- private:
-  /// Handles a scalar. Keys and values of the top-level map alternate.
-  void see(const std::string& text) {
-    if (depth_ != 1) {
-      is_map_ = is_map_ && depth_ > 0;
-      return;
-    }
-    if (!is_key_ && last_key_ == key_) value_ = text;
-    if (is_key_) last_key_ = text;
-    is_key_ = !is_key_;
-  }
-  void begin(bool map) {
-    if (depth_ == 0) is_map_ = map;
-    ++depth_;
-  }
-  void end() {
-    if (--depth_ != 1) return;
-    if (is_key_) last_key_.clear();
-    is_key_ = !is_key_;
-  }
-
-  std::string key_, last_key_, value_;
-  int depth_ = 0;
-  bool is_key_ = true;
-  bool is_map_ = true;
-};
-
 Outcome<YAML::Node> parse(const std::string& text, const std::string& name) {
   try {
     if (goes_on(text)) return bad_input("something follows its first YAML document; leave one", name);
@@ -116,12 +62,6 @@ Outcome<YAML::Node> parse(const std::string& text, const std::string& name) {
   }
 }
 
-Status check_length(std::string_view text, const std::string& name) {
-  constexpr std::size_t most_bytes = std::size_t{1} << 20;
-  if (text.size() > most_bytes) return bad_input("it is longer than 1 MiB, the most that is read", name);
-  return {};
-}
-
 }  // namespace
 
 std::string yaml_where(const std::string& name, const YAML::Node& node) {
@@ -129,7 +69,8 @@ std::string yaml_where(const std::string& name, const YAML::Node& node) {
 }
 
 Outcome<YAML::Node> yaml_map(std::string_view text, const std::string& name) {
-  if (auto ok = check_length(text, name); !ok) return pass_on(ok);
+  constexpr std::size_t most_bytes = std::size_t{1} << 20;
+  if (text.size() > most_bytes) return bad_input("it is longer than 1 MiB, the most that is read", name);
   auto root = parse(std::string(text), name);
   if (!root || root->IsNull()) return root;
   if (!root->IsMap()) return bad_input("it is no list of 'key: value' lines", yaml_where(name, *root));
@@ -141,24 +82,24 @@ Outcome<YAML::Node> yaml_map(std::string_view text, const std::string& name) {
   return root;
 }
 
-Outcome<std::string> yaml_top_value(const std::string& text, const std::string& name,
-                                    const std::string& key) {
-  if (auto ok = check_length(text, name); !ok) return pass_on(ok);
-  FindTopValue find(key);
-  Discard rest;
-  try {
-    std::istringstream stream(text);
-    YAML::Parser parser(stream);
-    const bool any = parser.HandleNextDocument(find);
-    if (any && parser.HandleNextDocument(rest)) {
-      return bad_input("something follows its first YAML document; leave one", name);
-    }
-  } catch (const YAML::Exception& error) {
-    return bad_input(fmt::format("it is not well-formed YAML: {}", excerpt(error.msg)),
-                     where_of(name, error.mark));
+std::optional<std::string> yaml_text(const YAML::Node& node) {
+  return node.IsDefined() && node.IsScalar() ? std::optional(node.Scalar()) : std::nullopt;
+}
+
+std::optional<double> yaml_number(const YAML::Node& node) {
+  const auto text = yaml_text(node);
+  return text ? number<double>(*text) : std::nullopt;
+}
+
+std::optional<std::vector<double>> yaml_numbers(const YAML::Node& list) {
+  if (!list.IsDefined() || !list.IsSequence()) return std::nullopt;
+  std::vector<double> numbers;
+  for (const auto& entry : list) {
+    const auto value = yaml_number(entry);
+    if (!value) return std::nullopt;
+    numbers.push_back(*value);
   }
-  if (!find.is_map()) return bad_input("it is no list of 'key: value' lines", name);
-  return find.value();
+  return numbers;
 }
 
 }  // namespace outrider

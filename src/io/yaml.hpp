@@ -3,8 +3,10 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "outrider/core/outcome.hpp"
 
@@ -18,9 +20,10 @@ std::string yaml_where(const std::string& name, const YAML::Node& node);
 /// documents and more than 1 MiB.
 Outcome<YAML::Node> yaml_map(std::string_view text, const std::string& name);
 
-/// Returns the text of one key of the top-level map without storing the document; empty if the key is missing
-/// or its value is not a scalar. Faults: those of yaml_map(), except duplicate keys. Time O(length), memory
-/// O(depth of the nesting).
-Outcome<std::string> yaml_top_value(const std::string& text, const std::string& name, const std::string& key);
+/// Returns the text of a scalar; nothing for a node that is not defined or is no scalar.
+std::optional<std::string> yaml_text(const YAML::Node& node);
+/// Returns the finite number of such a text, or the numbers of a list of them; nothing if it is none.
+std::optional<double> yaml_number(const YAML::Node& node);
+std::optional<std::vector<double>> yaml_numbers(const YAML::Node& list);
 
 }  // namespace outrider

@@ -12,7 +12,6 @@
 #include "build_id.hpp"
 #include "outrider/core/json_excess.hpp"
 #include "outrider/core/sha256.hpp"
-#include "outrider/io/file_hash.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/read_record.hpp"
 #include "outrider/io/text.hpp"

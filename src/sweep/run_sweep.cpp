@@ -13,7 +13,6 @@
 #include "outrider/core/parallel.hpp"
 #include "outrider/io/file_lock.hpp"
 #include "outrider/io/files.hpp"
-#include "outrider/io/folders.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/job/write_run.hpp"

@@ -1,4 +1,4 @@
-// Reads and writes whole files.
+// Reads and writes whole files, and makes folders.
 //
 // Reading: files may be plain or gzip-compressed, which is detected by the first two bytes, not by the name.
 // At most a stated number of bytes is read after decompression. confinement.hpp limits which files can be
@@ -28,6 +28,10 @@ inline constexpr std::size_t largest_file_bytes = std::size_t{256} << 20;
 /// without read permission, damaged or truncated gzip data, and more than `limit_bytes`.
 Outcome<std::string> read_file(const std::string& path, std::size_t limit_bytes = largest_file_bytes);
 
+/// Returns the SHA-256 of the bytes of a file, not decompressed, in constant memory. Faults: those of
+/// read_file(), except for its size. O(bytes).
+Outcome<std::string> file_hash(const std::string& path);
+
 /// Returns true if the path exists, is not a folder, and read_file() is allowed to open it.
 bool file_exists(const std::string& path);
 
@@ -51,5 +55,11 @@ struct FileToRename {
 /// short-lived process does the renaming.
 /// `complete` files are renamed together with them, first.
 Status write_files(const std::vector<NamedContent>& files, const std::vector<FileToRename>& complete = {});
+
+/// Creates a folder and its parents. Fault: bad_input, whose sentence has the folder and the reason.
+Status make_folder(const std::string& folder);
+
+/// Refuses a folder that make_folder() would refuse. Changes nothing.
+Status check_folder(const std::string& folder);
 
 }  // namespace outrider

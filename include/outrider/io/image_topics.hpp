@@ -9,13 +9,17 @@
 // image. Thread rule: one thread.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "outrider/core/outcome.hpp"
 #include "outrider/estimate/camera.hpp"
 #include "outrider/estimate/camera_image.hpp"
+#include "outrider/log/channel_decoder.hpp"
+#include "outrider/log/log_reader.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
 
 namespace outrider {
@@ -34,22 +38,25 @@ struct TimedImage {
 
 class ImageTopics {
  public:
-  virtual ~ImageTopics() = default;
-  ImageTopics(const ImageTopics&) = delete;
-  ImageTopics& operator=(const ImageTopics&) = delete;
+  /// Opens a log. The camera is read, too.
+  static Outcome<ImageTopics> open(const std::string& path, const ImageTopicsOptions& options);
+
   /// Returns the camera; nothing if the log does not describe it.
-  [[nodiscard]] virtual const std::optional<Camera>& camera() const = 0;
+  [[nodiscard]] const std::optional<Camera>& camera() const { return camera_; }
   /// Returns the next image; nothing at the end.
-  virtual Outcome<std::optional<TimedImage>> next() = 0;
+  Outcome<std::optional<TimedImage>> next();
   /// Returns a sentence if the end of the log is missing, else an empty text.
-  [[nodiscard]] virtual std::string cut_short() const = 0;
+  [[nodiscard]] std::string cut_short() const { return log_->cut_short(); }
 
- protected:
-  ImageTopics() = default;
+ private:
+  using Decoder =
+      std::variant<ChannelDecoder<sensor_msgs::Image>, ChannelDecoder<sensor_msgs::CompressedImage>>;
+
+  std::string topic_;
+  std::map<std::size_t, Decoder> decoders_;  // by channel
+  std::optional<Camera> camera_;
+  std::unique_ptr<LogReader> log_;
 };
-
-Outcome<std::unique_ptr<ImageTopics>> open_image_topics(const std::string& path,
-                                                        const ImageTopicsOptions& options);
 
 /// Returns the image in grey. Fault: bad_input without a place, for another encoding, and sizes that do not
 /// agree.

@@ -22,6 +22,8 @@ class LaserSource {
   virtual Outcome<std::optional<LaserLogStep>> next() = 0;
   /// Returns the part that has been read, 0 to 1.
   [[nodiscard]] virtual double progress() const = 0;
+  /// Returns the pose of the laser on the robot; nothing if the log does not say it.
+  [[nodiscard]] virtual std::optional<Pose2> robot_T_laser() const = 0;
   /// Returns what was left out so far, a sentence each.
   [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
 
@@ -33,8 +35,14 @@ class LaserSource {
 class LoadedLaserSource final : public LaserSource {
  public:
   explicit LoadedLaserSource(const LaserLog& log) : log_(log) {}
-  Outcome<std::optional<LaserLogStep>> next() override;
-  [[nodiscard]] double progress() const override;
+  Outcome<std::optional<LaserLogStep>> next() override {
+    return next_ < log_.steps.size() ? std::optional(log_.steps[next_++]) : std::nullopt;
+  }
+  [[nodiscard]] double progress() const override {
+    return log_.steps.empty() ? 1.0 : static_cast<double>(next_) / static_cast<double>(log_.steps.size());
+  }
+
+  [[nodiscard]] std::optional<Pose2> robot_T_laser() const override { return log_.robot_T_laser; }
 
  private:
   const LaserLog& log_;

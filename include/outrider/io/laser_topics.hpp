@@ -37,14 +37,8 @@ struct LaserTopicsOptions {
 
 std::vector<Option> describe(LaserTopicsOptions& options);
 
-/// A log that is read while it is mapped.
-class LaserTopics : public LaserSource {
- public:
-  /// Returns the pose of the laser on the robot; nothing if the log does not say it.
-  [[nodiscard]] virtual std::optional<Pose2> robot_T_laser() const = 0;
-};
-
-Outcome<std::unique_ptr<LaserTopics>> open_laser_topics(const std::string& path,
+/// Opens a log that is read while it is mapped.
+Outcome<std::unique_ptr<LaserSource>> open_laser_topics(const std::string& path,
                                                         const LaserTopicsOptions& options);
 
 }  // namespace outrider

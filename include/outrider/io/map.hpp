@@ -21,9 +21,9 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
+#include "outrider/io/map_server.hpp"
 #include "outrider/io/polygons.hpp"
 #include "outrider/io/sdf.hpp"
-#include "outrider/world/grid.hpp"
 #include "outrider/world/world.hpp"
 
 namespace outrider {
@@ -33,10 +33,7 @@ std::string_view to_string(MapKind kind);
 
 /// The cells of a map; 0 is free. Cells of map_server maps have values of Occupancy; blocked cells of
 /// MovingAI maps are 1.
-struct MapCells {
-  Grid<std::uint8_t> occupancy;
-  double yaw_rad = 0.0;  ///< rotation of the grid about its origin in the world
-};
+using MapCells = MapServerMap;
 
 /// The content of a map: cells (map_server, image, movingai), polygons with their queries, or a world.
 using MapShape = std::variant<MapCells, PolygonMap, World>;

@@ -32,9 +32,7 @@ struct MapServerMap {
 /// Returns the centre of a cell in the world frame, m.
 inline Vec2 world_centre(const MapServerMap& map, Cell cell) {
   const GridFrame& frame = map.occupancy.frame;
-  const Vec2 d = frame.centre(cell) - frame.origin;
-  const Vec2 along = direction(map.yaw_rad);
-  return frame.origin + d.x * along + d.y * perpendicular(along);
+  return frame.origin + rotated(map.yaw_rad, frame.centre(cell) - frame.origin);
 }
 
 Outcome<MapServerMap> load_map_server(const std::string& path);
@@ -43,7 +41,6 @@ Outcome<MapServerMap> load_map_server(const std::string& path);
 Outcome<MapServerMap> map_server_from_text(std::string_view text, const std::string& name);
 
 /// Reads an image without a YAML file. Its lowest corner is at the origin; the thresholds are the usual ones.
-Outcome<MapServerMap> load_map_image(const std::string& path, double resolution_m);
 Outcome<MapServerMap> map_image_from_bytes(std::string_view bytes, const std::string& name,
                                            double resolution_m);
 

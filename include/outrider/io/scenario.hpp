@@ -27,8 +27,7 @@ Status load_scenario(const std::string& path, const std::vector<OptionGroup>& gr
 Status scenario_from_text(std::string_view text, const std::string& name,
                           const std::vector<OptionGroup>& groups);
 
-/// Returns the value of the key `job` in a scenario file; empty if there is none. Reads the text once and
-/// stores nothing else of it.
+/// Returns the value of the key `job` in a scenario file; empty if there is none.
 Outcome<std::string> scenario_job(const std::string& path);
 Outcome<std::string> scenario_job_from_text(const std::string& text, const std::string& name);
 

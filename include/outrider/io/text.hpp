@@ -1,10 +1,12 @@
-// Reads lines, words and numbers of text formats.
+// Reads lines, words, numbers and lists of text formats.
 #pragma once
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,5 +52,62 @@ std::optional<Number> number(std::string_view text) {
   }
   return value;
 }
+
+/// Returns the words as numbers; nothing unless all are finite numbers whose size is at most `largest`.
+inline std::optional<std::vector<double>> numbers_of(std::span<const std::string_view> words,
+                                                     double largest = std::numeric_limits<double>::max()) {
+  std::vector<double> result;
+  for (const std::string_view word : words) {
+    const auto value = number<double>(word);
+    if (!value || std::abs(*value) > largest) return std::nullopt;
+    result.push_back(*value);
+  }
+  return result;
+}
+
+/// Returns the parts between separators, without the white space around them. An empty text is one part.
+inline std::vector<std::string_view> parts_between(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(trimmed(text.substr(0, end)));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// Returns those of the parts that are not empty.
+inline std::vector<std::string_view> filled_parts_between(std::string_view text, char separator) {
+  std::vector<std::string_view> parts = parts_between(text, separator);
+  std::erase(parts, "");
+  return parts;
+}
+
+/// The lines of a text, one after the other.
+struct TextLines {
+  std::string_view rest;
+  const std::string& name;  ///< of the file
+  std::size_t number = 0;   ///< of the line, from 1
+  std::string_view line = {};
+
+  /// Takes the next line. Returns false at the end.
+  bool next() {
+    const bool more = !rest.empty();
+    ++number;
+    line = take_line(rest);
+    return more;
+  }
+  /// Takes the next line that has more than white space and a comment, which begins with '#'; `line` is then
+  /// without the comment.
+  bool next_filled() {
+    while (next()) {
+      line = line.substr(0, line.find('#'));
+      if (line.find_first_not_of(white_space) != std::string_view::npos) return true;
+    }
+    return false;
+  }
+  /// Returns the place of the line for a fault, "name:number".
+  [[nodiscard]] std::string where() const { return name + ':' + std::to_string(number); }
+};
 
 }  // namespace outrider

@@ -37,4 +37,7 @@ std::string kitti_text(const Trajectory& trajectory);
 Outcome<Trajectory> trajectory_from_kitti(std::string_view text, const std::string& name,
                                           double period_s = 0.1);
 
+/// Returns a table with one line per pose: number, x, y, heading (m, rad).
+std::string track_csv(const std::vector<Pose2>& poses);
+
 }  // namespace outrider

@@ -23,10 +23,23 @@ namespace outrider {
 
 struct WorldFileOptions {
   double resolution_m = 0.05;  ///< side of a pixel, for an image without a YAML file
-  double wall_height_m = 0.5;  ///< height of slices and the blocks of a map
+  double wall_height_m = 0.5;  ///< height of slices, walls and the blocks of a map
   SdfOptions sdf = {};         ///< where an SDF world finds its models
 };
 
 Outcome<LoadedWorld> load_world(const std::string& path, const WorldFileOptions& options = {});
+
+/// A world to explore. The slices can be the parts that an SDF world lacks according to its warnings.
+struct ExploreWorldFiles {
+  std::string world = {};   ///< path
+  std::string slices = {};  ///< path of additional slices; empty: none
+  std::string walls = {};   ///< additional walls, "x1,y1,x2,y2 ..." in m
+  WorldFileOptions options = {};
+};
+
+/// Loads a world with more slices and walls on its floor. The bounds are the box around everything that
+/// stands in it; if nothing stands there, they are those of the file. Faults: those of load_world();
+/// bad_input with file and line, or the key; terrain; a world without bounds.
+Outcome<LoadedWorld> load_explore_world(const ExploreWorldFiles& files);
 
 }  // namespace outrider

@@ -7,7 +7,7 @@
 #include "graph_verdict.hpp"
 #include "outrider/geometry/spatial_pose.hpp"
 #include "outrider/io/g2o.hpp"
-#include "outrider/io/track_csv.hpp"
+#include "outrider/io/trajectory.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/slam/map_error.hpp"
 #include "outrider/slam/pose_graph_bound.hpp"

@@ -16,7 +16,7 @@
 namespace outrider {
 
 /// A log of ROS topics, which is read while it is mapped.
-using TopicsInput = std::unique_ptr<LaserTopics>;
+using TopicsInput = std::unique_ptr<LaserSource>;
 
 /// Map a recording. Each reports the numbers that docs/jobs/slam.md lists.
 template <class Pose>

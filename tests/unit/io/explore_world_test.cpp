@@ -1,4 +1,4 @@
-#include "outrider/io/explore_world.hpp"
+#include "outrider/io/world_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -49,8 +49,8 @@ TEST(ExploreWorld, AllThatIsNotKnownToBeFreeStandsOnAMap) {
 
 TEST(ExploreWorld, AnImageAloneLiesAtTheOrigin) {
   const test::Folder folder;
-  const auto loaded =
-      load_explore_world({.world = folder.write("m.pgm", "P2 3 1 255\n254 0 254\n"), .resolution_m = 0.2});
+  const auto loaded = load_explore_world(
+      {.world = folder.write("m.pgm", "P2 3 1 255\n254 0 254\n"), .options = {.resolution_m = 0.2}});
   ASSERT_TRUE(loaded) << to_string(loaded.error());
   EXPECT_FALSE(stands(loaded->world, {0.1, 0.1}));
   EXPECT_TRUE(stands(loaded->world, {0.3, 0.1}));

@@ -97,16 +97,16 @@ TEST(ImageTopics, ImagesOfALogComeWithTheirCamera) {
   log.add("/camera/image_raw", 1.0, image_of("mono8", {1, 2}, 2));
   log.add("/camera/image_raw", 2.0, image_of("mono8", {3, 4}, 2));
   for (const std::string& bytes : {log.mcap(), log.mcap(MessageEncoding::json), log.bag("lz4"), log.db3()}) {
-    auto images = open_image_topics(folder.write("log", bytes), {});
+    auto images = ImageTopics::open(folder.write("log", bytes), {});
     ASSERT_TRUE(images) << to_string(images.error());
-    ASSERT_TRUE((*images)->camera());
-    EXPECT_EQ((*images)->camera()->fx, 500.0);
-    const auto first = (*images)->next();
+    ASSERT_TRUE(images->camera());
+    EXPECT_EQ(images->camera()->fx, 500.0);
+    const auto first = images->next();
     ASSERT_TRUE(first && *first);
     EXPECT_EQ((*first)->time_s, 2.5);
     EXPECT_EQ((*first)->image.values, (std::vector<std::uint8_t>{1, 2}));
-    EXPECT_TRUE((*images)->next());
-    const auto end = (*images)->next();
+    EXPECT_TRUE(images->next());
+    const auto end = images->next();
     ASSERT_TRUE(end);
     EXPECT_FALSE(*end);
   }
@@ -120,13 +120,13 @@ TEST(ImageTopics, CompressedImagesAreRead) {
           sensor_msgs::CompressedImage{header_of(1.0, "camera"), "png", {png.begin(), png.end()}});
   log.add("/camera/image_raw/compressed", 2.0,
           sensor_msgs::CompressedImage{header_of(2.0, "camera"), "jpeg", {1, 2}});
-  auto images = open_image_topics(folder.write("log", log.mcap()), {});
+  auto images = ImageTopics::open(folder.write("log", log.mcap()), {});
   ASSERT_TRUE(images) << to_string(images.error());
-  EXPECT_FALSE((*images)->camera());
-  const auto first = (*images)->next();
+  EXPECT_FALSE(images->camera());
+  const auto first = images->next();
   ASSERT_TRUE(first && *first);
   EXPECT_EQ((*first)->image.values, (std::vector<std::uint8_t>{10, 20}));
-  const auto damaged = (*images)->next();
+  const auto damaged = images->next();
   ASSERT_FALSE(damaged);
   EXPECT_EQ(damaged.error().where, "/camera/image_raw/compressed");
 }
@@ -137,11 +137,11 @@ TEST(ImageTopics, SeveralTopicsAreNamedInTheRefusal) {
   log.add("/left/image", 1.0, image_of("mono8", {1}, 1));
   log.add("/right/image", 1.0, image_of("mono8", {1}, 1));
   const std::string path = folder.write("log", log.mcap());
-  const auto several = open_image_topics(path, {});
+  const auto several = ImageTopics::open(path, {});
   ASSERT_FALSE(several);
   EXPECT_NE(to_string(several.error()).find("--image-topic: the log has several topics"), std::string::npos);
-  EXPECT_TRUE(open_image_topics(path, {.image = "/left/image"}));
-  const auto none = open_image_topics(path, {.image = "/left/image", .info = "/left/camera_info"});
+  EXPECT_TRUE(ImageTopics::open(path, {.image = "/left/image"}));
+  const auto none = ImageTopics::open(path, {.image = "/left/image", .info = "/left/camera_info"});
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().where, "--info-topic");
 }
