@@ -29,15 +29,14 @@ Outcome<AreaRing> ring_of(const XmlDocument& document, XmlElement border) {
   }
   AreaRing ring{{}, document.where(coordinates)};
   for (const std::string_view word : words(xml_text(coordinates))) {
-    const std::size_t comma = word.find(',');
-    const auto x = number<double>(word.substr(0, comma));
-    const std::string_view rest = comma == std::string_view::npos ? "" : word.substr(comma + 1);
-    const auto y = number<double>(rest.substr(0, rest.find(',')));
-    if (!x || !y) {
+    auto parts = parts_between(word, ',');
+    parts.resize(2);  // a height may follow
+    const auto corner = numbers_of(parts);
+    if (!corner) {
       return bad_input(fmt::format("'{}' is no corner; write x,y in degrees or metres", excerpt(word)),
                        ring.where);
     }
-    ring.corners.push_back({*x, *y});
+    ring.corners.push_back({(*corner)[0], (*corner)[1]});
   }
   return ring;
 }

@@ -6,12 +6,6 @@
 namespace outrider {
 namespace {
 
-Outcome<double> coordinate(const YAML::Node& point, const char* key, const std::string& name) {
-  const auto value = point.IsMap() ? yaml_number(point[key]) : std::nullopt;
-  if (!value) return bad_input("a corner is {x: 1.5, y: -2} in metres", yaml_where(name, point));
-  return *value;
-}
-
 Outcome<AreaRing> ring_of(const YAML::Node& ring_node, const std::string& name) {
   const YAML::Node points = ring_node.IsMap() ? ring_node["points"] : YAML::Node();
   if (!points.IsDefined() || !points.IsSequence()) {
@@ -19,10 +13,9 @@ Outcome<AreaRing> ring_of(const YAML::Node& ring_node, const std::string& name) 
   }
   AreaRing ring{{}, yaml_where(name, points)};
   for (const YAML::Node& point : points) {
-    auto x = coordinate(point, "x", name);
-    if (!x) return pass_on(x);
-    auto y = coordinate(point, "y", name);
-    if (!y) return pass_on(y);
+    const auto x = point.IsMap() ? yaml_number(point["x"]) : std::nullopt;
+    const auto y = point.IsMap() ? yaml_number(point["y"]) : std::nullopt;
+    if (!x || !y) return bad_input("a corner is {x: 1.5, y: -2} in metres", yaml_where(name, point));
     ring.corners.push_back({*x, *y});
   }
   return ring;

@@ -89,9 +89,9 @@ Outcome<ScanLine> scan_line_of(Words words, double most_m) {
 
 /// Reads the newer form of a scan, which says how the laser measures and where it stands on the robot.
 Outcome<ScanLine> robot_scan_of(Words words, double most_m) {
-  const auto settings = words.size() > 8 ? line_numbers(words.subspan(2, 4), 4, robot_scan_form)
-                                         : Outcome<std::vector<double>>(bad_input(fmt::format(
-                                               "{} words; a line is {}", words.size(), robot_scan_form)));
+  if (words.size() < 9)
+    return bad_input(fmt::format("{} words; a line is {}", words.size(), robot_scan_form));
+  const auto settings = line_numbers(words.subspan(2, 4), 4, robot_scan_form);
   if (!settings) return bad_input(settings.error().sentence);
   auto count = count_at(words, 8, robot_scan_form);
   if (!count) return pass_on(count);

@@ -21,8 +21,7 @@ constexpr double widest_said_deg = 1.0;     // of what is said to be degrees
 constexpr double farthest_of_file_m = 3e7;  // more than any projected coordinate
 
 bool ends_with_any(std::string_view name, std::initializer_list<std::string_view> ends) {
-  if (name.ends_with(".gz")) name.remove_suffix(3);
-  return std::any_of(ends.begin(), ends.end(), [&](std::string_view end) { return name.ends_with(end); });
+  return std::ranges::any_of(ends, [&](std::string_view end) { return without_gz(name).ends_with(end); });
 }
 
 Outcome<AreaRings> rings_from_polygon_text(std::string_view text, const std::string& name) {
@@ -39,13 +38,10 @@ Outcome<AreaRings> rings_from_polygon_text(std::string_view text, const std::str
   return rings;
 }
 
-bool in_range_of_degrees(const Box2& box) {
-  return std::abs(box.low.y) <= 90.0 && std::abs(box.high.y) <= 90.0 && std::abs(box.low.x) <= 180.0 &&
-         std::abs(box.high.x) <= 180.0;
-}
-
 bool could_be_degrees(const Box2& box, double widest) {
-  return box.size().x <= widest && box.size().y <= widest && in_range_of_degrees(box);
+  const Box2 earth{{-180.0, -90.0}, {180.0, 90.0}};
+  return box.size().x <= widest && box.size().y <= widest && earth.contains(box.low) &&
+         earth.contains(box.high);
 }
 
 template <class Check>

@@ -6,19 +6,18 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <memory>
 #include <system_error>
 
 #include "open_file.hpp"
 #include "outrider/core/sha256.hpp"
+#include "outrider/core/text.hpp"
 
 namespace outrider {
 namespace {
 
-struct CloseGz {
-  void operator()(gzFile file) const { gzclose(file); }
-};
-using GzFile = std::unique_ptr<gzFile_s, CloseGz>;
+using GzFile = std::unique_ptr<gzFile_s, decltype([](gzFile file) { gzclose(file); })>;
 
 Outcome<GzFile> open_for_reading(const std::string& path) {
   auto descriptor = open_file(path);
@@ -33,6 +32,15 @@ Outcome<GzFile> open_for_reading(const std::string& path) {
 
 tl::unexpected<Fault> too_long(const std::string& path, std::size_t limit_bytes) {
   return bad_input(fmt::format("it holds more than {} bytes, the most that is read", limit_bytes), path);
+}
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_path = 200;  ///< bytes of a path that is shown
+
+tl::unexpected<Fault> no_folder(const std::string& folder, const std::string& reason) {
+  return bad_input(fmt::format("cannot make the folder '{}' ({}); name one that can be written to",
+                               excerpt(folder, most_path), excerpt(reason, most_path)));
 }
 
 }  // namespace
@@ -89,6 +97,30 @@ Outcome<std::string> file_hash(const std::string& path) {
     return bad_input(fmt::format("it cannot be read: {}", std::generic_category().message(error)), path);
   }
   return hash.hex();
+}
+
+Status check_folder(const std::string& folder) {
+  if (folder.empty()) return no_folder(folder, "its name is empty");
+  std::error_code error;
+  fs::path nearest = fs::absolute(folder, error);  // the nearest parent that exists
+  for (std::error_code why; !error && nearest.has_relative_path(); nearest = nearest.parent_path()) {
+    if (fs::exists(fs::symlink_status(nearest, why))) break;
+    if (why == std::errc::filename_too_long) return no_folder(folder, why.message());
+  }
+  if (error) return no_folder(folder, error.message());
+  if (!fs::is_directory(nearest, error)) return no_folder(folder, nearest.string() + " is no folder");
+  if (::access(nearest.c_str(), W_OK | X_OK) != 0) {
+    return no_folder(folder, "nothing may be written to " + nearest.string());
+  }
+  return {};
+}
+
+Status make_folder(const std::string& folder) {
+  if (auto ok = check_folder(folder); !ok) return ok;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (std::error_code ignored; !fs::is_directory(folder, ignored)) return no_folder(folder, error.message());
+  return {};
 }
 
 }  // namespace outrider

@@ -22,7 +22,7 @@ Outcome<LandmarkLog> landmark_log_from_freiburg(const NamedText& log, const Name
     const auto v = line_numbers(words.subspan(1), 3, forms);
     if (!v) return bad_input(v.error().sentence);
     if (moves || result.steps.empty()) {
-      Motion motion;
+      LogMotion motion;
       if (moves) motion.add((*v)[0], (*v)[1], (*v)[2], noise);
       result.steps.push_back({static_cast<double>(result.steps.size()), motion.pose, motion.covariance, {}});
     }

@@ -7,8 +7,8 @@
 #include <deque>
 #include <utility>
 
-#include "odometry_track.hpp"
 #include "outrider/core/text.hpp"
+#include "outrider/geometry/spatial_pose.hpp"
 #include "outrider/io/log_file.hpp"
 #include "outrider/io/scan_mount.hpp"
 #include "outrider/log/conversions.hpp"
@@ -20,11 +20,6 @@ namespace {
 
 constexpr std::int64_t farthest_odometry_ns = 500'000'000;
 constexpr std::size_t most_waiting_bytes = std::size_t{64} << 20U;
-
-Pose2 in_plane(const Pose3& pose) {
-  const Vec3 ahead = pose.rotation.axes[0];
-  return {{pose.position.x, pose.position.y}, std::atan2(ahead.y, ahead.x)};
-}
 
 /// Facts about the robot from the beginning of a log.
 struct Survey {
@@ -175,7 +170,7 @@ std::optional<Pose2> MappedLog::odometry_at(std::int64_t time_ns) const {
   const auto from_ns = frames_.known_from_ns(options_.odom_frame, base_frame_);
   const auto to_ns = frames_.known_until_ns(options_.odom_frame, base_frame_);
   if (!from_ns || !is_near(std::max(*from_ns, std::int64_t{0}), *to_ns)) return std::nullopt;
-  return in_plane(*frames_.find(options_.odom_frame, base_frame_, time_ns));
+  return plan_pose(*frames_.find(options_.odom_frame, base_frame_, time_ns));
 }
 
 /// Takes the first scan that waits; nothing if it has no odometry.

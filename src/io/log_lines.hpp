@@ -1,4 +1,4 @@
-// Shared by the readers of logs and graphs: lines of words and numbers, and motions with their noise.
+// Shared by the readers of logs and graphs: lines of words and numbers.
 #pragma once
 
 #include <functional>
@@ -18,14 +18,5 @@ Status for_each_line(const NamedText& text,
 /// all are finite numbers.
 Outcome<std::vector<double>> line_numbers(std::span<const std::string_view> words, std::size_t count,
                                           std::string_view takes);
-
-/// A motion with its covariance, composed of short motions.
-struct Motion {
-  Pose2 pose;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-
-  /// Adds a turn, a straight drive and a second turn.
-  void add(double turn_rad, double distance_m, double then_turn_rad, const LogNoise& noise);
-};
 
 }  // namespace outrider

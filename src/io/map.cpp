@@ -44,7 +44,6 @@ std::optional<MapKind> kind_of_content(std::string_view content) {
 }
 
 std::optional<MapKind> kind_of_name(std::string_view name) {
-  if (name.ends_with(".gz")) name.remove_suffix(3);
   constexpr std::array<std::pair<std::string_view, MapKind>, 8> endings = {{{".yaml", MapKind::map_server},
                                                                             {".yml", MapKind::map_server},
                                                                             {".sdf", MapKind::world},
@@ -54,7 +53,7 @@ std::optional<MapKind> kind_of_name(std::string_view name) {
                                                                             {".png", MapKind::image},
                                                                             {".pgm", MapKind::image}}};
   for (const auto& [ending, kind] : endings) {
-    if (name.ends_with(ending)) return kind;
+    if (without_gz(name).ends_with(ending)) return kind;
   }
   return std::nullopt;
 }

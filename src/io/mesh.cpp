@@ -7,6 +7,7 @@
 
 #include "mesh_formats.hpp"
 #include "outrider/io/files.hpp"
+#include "outrider/io/text.hpp"
 
 namespace outrider {
 namespace {
@@ -25,17 +26,10 @@ bool is_far_away(const Triangle& t) {
 
 bool has_area(const Triangle& t) { return squared_norm(cross(t[1] - t[0], t[2] - t[0])) > 0.0; }
 
-/// Returns the name in lower case, without .gz.
-std::string plain_name(std::string name) {
-  std::ranges::transform(name, name.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  if (name.ends_with(".gz")) name.resize(name.size() - 3);
-  return name;
-}
-
 Outcome<std::vector<Triangle>> read_format(std::string_view bytes, const std::string& name,
                                            std::string_view part) {
-  const std::string plain = plain_name(name);
+  const std::string lower_case = lower(name);
+  const std::string_view plain = without_gz(lower_case);
   if (plain.ends_with(".stl")) return mesh_from_stl(bytes, name);
   if (plain.ends_with(".obj")) return mesh_from_obj(bytes, name, part);
   if (plain.ends_with(".dae")) return mesh_from_collada(bytes, name, part);

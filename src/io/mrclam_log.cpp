@@ -27,7 +27,7 @@ Outcome<Rows> rows(const NamedText& text, std::size_t count, std::string_view ta
 }
 
 /// Adds the motion from `now_s` to `until_s`, at each time with the speeds of the latest row.
-void drive(Motion& motion, double& now_s, double until_s, const Rows& odometry, std::size_t& row,
+void drive(LogMotion& motion, double& now_s, double until_s, const Rows& odometry, std::size_t& row,
            const LogNoise& noise) {
   while (now_s < until_s) {
     while (row + 1 < odometry.size() && odometry[row + 1][0] <= now_s) ++row;
@@ -64,7 +64,7 @@ Outcome<LandmarkLog> landmark_log_from_mrclam(const MrclamTexts& texts, const Lo
     const auto subject = subject_of.find(seen[1]);
     if (subject == subject_of.end() || static_cast<double>(subject->second) <= last_robot) continue;
     if (log.steps.empty() || seen[0] > log.steps.back().time_s) {
-      Motion motion;
+      LogMotion motion;
       drive(motion, now_s, seen[0], *odometry, row, noise);
       log.steps.push_back({seen[0], motion.pose, motion.covariance, {}});
     }

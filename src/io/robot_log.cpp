@@ -1,5 +1,7 @@
 #include "robot_log.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "outrider/io/log_file.hpp"
@@ -9,47 +11,41 @@
 namespace outrider {
 namespace {
 
-template <class Message>
-using Decoders = std::map<std::size_t, ChannelDecoder<Message>>;
-
-template <class Message>
-Outcome<Decoders<Message>> decoders_of(const std::vector<Channel>& channels,
-                                       const std::vector<std::size_t>& found) {
-  Decoders<Message> decoders;
+/// Adds the decoders of channels.
+Status add(const std::vector<Channel>& channels, const std::vector<std::size_t>& found, RobotData data,
+           const MessageType& type, RobotChannels& all) {
   for (const std::size_t index : found) {
-    auto decoder = ChannelDecoder<Message>::of(channels[index]);
+    auto decoder = AnyChannelDecoder::of(channels[index], type);
     if (!decoder) return pass_on(decoder);
-    decoders.emplace(index, std::move(*decoder));
+    all.decoders.emplace(index, std::pair(data, std::move(*decoder)));
   }
-  return decoders;
+  return {};
 }
 
-/// Finds the transforms under the only names that they have in ROS.
-Outcome<Decoders<tf2_msgs::TFMessage>> find_transforms(const std::vector<Channel>& channels,
-                                                       const std::string& name) {
+/// Adds the transforms under the only names that they have in ROS.
+Status add_transforms(const std::vector<Channel>& channels, const std::string& name, RobotData data,
+                      RobotChannels& all) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const bool named = channels[i].topic == name || channels[i].topic == "/" + name;
     if (named && ros2_type_name(channels[i].type) == tf2_msgs::TFMessage::type) found.push_back(i);
   }
-  return decoders_of<tf2_msgs::TFMessage>(channels, found);
+  return add(channels, found, data, message_type<tf2_msgs::TFMessage>(), all);
 }
 
-Status find_odometry(const std::vector<Channel>& channels, const LaserTopicsOptions& options,
-                     RobotChannels& all) {
+Status add_odometry(const std::vector<Channel>& channels, const LaserTopicsOptions& options,
+                    RobotChannels& all) {
   const auto is_odometry = [](const Channel& channel) {
     return ros2_type_name(channel.type) == nav_msgs::Odometry::type;
   };
-  const bool in_transforms =
-      options.odom.empty() && std::ranges::none_of(channels, is_odometry) && !all.moving.empty();
-  if (in_transforms) return {};
+  const auto is_moving = [](const auto& decoder) { return decoder.second.first == RobotData::moving; };
+  if (options.odom.empty() && std::ranges::none_of(channels, is_odometry) &&
+      std::ranges::any_of(all.decoders, is_moving))
+    return {};
   const auto found = find_topic(channels, {{nav_msgs::Odometry::type}, options.odom, "--odom"});
   if (!found) return pass_on(found);
-  auto decoders = decoders_of<nav_msgs::Odometry>(channels, *found);
-  if (!decoders) return pass_on(decoders);
   all.odometry_topic = channels[found->front()].topic;
-  all.odometry = std::move(*decoders);
-  return {};
+  return add(channels, *found, RobotData::odometry, message_type<nav_msgs::Odometry>(), all);
 }
 
 }  // namespace
@@ -58,15 +54,12 @@ Outcome<RobotChannels> find_robot_channels(const std::vector<Channel>& channels,
                                            const LaserTopicsOptions& options) {
   const auto found = find_topic(channels, {{sensor_msgs::LaserScan::type}, options.scan, "--scan"});
   if (!found) return pass_on(found);
-  auto scans = decoders_of<sensor_msgs::LaserScan>(channels, *found);
-  if (!scans) return pass_on(scans);
-  auto moving = find_transforms(channels, "tf");
-  if (!moving) return pass_on(moving);
-  auto fixed = find_transforms(channels, "tf_static");
-  if (!fixed) return pass_on(fixed);
-  RobotChannels all{
-      channels[found->front()].topic, {}, std::move(*scans), {}, std::move(*moving), std::move(*fixed)};
-  if (auto ok = find_odometry(channels, options, all); !ok) return pass_on(ok);
+  RobotChannels all{channels[found->front()].topic, {}};
+  auto ok = add(channels, *found, RobotData::scan, message_type<sensor_msgs::LaserScan>(), all);
+  if (ok) ok = add_transforms(channels, "tf", RobotData::moving, all);
+  if (ok) ok = add_transforms(channels, "tf_static", RobotData::fixed, all);
+  if (ok) ok = add_odometry(channels, options, all);
+  if (!ok) return pass_on(ok);
   return all;
 }
 
@@ -85,24 +78,52 @@ Outcome<std::optional<RobotMessage>> RobotLog::next() {
     if (!read) return pass_on(read);
     if (!*read) return std::optional<RobotMessage>{};
     const LogMessage& message = **read;
-    const auto& [scan_topic, odometry_topic, scans, odometry, moving, fixed] = *channels_;
-    if (const auto decoder = scans.find(message.channel); decoder != scans.end()) {
-      if (auto ok = decoder->second.decode(message.data, scan_); !ok) return pass_on(ok);
+    const auto found = channels_->decoders.find(message.channel);
+    if (found == channels_->decoders.end()) continue;
+    const auto& [data, decoder] = found->second;
+    if (data == RobotData::scan) {
+      if (auto ok = decoder.decode(message.data, &scan_); !ok) return pass_on(ok);
       return RobotMessage{.time_ns = nanoseconds_of(scan_.header, message.time_ns), .scan = &scan_};
     }
-    if (const auto decoder = odometry.find(message.channel); decoder != odometry.end()) {
-      if (auto ok = decoder->second.decode(message.data, odometry_); !ok) return pass_on(ok);
+    if (data == RobotData::odometry) {
+      if (auto ok = decoder.decode(message.data, &odometry_); !ok) return pass_on(ok);
       return RobotMessage{.time_ns = nanoseconds_of(odometry_.header, message.time_ns),
                           .odometry = &odometry_};
     }
-    for (const auto* decoders : {&moving, &fixed}) {
-      const auto decoder = decoders->find(message.channel);
-      if (decoder == decoders->end()) continue;
-      if (auto ok = decoder->second.decode(message.data, transforms_); !ok) return pass_on(ok);
-      const auto kind = decoders == &moving ? Transforms::moving : Transforms::fixed;
-      return RobotMessage{.time_ns = message.time_ns, .transforms = &transforms_, .kind = kind};
-    }
+    if (auto ok = decoder.decode(message.data, &transforms_); !ok) return pass_on(ok);
+    const auto kind = data == RobotData::moving ? Transforms::moving : Transforms::fixed;
+    return RobotMessage{.time_ns = message.time_ns, .transforms = &transforms_, .kind = kind};
   }
+}
+
+Status OdometryTrack::add(std::int64_t time_ns, const Pose2& odom_T_robot) {
+  constexpr std::int64_t window_ns = 30'000'000'000;
+  constexpr std::size_t most_samples = 100'000;
+  if (!finite(odom_T_robot)) return bad_input("a pose of the odometry is not finite; leave the message out");
+  if (!empty() && time_ns < last_ns()) {
+    return bad_input(
+        fmt::format("the time of the odometry goes back from {:.3f} s to {:.3f} s; cut the log there",
+                    1e-9 * static_cast<double>(last_ns()), 1e-9 * static_cast<double>(time_ns)));
+  }
+  if (!empty() && time_ns == last_ns()) samples_.pop_back();
+  samples_.push_back({time_ns, odom_T_robot});
+  while (samples_.size() > most_samples ||
+         (samples_.size() > 2 && time_ns - samples_[1].time_ns > window_ns)) {
+    samples_.pop_front();
+  }
+  return {};
+}
+
+Pose2 OdometryTrack::at(std::int64_t time_ns) const {
+  const auto after = std::ranges::lower_bound(samples_, time_ns, {}, &Sample::time_ns);
+  if (after == samples_.end()) return samples_.back().pose;
+  if (after->time_ns == time_ns || after == samples_.begin()) return after->pose;
+  const Sample& before = *std::prev(after);
+  const double share =
+      static_cast<double>(time_ns - before.time_ns) / static_cast<double>(after->time_ns - before.time_ns);
+  const double turn_rad = wrap_angle(after->pose.heading_rad - before.pose.heading_rad);
+  return {before.pose.position + share * (after->pose.position - before.pose.position),
+          before.pose.heading_rad + share * turn_rad};
 }
 
 }  // namespace outrider

@@ -1,6 +1,8 @@
 // RobotLog: the scans, the odometry and the transforms of a log, decoded, in the order of the log.
+// OdometryTrack: the pose by odometry at any time.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,14 +16,14 @@
 
 namespace outrider {
 
-/// The channels of a log that mapping uses, by their index in it.
+/// The contents of the messages that mapping uses.
+enum class RobotData { scan, odometry, moving, fixed };
+
+/// The channels of a log that mapping uses.
 struct RobotChannels {
   std::string scan_topic;
-  std::string odometry_topic;  ///< empty: odometry is in /tf
-  std::map<std::size_t, ChannelDecoder<sensor_msgs::LaserScan>> scans = {};
-  std::map<std::size_t, ChannelDecoder<nav_msgs::Odometry>> odometry = {};
-  std::map<std::size_t, ChannelDecoder<tf2_msgs::TFMessage>> moving = {};  ///< transforms
-  std::map<std::size_t, ChannelDecoder<tf2_msgs::TFMessage>> fixed = {};   ///< transforms
+  std::string odometry_topic;                                                    ///< empty: it is in /tf
+  std::map<std::size_t, std::pair<RobotData, AnyChannelDecoder>> decoders = {};  ///< by index in the log
 };
 
 /// Chooses the channels. Fault: bad_input with the option that names a topic, or with the topic whose schema
@@ -56,6 +58,29 @@ class RobotLog {
   sensor_msgs::LaserScan scan_;
   nav_msgs::Odometry odometry_;
   tf2_msgs::TFMessage transforms_;
+};
+
+/// The latest poses of a robot by odometry, asked for at times between them.
+class OdometryTrack {
+ public:
+  /// Adds a pose; one of the same time replaces the one before. Poses more than 30 s older are forgotten.
+  /// Fault: bad_input if it is not finite, or the time goes back.
+  Status add(std::int64_t time_ns, const Pose2& odom_T_robot);
+
+  [[nodiscard]] bool empty() const { return samples_.empty(); }
+  [[nodiscard]] std::int64_t first_ns() const { return samples_.front().time_ns; }
+  [[nodiscard]] std::int64_t last_ns() const { return samples_.back().time_ns; }
+
+  /// Returns the pose: exactly one that was added, or between two linear in position and heading; outside of
+  /// all the nearest. Expects that it is not empty.
+  [[nodiscard]] Pose2 at(std::int64_t time_ns) const;
+
+ private:
+  struct Sample {
+    std::int64_t time_ns = 0;
+    Pose2 pose;
+  };
+  std::deque<Sample> samples_;
 };
 
 }  // namespace outrider

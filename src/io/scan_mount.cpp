@@ -10,16 +10,14 @@ namespace outrider {
 
 Outcome<ScanMount> scan_mount(const Pose3& robot_T_laser) {
   constexpr double most_tilt_rad = radians(15.0);
-  const auto& axes = robot_T_laser.rotation.axes;
-  const double up = axes[2].z;  // of the axis that the laser turns about
+  const double up = robot_T_laser.rotation.axes[2].z;  // of the axis that the laser turns about
   const double tilt_rad = std::acos(std::clamp(std::abs(up), 0.0, 1.0));
   if (!(tilt_rad <= most_tilt_rad)) {
     return bad_input(
         fmt::format("the laser is tilted by {:.0f} degrees on the robot; only a level one maps a floor",
                     degrees(tilt_rad)));
   }
-  const Vec3 at = robot_T_laser.position;
-  return ScanMount{{{at.x, at.y}, std::atan2(axes[0].y, axes[0].x)}, up < 0.0};
+  return ScanMount{plan_pose(robot_T_laser), up < 0.0};
 }
 
 LaserScan scan_of(const sensor_msgs::LaserScan& message, bool upside_down, double time_s) {

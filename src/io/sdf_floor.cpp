@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "sdf_layers.hpp"
+#include "outrider/world/level_layers.hpp"
 
 namespace outrider {
 namespace {

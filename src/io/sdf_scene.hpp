@@ -2,18 +2,39 @@
 // frame semantics). See sdf.hpp.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "outrider/geometry/spatial_pose.hpp"
 #include "sdf_files.hpp"
-#include "unique_names.hpp"
 
 namespace outrider {
 
 inline constexpr std::size_t no_index = static_cast<std::size_t>(-1);
+
+/// Gives each name only once.
+class UniqueNames {
+ public:
+  /// Returns the wanted name, or the first free one of name_2, name_3 ... Apart from the look-up, repeated
+  /// requests for the same name take constant time.
+  std::string take(const std::string& wanted) {
+    if (taken_.insert(wanted).second) return wanted;
+    std::size_t& number = next_.try_emplace(wanted, 2).first->second;
+    for (;; ++number) {
+      std::string name = fmt::format("{}_{}", wanted, number);
+      if (taken_.insert(name).second) return name;
+    }
+  }
+
+ private:
+  std::set<std::string> taken_;
+  std::map<std::string, std::size_t> next_;  // by wanted name: all numbers from 2 to below this one are taken
+};
 
 /// The world (the first of its scene) or a model: frames that see each other by name.
 struct SdfScope {

@@ -45,44 +45,42 @@ Rotation upward(Vec3 normal) {
   return {{x, cross(z, x), z}};
 }
 
-/// Makes a mesh around an ellipsoid: that of a sphere, scaled, and enlarged so that no face cuts the
-/// ellipsoid.
-MeshShape ellipsoid(Vec3 radii) {
-  const double grow = 1.0 / (std::cos(std::numbers::pi / (2 * rings)) * std::cos(std::numbers::pi / sides));
-  const auto point = [&](int ring, int side) {
-    const double polar = std::numbers::pi * ring / rings;
+/// Makes the mesh of a profile that is turned about the z axis. Its points are distances from the axis, which
+/// `x` and `y` scale, and heights, from the top down.
+MeshShape turned(const std::vector<Vec2>& profile, double x, double y) {
+  const auto point = [&](Vec2 at, int side) {
     const Vec2 around = direction(2.0 * std::numbers::pi * (side % sides) / sides);
-    const double out = ring == 0 || ring == rings ? 0.0 : std::sin(polar);
-    return Vec3{grow * radii.x * out * around.x, grow * radii.y * out * around.y,
-                grow * radii.z * std::cos(polar)};
+    return Vec3{x * at.x * around.x, y * at.x * around.y, at.y};
   };
   MeshShape mesh;
-  for (int ring = 0; ring < rings; ++ring) {
+  for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+    const Vec2 above = profile[i], below = profile[i + 1];
     for (int side = 0; side < sides; ++side) {
-      const Vec3 a = point(ring, side);
-      const Vec3 b = point(ring + 1, side);
-      const Vec3 c = point(ring + 1, side + 1);
-      const Vec3 d = point(ring, side + 1);
-      if (ring + 1 < rings) mesh.triangles.push_back({a, b, c});
-      if (ring > 0) mesh.triangles.push_back({a, c, d});
+      const Vec3 a = point(above, side), c = point(below, side + 1);
+      if (below.x > 0.0) mesh.triangles.push_back({a, point(below, side), c});
+      if (above.x > 0.0) mesh.triangles.push_back({a, c, point(above, side + 1)});
     }
   }
   return mesh;
 }
 
+/// Makes a mesh around an ellipsoid: that of a sphere, scaled, and enlarged so that no face cuts the
+/// ellipsoid.
+MeshShape ellipsoid(Vec3 radii) {
+  const double grow = 1.0 / (std::cos(std::numbers::pi / (2 * rings)) * std::cos(std::numbers::pi / sides));
+  std::vector<Vec2> profile = {{0.0, grow * radii.z}};
+  for (int ring = 1; ring < rings; ++ring) {
+    const double polar = std::numbers::pi * ring / rings;
+    profile.push_back({grow * std::sin(polar), grow * radii.z * std::cos(polar)});
+  }
+  profile.push_back({0.0, -grow * radii.z});
+  return turned(profile, radii.x, radii.y);
+}
+
 /// Makes a mesh around a cone whose tip is up: its sides touch the cone.
 MeshShape cone(double radius_m, double length_m) {
   const double out_m = radius_m / std::cos(std::numbers::pi / sides);
-  const auto rim = [&](int side) {
-    const Vec2 around = direction(2.0 * std::numbers::pi * (side % sides) / sides);
-    return Vec3{out_m * around.x, out_m * around.y, -0.5 * length_m};
-  };
-  MeshShape mesh;
-  for (int side = 0; side < sides; ++side) {
-    mesh.triangles.push_back({rim(side), rim(side + 1), {0, 0, 0.5 * length_m}});
-    mesh.triangles.push_back({rim(side + 1), rim(side), {0, 0, -0.5 * length_m}});
-  }
-  return mesh;
+  return turned({{0.0, 0.5 * length_m}, {out_m, -0.5 * length_m}, {0.0, -0.5 * length_m}}, 1.0, 1.0);
 }
 
 Pieces round_pieces(std::string_view kind, double radius_m, double length_m) {

@@ -20,14 +20,6 @@ constexpr double latest_s = 2147483647.0;  // the last that ROS can stamp
 
 using Matrix34 = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
 
-Eigen::Quaterniond unit(const geometry_msgs::Quaternion& q) {
-  return Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
-}
-
-geometry_msgs::Pose pose_from(const Eigen::Vector3d& at, const Eigen::Quaterniond& q) {
-  return {{at.x(), at.y(), at.z()}, {q.x(), q.y(), q.z(), q.w()}};
-}
-
 /// Splits a decimal number of seconds, so that its nanoseconds are exact.
 Outcome<std::int64_t> time_of(std::string_view word) {
   const auto whole = number<double>(word);
@@ -107,9 +99,10 @@ Outcome<Trajectory> trajectory_from_tum(std::string_view text, const std::string
 std::string kitti_text(const Trajectory& trajectory) {
   std::string text;
   for (const auto& [time_ns, pose] : trajectory) {
+    const auto& [at, q] = pose;
     Matrix34 matrix;
-    matrix << unit(pose.orientation).toRotationMatrix(),
-        Eigen::Vector3d(pose.position.x, pose.position.y, pose.position.z);
+    matrix << Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix(),
+        Eigen::Vector3d(at.x, at.y, at.z);
     for (Eigen::Index i = 0; i < 12; ++i) {
       fmt::format_to(std::back_inserter(text), "{}{}", matrix.data()[i], i == 11 ? '\n' : ' ');
     }
@@ -129,8 +122,9 @@ Outcome<Trajectory> trajectory_from_kitti(std::string_view text, const std::stri
       return bad_input(fmt::format("the rotation in it is none; a line is {}", kitti_form));
     }
     const double time_s = period_s * static_cast<double>(trajectory.size());
+    const Eigen::Quaterniond q = Eigen::Quaterniond(rotation).normalized();
     trajectory.push_back(
-        {nanoseconds(time_s), pose_from(matrix.col(3), Eigen::Quaterniond(rotation).normalized())});
+        {nanoseconds(time_s), {{matrix(0, 3), matrix(1, 3), matrix(2, 3)}, {q.x(), q.y(), q.z(), q.w()}}});
     return {};
   });
   if (!ok) return pass_on(ok);

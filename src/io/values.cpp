@@ -6,14 +6,10 @@
 #include "outrider/io/text.hpp"
 
 namespace outrider {
-namespace {
-
-constexpr double most_m = 3e7;  // more than any projected coordinate
-
-}  // namespace
 
 Outcome<std::vector<double>> parse_numbers(const std::string& text, std::size_t count,
                                            const std::string& where, const std::string& form) {
+  constexpr double most_m = 3e7;  // more than any projected coordinate
   auto numbers = numbers_of(parts_between(text, ','), most_m);
   if (numbers && numbers->size() == count) return std::move(*numbers);
   return bad_input(fmt::format("'{}' is not valid; expected {}", excerpt(text), form), where);

@@ -13,6 +13,7 @@
 #include "outrider/io/text.hpp"
 #include "outrider/io/values.hpp"
 #include "outrider/world/blocks.hpp"
+#include "outrider/world/upright.hpp"
 
 namespace outrider {
 namespace {
@@ -34,7 +35,8 @@ Status add_slices(World& world, const std::vector<WorldSlice>& slices, double he
                   const std::string& where) {
   for (std::size_t i = 0; i < slices.size(); ++i) {
     const std::string name = fmt::format("{}/{}", slices[i].name.empty() ? "slice" : slices[i].name, i + 1);
-    auto ok = add_solid(world, upright(slices[i], name, world.floor_z_m, world.floor_z_m + height_m), where);
+    auto ok = add_solid(world, upright(slices[i].corners, name, world.floor_z_m, world.floor_z_m + height_m),
+                        where);
     if (!ok) return ok;
   }
   return {};
@@ -45,8 +47,8 @@ Status add_walls(World& world, const std::string& text, double height_m) {
   for (const std::string_view word : words(text)) {
     auto n = parse_numbers(std::string(word), 4, "walls", "x1,y1,x2,y2 in m, such as 0,0,4,0");
     if (!n) return pass_on(n);
-    const WorldSlice wall{"", {{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}}};
-    if (wall.corners[0] == wall.corners[1]) {
+    const std::vector<Vec2> wall = {{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}};
+    if (wall[0] == wall[1]) {
       return bad_input(fmt::format("the wall {} has no length; give its two ends", excerpt(word)), "walls");
     }
     auto ok = add_solid(
@@ -56,8 +58,6 @@ Status add_walls(World& world, const std::string& text, double height_m) {
   }
   return {};
 }
-
-enum class WorldKind { sdf, map_server, image, slices };
 
 /// Returns the map with a ring of unknown cells around it.
 Grid<std::uint8_t> ringed(const Grid<std::uint8_t>& occupancy) {
@@ -90,31 +90,18 @@ Outcome<World> world_of(const MapServerMap& map, const std::string& path, double
 }
 
 bool begins_with_a_slice(std::string_view content) {
-  for (std::string_view rest = content; !rest.empty();) {
-    const std::string_view line = take_line(rest);
-    const std::size_t first = line.find_first_not_of(white_space);
-    if (first == std::string_view::npos || line[first] == '#') continue;
-    return line[first] != '(' && std::ranges::count(line, ',') >= 3;
-  }
-  return false;
+  TextLines lines{content, {}};
+  return lines.next_filled() && trimmed(lines.line).front() != '(' &&
+         std::ranges::count(lines.line, ',') >= 3;
 }
 
-/// Returns the kind of world for those kinds of maps that are also worlds.
-std::optional<WorldKind> kind_of_map(MapKind kind) {
-  if (kind == MapKind::world) return WorldKind::sdf;
-  if (kind == MapKind::map_server) return WorldKind::map_server;
-  if (kind == MapKind::image) return WorldKind::image;
-  return std::nullopt;
-}
-
-Outcome<WorldKind> world_kind(std::string_view content, const std::string& path) {
+/// Returns the kind of a map that is a world, too; nothing for slices.
+Outcome<std::optional<MapKind>> world_kind(std::string_view content, const std::string& path) {
   for (const std::string& name : {std::string(), path}) {
-    if (const auto map = map_kind(content, name)) {
-      if (const auto kind = kind_of_map(*map)) return *kind;
-    }
-    const std::string_view stem =
-        std::string_view(name).substr(0, name.size() - (name.ends_with(".gz") ? 3 : 0));
-    if (stem.ends_with(".csv") || (name.empty() && begins_with_a_slice(content))) return WorldKind::slices;
+    const auto kind = map_kind(content, name);
+    if (kind && *kind != MapKind::movingai && *kind != MapKind::polygons) return std::optional(*kind);
+    if (without_gz(name).ends_with(".csv") || (name.empty() && begins_with_a_slice(content)))
+      return std::optional<MapKind>();
   }
   return bad_input(
       "the name does not tell what kind of world it is; worlds end in .sdf, .world, .yaml, .yml, .pgm, .png "
@@ -129,24 +116,24 @@ std::string name_of(const std::string& path) {
 }
 
 /// Makes a world from a file that is not SDF, without its floor.
-Outcome<World> world_from(WorldKind kind, const std::string& content, const std::string& path,
+Outcome<World> world_from(std::optional<MapKind> kind, const std::string& content, const std::string& path,
                           const WorldFileOptions& options) {
-  if (kind == WorldKind::slices) {
+  if (!kind) {
     auto slices = slices_from_text(content, path);
     if (!slices) return pass_on(slices);
     World world;
     if (auto ok = add_slices(world, *slices, options.wall_height_m, path); !ok) return pass_on(ok);
     return world;
   }
-  auto map = kind == WorldKind::map_server ? map_server_from_text(content, path)
-                                           : map_image_from_bytes(content, path, options.resolution_m);
+  auto map = kind == MapKind::map_server ? map_server_from_text(content, path)
+                                         : map_image_from_bytes(content, path, options.resolution_m);
   if (!map) return pass_on(map);
   return world_of(*map, path, options.wall_height_m);
 }
 
-Outcome<LoadedWorld> load_kind(WorldKind kind, const std::string& content, const std::string& path,
-                               const WorldFileOptions& options) {
-  if (kind == WorldKind::sdf) return sdf_from_text(content, path, options.sdf);
+Outcome<LoadedWorld> load_kind(std::optional<MapKind> kind, const std::string& content,
+                               const std::string& path, const WorldFileOptions& options) {
+  if (kind == MapKind::world) return sdf_from_text(content, path, options.sdf);
   auto world = world_from(kind, content, path, options);
   if (!world) return pass_on(world);
   world->solids.insert(world->solids.begin(), Solid{"floor", {}, HalfSpaceShape{}});

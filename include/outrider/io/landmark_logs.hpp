@@ -14,22 +14,9 @@
 #include <string>
 #include <string_view>
 
-#include "outrider/core/options.hpp"
-#include "outrider/core/units.hpp"
 #include "outrider/slam/landmark_log.hpp"
 
 namespace outrider {
-
-/// Standard deviations. For odometry they grow with the square root of the distance and of the angle turned.
-struct LogNoise {
-  double distance = 0.01;                       ///< error of the position, m per sqrt(m)
-  double turn_per_distance_rad = radians(6.0);  ///< error of the heading, rad per sqrt(m)
-  double turn = 0.1;                            ///< error of the heading, rad per sqrt(rad)
-  double range_m = 0.3;
-  double bearing_rad = radians(6.0);
-};
-
-std::vector<Option> describe(LogNoise& noise);
 
 /// A text and its name in faults.
 struct NamedText {

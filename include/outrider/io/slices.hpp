@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/world/solid.hpp"
+#include "outrider/geometry/vec.hpp"
 
 namespace outrider {
 
@@ -25,10 +25,5 @@ struct WorldSlice {
 
 Outcome<std::vector<WorldSlice>> load_slices(const std::string& path);
 Outcome<std::vector<WorldSlice>> slices_from_text(std::string_view text, const std::string& name);
-
-/// Makes a solid from a slice, between two heights. A wall becomes a box without thickness. A rectangle
-/// becomes a box whose corners are within 0.2 mm of the given ones. Any other polygon becomes a mesh of its
-/// sides and of a floor 15 cm above its foot, at most at half its height.
-Solid upright(const WorldSlice& slice, const std::string& name, double z_low_m, double z_high_m);
 
 }  // namespace outrider

@@ -83,6 +83,11 @@ inline std::vector<std::string_view> filled_parts_between(std::string_view text,
   return parts;
 }
 
+/// Returns the name of a file without ".gz" at its end.
+inline std::string_view without_gz(std::string_view name) {
+  return name.substr(0, name.size() - (name.ends_with(".gz") ? 3 : 0));
+}
+
 /// The lines of a text, one after the other.
 struct TextLines {
   std::string_view rest;

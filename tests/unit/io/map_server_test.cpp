@@ -1,15 +1,15 @@
 #include "outrider/io/map_server.hpp"
 
 #include <gtest/gtest.h>
-#include <png.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "outrider/io/files.hpp"
-#include "replaced.hpp"
 #include "support/data.hpp"
+#include "support/png.hpp"
+#include "support/replaced.hpp"
 
 namespace outrider {
 namespace {
@@ -33,19 +33,6 @@ std::vector<std::uint8_t> cells(const std::string& yaml, const std::string& imag
   const auto map = files.load(yaml, image);
   EXPECT_TRUE(map) << to_string(map.error());
   return map ? map->occupancy.cells : std::vector<std::uint8_t>{};
-}
-
-std::string png_of(int width, int height, const std::vector<std::uint8_t>& values, png_uint_32 format) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(width);
-  image.height = static_cast<png_uint_32>(height);
-  image.format = format;
-  png_alloc_size_t size = 0;
-  png_image_write_to_memory(&image, nullptr, &size, 0, values.data(), 0, nullptr);
-  std::string bytes(size, '\0');
-  png_image_write_to_memory(&image, bytes.data(), &size, 0, values.data(), 0, nullptr);
-  return bytes;
 }
 
 TEST(MapServer, ThresholdsAndRowOrder) {
@@ -77,15 +64,16 @@ TEST(MapServer, EveryFormOfTheSameImageGivesTheSameCells) {
     wide += static_cast<char>(value);  // 257 v = v * 65535 / 255
   }
   EXPECT_EQ(cells(good_yaml, wide), expected);
-  EXPECT_EQ(cells(good_yaml, png_of(3, 2, {0, 254, 205, 255, 100, 0}, PNG_FORMAT_GRAY)), expected);
+  EXPECT_EQ(cells(good_yaml, test::png_of<std::uint8_t>(3, 2, {0, 254, 205, 255, 100, 0}, PNG_FORMAT_GRAY)),
+            expected);
   std::vector<std::uint8_t> rgba;
   for (const std::uint8_t value : std::vector<std::uint8_t>{0, 254, 205, 255, 100, 0})
     rgba.insert(rgba.end(), {value, value, value, 255});
-  EXPECT_EQ(cells(good_yaml, png_of(3, 2, rgba, PNG_FORMAT_RGBA)), expected);
+  EXPECT_EQ(cells(good_yaml, test::png_of<std::uint8_t>(3, 2, rgba, PNG_FORMAT_RGBA)), expected);
   rgba[3] = 0;  // the top left pixel is clear
   auto clear = expected;
   clear[3] = unknown_cell;
-  EXPECT_EQ(cells(good_yaml, png_of(3, 2, rgba, PNG_FORMAT_RGBA)), clear);
+  EXPECT_EQ(cells(good_yaml, test::png_of<std::uint8_t>(3, 2, rgba, PNG_FORMAT_RGBA)), clear);
 }
 
 TEST(MapServer, FaultsNameFileLineAndRemedy) {
@@ -173,7 +161,7 @@ TEST(MapServer, ReadsThePublishedMaps) {
 
 TEST(MapServer, SurvivesDamage) {
   Rng rng(5);
-  const std::string png = png_of(3, 2, {0, 254, 205, 255, 100, 0}, PNG_FORMAT_GRAY);
+  const std::string png = test::png_of<std::uint8_t>(3, 2, {0, 254, 205, 255, 100, 0}, PNG_FORMAT_GRAY);
   const test::Folder folder;
   const std::string yaml = folder.write("m.yaml", good_yaml);
   folder.write("n/m.pgm", text_pgm);

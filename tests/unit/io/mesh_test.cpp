@@ -5,8 +5,8 @@
 #include <bit>
 #include <cmath>
 
-#include "replaced.hpp"
 #include "support/data.hpp"
+#include "support/replaced.hpp"
 
 namespace outrider {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <sstream>
 
-#include "replaced.hpp"
 #include "support/data.hpp"
+#include "support/replaced.hpp"
 
 namespace outrider {
 namespace {

@@ -1,7 +1,6 @@
 #include "outrider/io/terrain.hpp"
 
 #include <gtest/gtest.h>
-#include <png.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include "outrider/io/files.hpp"
 #include "outrider/io/sdf.hpp"
 #include "outrider/io/targets.hpp"
+#include "support/png.hpp"
 
 namespace outrider {
 namespace {
@@ -20,23 +20,6 @@ const std::string grid_head =
 std::string grid_fault(const std::string& text) {
   const auto field = terrain_from_grid(text, "g.asc");
   return field ? "" : field.error().where + ": " + field.error().sentence;
-}
-
-/// A PNG of these pixels, grey ones unless told; what libpng itself makes of linear or of sRGB numbers.
-template <class Number>
-std::string png_of(int width, int height, const std::vector<Number>& pixels,
-                   png_uint_32 format = sizeof(Number) == 2 ? PNG_FORMAT_LINEAR_Y : PNG_FORMAT_GRAY) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(width);
-  image.height = static_cast<png_uint_32>(height);
-  image.format = format;
-  png_alloc_size_t size = 0;
-  png_image_write_to_memory(&image, nullptr, &size, 0, pixels.data(), 0, nullptr);
-  std::string bytes(size, '\0');
-  png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr);
-  bytes.resize(size);
-  return bytes;
 }
 
 TEST(TerrainGrid, TheFirstRowIsTheHighestAndCellsArePosts) {
@@ -82,8 +65,8 @@ TEST(TerrainGrid, SaysWhatIsWrongAndWhere) {
 }
 
 TEST(TerrainPng, SixteenBitsAreHeightsAsTheyAre) {
-  const auto field = terrain_from_png(png_of<std::uint16_t>(3, 2, {0, 1, 65535, 257, 30000, 40000}), "h.png",
-                                      {5, 6, 1}, {4, 2, 10});
+  const auto field = terrain_from_png(test::png_of<std::uint16_t>(3, 2, {0, 1, 65535, 257, 30000, 40000}),
+                                      "h.png", {5, 6, 1}, {4, 2, 10});
   ASSERT_TRUE(field) << field.error().sentence;
   EXPECT_EQ(field->post(0, 1), (Vec3{3, 7, 1}));
   EXPECT_DOUBLE_EQ(field->post(1, 1).z, 1 + 10.0 / 65535);
@@ -94,25 +77,25 @@ TEST(TerrainPng, SixteenBitsAreHeightsAsTheyAre) {
 TEST(TerrainPng, SoAreEight) {
   std::vector<std::uint8_t> ramp(256);
   for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = static_cast<std::uint8_t>(i);
-  const auto field = terrain_from_png(png_of<std::uint8_t>(16, 16, ramp), "h.png", {}, {1, 1, 255});
+  const auto field = terrain_from_png(test::png_of<std::uint8_t>(16, 16, ramp), "h.png", {}, {1, 1, 255});
   ASSERT_TRUE(field) << field.error().sentence;
   for (int i = 0; i < 256; ++i) EXPECT_NEAR(field->post(i % 16, 15 - i / 16).z, i, 1e-9);
 }
 
 TEST(TerrainPng, AnAlphaChannelMayBeThereIfNothingIsTransparent) {
-  const auto colours = png_of<std::uint8_t>(
+  const auto colours = test::png_of<std::uint8_t>(
       2, 2, {0, 0, 0, 255, 9, 9, 9, 255, 200, 200, 200, 255, 255, 255, 255, 255}, PNG_FORMAT_RGBA);
   const auto field = terrain_from_png(colours, "h.png", {}, {1, 1, 255});
   ASSERT_TRUE(field) << field.error().sentence;
   EXPECT_NEAR(field->post(1, 1).z, 9, 1e-9);
   EXPECT_NEAR(field->post(0, 0).z, 200, 1e-9);
   const auto wide =
-      terrain_from_png(png_of<std::uint16_t>(2, 2, {0, 65535, 257, 65535, 30000, 65535, 65535, 65535},
-                                             PNG_FORMAT_LINEAR_Y_ALPHA),
+      terrain_from_png(test::png_of<std::uint16_t>(2, 2, {0, 65535, 257, 65535, 30000, 65535, 65535, 65535},
+                                                   PNG_FORMAT_LINEAR_Y_ALPHA),
                        "h.png", {}, {1, 1, 65535});
   ASSERT_TRUE(wide) << wide.error().sentence;
   EXPECT_NEAR(wide->post(1, 1).z, 257, 1e-9);
-  const auto clear = png_of<std::uint8_t>(2, 2, {0, 255, 9, 254, 1, 255, 2, 255}, PNG_FORMAT_GA);
+  const auto clear = test::png_of<std::uint8_t>(2, 2, {0, 255, 9, 254, 1, 255, 2, 255}, PNG_FORMAT_GA);
   const auto refused = terrain_from_png(clear, "h.png", {}, {1, 1, 1});
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().sentence.find("transparent"), std::string::npos);
@@ -120,11 +103,11 @@ TEST(TerrainPng, AnAlphaChannelMayBeThereIfNothingIsTransparent) {
 
 TEST(TerrainPng, RefusesWhatIsNoImageOfHeights) {
   EXPECT_FALSE(terrain_from_png("\x89PNG\r\n", "h.png", {}, {1, 1, 1}));
-  std::string cut = png_of<std::uint16_t>(64, 64, std::vector<std::uint16_t>(4096, 7));
+  std::string cut = test::png_of<std::uint16_t>(64, 64, std::vector<std::uint16_t>(4096, 7));
   cut.resize(cut.size() / 2);
   EXPECT_FALSE(terrain_from_png(cut, "h.png", {}, {1, 1, 1}));
-  EXPECT_FALSE(terrain_from_png(png_of<std::uint8_t>(1, 4, {1, 2, 3, 4}), "h.png", {}, {1, 1, 1}));
-  const auto thin = terrain_from_png(png_of<std::uint8_t>(2, 2, {1, 2, 3, 4}), "h.png", {}, {0, 1, 1});
+  EXPECT_FALSE(terrain_from_png(test::png_of<std::uint8_t>(1, 4, {1, 2, 3, 4}), "h.png", {}, {1, 1, 1}));
+  const auto thin = terrain_from_png(test::png_of<std::uint8_t>(2, 2, {1, 2, 3, 4}), "h.png", {}, {0, 1, 1});
   ASSERT_FALSE(thin);
   EXPECT_NE(thin.error().sentence.find("a size of 0 x 1 x 1 m"), std::string::npos);
 }
@@ -147,7 +130,7 @@ class TerrainFiles : public ::testing::Test {
 
 TEST_F(TerrainFiles, AnImageNeedsASizeAndAGridHasOne) {
   const std::string grid = write("g.asc", grid_head + "1 2 3\n4 5 6\n");
-  const std::string image = write("h.png", png_of<std::uint8_t>(2, 2, {0, 0, 0, 255}));
+  const std::string image = write("h.png", test::png_of<std::uint8_t>(2, 2, {0, 0, 0, 255}));
   EXPECT_TRUE(load_terrain(grid, "", ""));
   EXPECT_EQ(load_terrain(grid, "1,1,1", "").error().where, "terrain_size");
   EXPECT_EQ(load_terrain(grid, "", "0,0,0").error().where, "terrain_position");
@@ -159,7 +142,7 @@ TEST_F(TerrainFiles, AnImageNeedsASizeAndAGridHasOne) {
 }
 
 TEST_F(TerrainFiles, AHeightmapIsTheTerrainOfAWorld) {
-  write("h.png", png_of<std::uint16_t>(3, 3, {0, 0, 0, 0, 65535, 0, 0, 0, 0}));
+  write("h.png", test::png_of<std::uint16_t>(3, 3, {0, 0, 0, 0, 65535, 0, 0, 0, 0}));
   const auto world_of = [&](const std::string& pose, const std::string& twice) {
     const std::string model =
         "<static>1</static><pose>" + pose +

@@ -1,4 +1,4 @@
-#include "sdf_layers.hpp"
+#include "outrider/world/level_layers.hpp"
 
 #include <gtest/gtest.h>
 
