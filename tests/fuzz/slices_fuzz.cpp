@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "outrider/io/slices.hpp"
+#include "outrider/io/map/slices.hpp"
 #include "outrider/world/upright.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "outrider/io/slices.hpp"
+#include "outrider/io/map/slices.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/explore/job.hpp"
 #include "outrider/jobs/explore/map/reference.hpp"

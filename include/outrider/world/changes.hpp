@@ -41,7 +41,7 @@ struct MovableThing {
 };
 
 /// Returns the movable objects in the order of the world. Omits the ground, and names that cannot be written
-/// in a list (io/world_changes.hpp).
+/// in a list (io/scenario/world_changes.hpp).
 std::vector<MovableThing> movable_things(const World& world);
 
 }  // namespace outrider

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "outrider/io/scenario.hpp"
-#include "outrider/io/sdf.hpp"
-#include "outrider/io/text.hpp"
-#include "outrider/io/values.hpp"
+#include "outrider/io/files/text.hpp"
+#include "outrider/io/scenario/scenario.hpp"
+#include "outrider/io/scenario/values.hpp"
+#include "outrider/io/sdf/sdf.hpp"
 #include "outrider/path/catalog.hpp"
 #include "tag_warnings.hpp"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "outrider/core/units.hpp"
-#include "outrider/io/scan_mount.hpp"
-#include "outrider/io/text.hpp"
-#include "outrider/io/values.hpp"
+#include "outrider/io/files/text.hpp"
+#include "outrider/io/log/scan_mount.hpp"
+#include "outrider/io/scenario/values.hpp"
 #include "outrider/sim/post_place.hpp"
 
 namespace outrider {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "input.hpp"
-#include "outrider/io/laser_topics.hpp"
+#include "outrider/io/log/laser_topics.hpp"
 #include "outrider/job/job.hpp"
 #include "outrider/jobs/slam/job.hpp"
 #include "outrider/slam/map_localiser.hpp"

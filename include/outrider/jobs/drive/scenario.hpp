@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
-#include "outrider/io/robot_file.hpp"
+#include "outrider/io/sdf/robot_file.hpp"
 #include "outrider/jobs/drive/route.hpp"
 #include "outrider/jobs/drive/task.hpp"
 #include "outrider/sim/drive_sim_params.hpp"
