@@ -14,7 +14,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/core/units.hpp"
-#include "outrider/io/movingai.hpp"
+#include "outrider/io/map/movingai.hpp"
 #include "outrider/path/catalog.hpp"
 
 namespace outrider {

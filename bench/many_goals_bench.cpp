@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "outrider/core/rng.hpp"
-#include "outrider/io/movingai.hpp"
-#include "outrider/io/polygons.hpp"
+#include "outrider/io/map/movingai.hpp"
+#include "outrider/io/map/polygons.hpp"
 #include "outrider/path/catalog.hpp"
 
 namespace outrider {

@@ -13,7 +13,7 @@
 #include <numeric>
 
 #include "outrider/core/rng.hpp"
-#include "outrider/io/movingai.hpp"
+#include "outrider/io/map/movingai.hpp"
 #include "outrider/path/catalog.hpp"
 
 namespace outrider {

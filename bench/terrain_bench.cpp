@@ -13,7 +13,7 @@
 #include <limits>
 
 #include "outrider/core/rng.hpp"
-#include "outrider/io/movingai.hpp"
+#include "outrider/io/map/movingai.hpp"
 #include "outrider/path/grid/terrain_a_star.hpp"
 #include "outrider/path/hubs/terrain_labels.hpp"
 

@@ -10,8 +10,8 @@
 #include <map>
 
 #include "outrider/core/rng.hpp"
-#include "outrider/io/movingai.hpp"
-#include "outrider/io/polygons.hpp"
+#include "outrider/io/map/movingai.hpp"
+#include "outrider/io/map/polygons.hpp"
 #include "outrider/path/from_polygons.hpp"
 #include "outrider/path/mesh/polyanya.hpp"
 #include "outrider/path/visibility/visibility_graph.hpp"

@@ -1,7 +1,7 @@
 // Reads the mission of a scenario file, changes options by name, and loads the files it names.
 #include <fmt/format.h>
 
-#include "outrider/io/scenario.hpp"
+#include "outrider/io/scenario/scenario.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/guard/job.hpp"
 

@@ -7,8 +7,8 @@
 
 #include <sstream>
 
-#include "outrider/io/values.hpp"
-#include "outrider/io/world_file.hpp"
+#include "outrider/io/map/world_file.hpp"
+#include "outrider/io/scenario/values.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/job/scene.hpp"
 #include "outrider/jobs/catalog.hpp"

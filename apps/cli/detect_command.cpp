@@ -11,11 +11,11 @@
 #include "outrider/core/text.hpp"
 #include "outrider/estimate/planar_pnp.hpp"
 #include "outrider/estimate/tag_detector.hpp"
-#include "outrider/io/camera_file.hpp"
-#include "outrider/io/files.hpp"
-#include "outrider/io/image_topics.hpp"
-#include "outrider/io/log_file.hpp"
-#include "outrider/io/photo.hpp"
+#include "outrider/io/camera/camera_file.hpp"
+#include "outrider/io/camera/image_topics.hpp"
+#include "outrider/io/camera/photo.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/log/log_file.hpp"
 #include "tag_picture.hpp"
 #include "terminal.hpp"
 
@@ -110,17 +110,17 @@ int execute_on_log(const DetectCommand& command, bool json) {
   if (!command.svg.empty()) {
     return print_fault({FaultCode::bad_input, "a log has many images; --svg is for a photo", "--svg"}, json);
   }
-  auto images = open_image_topics(command.path, command.topics);
+  auto images = ImageTopics::open(command.path, command.topics);
   if (!images) return print_fault(images.error(), json);
   TagDetector detector(command.detector);
   auto rows = nlohmann::ordered_json::array();
   std::size_t count = 0, tags = 0;
   for (;; ++count) {
-    const auto read = (*images)->next();
+    const auto read = images->next();
     if (!read) return print_fault(read.error(), json);
     if (!*read) break;
     const auto& [time_s, image] = **read;
-    const auto camera = camera_of_log(command, **images, image);
+    const auto camera = camera_of_log(command, *images, image);
     if (!camera) return print_fault(camera.error(), json);
     const auto sightings = detect_tags(detector, command, image, *camera);
     if (sightings.empty()) continue;
@@ -132,7 +132,7 @@ int execute_on_log(const DetectCommand& command, bool json) {
       print_table(sightings, command.detector.families);
     }
   }
-  if (const std::string cut = (*images)->cut_short(); !cut.empty()) warn(cut);
+  if (const std::string cut = images->cut_short(); !cut.empty()) warn(cut);
   if (json) {
     print({{"status", "done"},
            {"families", family_names(command)},

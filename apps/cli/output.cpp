@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "outrider/core/text.hpp"
-#include "outrider/io/files.hpp"
+#include "outrider/io/files/files.hpp"
 #include "page.hpp"
 #include "terminal.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/io/folders.hpp"
+#include "outrider/io/files/files.hpp"
 
 namespace outrider::cli {
 

@@ -9,7 +9,7 @@
 #include "commands.hpp"
 #include "flags.hpp"
 #include "output.hpp"
-#include "outrider/io/files.hpp"
+#include "outrider/io/files/files.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/log/mcap_file.hpp"
 #include "outrider/log/read_log.hpp"

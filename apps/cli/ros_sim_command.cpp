@@ -6,7 +6,7 @@
 
 #include "flags.hpp"
 #include "output.hpp"
-#include "outrider/io/scenario.hpp"
+#include "outrider/io/scenario/scenario.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/drive/job.hpp"
 #include "outrider/jobs/explore/job.hpp"

@@ -6,7 +6,7 @@
 
 #include "output.hpp"
 #include "outrider/core/text.hpp"
-#include "outrider/io/files.hpp"
+#include "outrider/io/files/files.hpp"
 #include "page.hpp"
 #include "terminal.hpp"
 

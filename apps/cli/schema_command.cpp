@@ -7,7 +7,7 @@
 #include "flags.hpp"
 #include "output.hpp"
 #include "outrider/core/text.hpp"
-#include "outrider/io/scenario.hpp"
+#include "outrider/io/scenario/scenario.hpp"
 #include "outrider/job/job.hpp"
 #include "terminal.hpp"
 

@@ -12,7 +12,7 @@
 #include "flags.hpp"
 #include "output.hpp"
 #include "outrider/core/text.hpp"
-#include "outrider/io/files.hpp"
+#include "outrider/io/files/files.hpp"
 #include "reading.hpp"
 #include "temporary_folder.hpp"
 #include "terminal.hpp"

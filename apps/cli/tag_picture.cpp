@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "outrider/geometry/box.hpp"
-#include "outrider/io/photo.hpp"
+#include "outrider/io/camera/photo.hpp"
 
 namespace outrider::cli {
 namespace {

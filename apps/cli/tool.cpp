@@ -15,7 +15,7 @@
 #include "commands.hpp"
 #include "job_command.hpp"
 #include "output.hpp"
-#include "outrider/io/confinement.hpp"
+#include "outrider/io/files/confinement.hpp"
 #include "research.hpp"
 #include "stop_on_signal.hpp"
 #include "terminal.hpp"

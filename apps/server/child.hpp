@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "outrider/io/open_folder.hpp"
+#include "outrider/io/files/open_folder.hpp"
 
 namespace outrider::server {
 

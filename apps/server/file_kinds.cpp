@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "head_comment.hpp"
-#include "outrider/io/scenario.hpp"
+#include "outrider/io/scenario/scenario.hpp"
 #include "outrider/job/run_job.hpp"
 
 namespace outrider::server {

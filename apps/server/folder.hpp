@@ -13,8 +13,8 @@
 
 #include "message.hpp"
 #include "outrider/core/outcome.hpp"
-#include "outrider/io/files.hpp"
-#include "outrider/io/open_folder.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/files/open_folder.hpp"
 
 namespace outrider::server {
 

@@ -13,7 +13,7 @@
 
 #include "byte_budget.hpp"
 #include "outrider/core/outcome.hpp"
-#include "outrider/io/open_folder.hpp"
+#include "outrider/io/files/open_folder.hpp"
 
 namespace outrider::server {
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "fields.hpp"
-#include "outrider/io/file_lock.hpp"
-#include "outrider/io/open_folder.hpp"
+#include "outrider/io/files/file_lock.hpp"
+#include "outrider/io/files/open_folder.hpp"
 #include "reading.hpp"
 #include "temporary_folder.hpp"
 

@@ -12,7 +12,7 @@
 #include "fields.hpp"
 #include "folder.hpp"
 #include "outrider/core/outcome.hpp"
-#include "outrider/io/map.hpp"
+#include "outrider/io/map/map.hpp"
 #include "outrider/jobs/plan/ground.hpp"
 
 namespace outrider::server {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/io/open_folder.hpp"
+#include "outrider/io/files/open_folder.hpp"
 
 namespace outrider::server {
 

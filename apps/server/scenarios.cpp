@@ -7,9 +7,9 @@
 
 #include "catalogue.hpp"
 #include "outrider/core/base64.hpp"
-#include "outrider/io/map_server.hpp"
-#include "outrider/io/scenario.hpp"
-#include "outrider/io/values.hpp"
+#include "outrider/io/map/map_server.hpp"
+#include "outrider/io/scenario/scenario.hpp"
+#include "outrider/io/scenario/values.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/catalog.hpp"
 #include "outrider/jobs/plan/job.hpp"

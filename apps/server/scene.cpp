@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "maps.hpp"
-#include "outrider/io/cover_area.hpp"
-#include "outrider/io/explore_world.hpp"
-#include "outrider/io/pursuit_map.hpp"
-#include "outrider/io/scenario.hpp"
-#include "outrider/io/values.hpp"
+#include "outrider/io/map/cover_area.hpp"
+#include "outrider/io/map/pursuit_map.hpp"
+#include "outrider/io/map/world_file.hpp"
+#include "outrider/io/scenario/scenario.hpp"
+#include "outrider/io/scenario/values.hpp"
 #include "outrider/path/visibility/polygons_from_world.hpp"
 #include "yard_scenarios.hpp"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "outrider/io/scenario.hpp"
-#include "outrider/io/targets.hpp"
+#include "outrider/io/scenario/scenario.hpp"
+#include "outrider/io/scenario/targets.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/guard/job.hpp"
 #include "yard_things.hpp"

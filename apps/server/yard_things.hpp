@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fields.hpp"
-#include "outrider/io/world_changes.hpp"
+#include "outrider/io/scenario/world_changes.hpp"
 #include "outrider/jobs/guard/problem.hpp"
 
 namespace outrider::server {

@@ -10,7 +10,7 @@
 
 #include "outrider/core/parallel.hpp"
 #include "outrider/core/rng.hpp"
-#include "outrider/io/files.hpp"
+#include "outrider/io/files/files.hpp"
 #include "outrider/navigate/navigator.hpp"
 #include "outrider/sim/simulated_robot.hpp"
 #include "rows.hpp"

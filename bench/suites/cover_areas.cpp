@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "outrider/core/units.hpp"
-#include "outrider/io/cover_area.hpp"
+#include "outrider/io/map/cover_area.hpp"
 
 namespace outrider::bench {
 namespace {

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <set>
 
-#include "outrider/io/files.hpp"
-#include "outrider/io/movingai.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/map/movingai.hpp"
 
 namespace outrider::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "outrider/io/files.hpp"
+#include "outrider/io/files/files.hpp"
 #include "outrider/jobs/slam/laser_run.hpp"
 #include "outrider/jobs/slam/scenario.hpp"
 

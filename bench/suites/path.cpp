@@ -11,7 +11,7 @@
 #include <numeric>
 
 #include "grids.hpp"
-#include "outrider/io/index_file.hpp"
+#include "outrider/io/files/index_file.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
 #include "rows.hpp"

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "outrider/io/pursuit_map.hpp"
+#include "outrider/io/map/pursuit_map.hpp"
 #include "outrider/pursuit/anytime.hpp"
 #include "outrider/pursuit/catalog.hpp"
 #include "outrider/pursuit/check.hpp"

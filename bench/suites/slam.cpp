@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "laser.hpp"
-#include "outrider/io/files.hpp"
-#include "outrider/io/g2o.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/log/g2o.hpp"
 #include "outrider/slam/pose_graph_bound.hpp"
 #include "rows.hpp"
 #include "slam_peer.hpp"

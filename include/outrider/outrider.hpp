@@ -5,8 +5,8 @@
 // is made of, and may be included one by one.
 #pragma once
 
-#include "outrider/io/path_problem.hpp"
-#include "outrider/io/scenario.hpp"
+#include "outrider/io/map/path_problem.hpp"
+#include "outrider/io/scenario/scenario.hpp"
 #include "outrider/jobs/guard/plan/plan.hpp"
 #include "outrider/jobs/guard/run/run.hpp"
 #include "outrider/jobs/guard/scenario.hpp"

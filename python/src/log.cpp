@@ -10,7 +10,7 @@
 #include "bindings.hpp"
 #include "faults.hpp"
 #include "options.hpp"
-#include "outrider/io/log_file.hpp"
+#include "outrider/io/log/log_file.hpp"
 #include "outrider/log/known_messages.hpp"
 #include "outrider/log/numpy.hpp"
 

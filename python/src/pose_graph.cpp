@@ -16,8 +16,8 @@
 #include "faults.hpp"
 #include "interruptible.hpp"
 #include "options.hpp"
-#include "outrider/io/files.hpp"
-#include "outrider/io/g2o.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/log/g2o.hpp"
 #include "outrider/slam/pose_graph_bound.hpp"
 
 namespace outrider::python {

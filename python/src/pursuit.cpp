@@ -13,7 +13,7 @@
 #include "faults.hpp"
 #include "interruptible.hpp"
 #include "options.hpp"
-#include "outrider/io/pursuit_map.hpp"
+#include "outrider/io/map/pursuit_map.hpp"
 #include "outrider/pursuit/catalog.hpp"
 #include "outrider/pursuit/check.hpp"
 #include "turn.hpp"

@@ -16,7 +16,7 @@
 #include "log.hpp"
 #include "options.hpp"
 #include "outrider/core/overload.hpp"
-#include "outrider/io/scenario.hpp"
+#include "outrider/io/scenario/scenario.hpp"
 #include "outrider/job/write_run.hpp"
 #include "outrider/jobs/catalog.hpp"
 #include "scenario.hpp"

@@ -13,7 +13,7 @@
 #include "bindings.hpp"
 #include "faults.hpp"
 #include "options.hpp"
-#include "outrider/io/world_file.hpp"
+#include "outrider/io/map/world_file.hpp"
 #include "outrider/path/from_world.hpp"
 #include "outrider/world/collision_map.hpp"
 #include "polygons.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "outrider/core/units.hpp"
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/text.hpp"
 #include "outrider/robot/supplies.hpp"
 #include "research/guard/pddl_names.hpp"
 

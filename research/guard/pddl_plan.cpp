@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/text.hpp"
 #include "research/guard/pddl.hpp"
 #include "research/guard/pddl_names.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "outrider/io/files.hpp"
-#include "outrider/io/scenario.hpp"
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/files/text.hpp"
+#include "outrider/io/scenario/scenario.hpp"
 
 namespace outrider {
 namespace {

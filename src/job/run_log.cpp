@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "outrider/io/folders.hpp"
+#include "outrider/io/files/files.hpp"
 
 namespace outrider {
 namespace {

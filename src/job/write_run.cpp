@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "outrider/io/folders.hpp"
+#include "outrider/io/files/files.hpp"
 #include "outrider/picture/plan_view.hpp"
 
 namespace outrider {

@@ -22,6 +22,11 @@ std::int64_t nanoseconds_of(const builtin_interfaces::Time& stamp) {
   return stamp.sec * ns_per_s + stamp.nanosec;
 }
 
+std::int64_t nanoseconds_of(const std_msgs::Header& header, std::int64_t recorded_ns) {
+  const std::int64_t stamp_ns = nanoseconds_of(header.stamp);
+  return stamp_ns == 0 ? recorded_ns : stamp_ns;
+}
+
 std_msgs::Header header_of(double time_s, std::string frame) { return {stamp_of(time_s), std::move(frame)}; }
 
 std::vector<outrider_msgs::Point2> points_of(const std::vector<Vec2>& points) {

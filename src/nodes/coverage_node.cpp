@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "outrider/core/text.hpp"
-#include "outrider/io/values.hpp"
+#include "outrider/io/scenario/values.hpp"
 #include "outrider/log/conversions.hpp"
 
 namespace outrider {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "outrider/core/text.hpp"
-#include "outrider/io/scan_mount.hpp"
+#include "outrider/io/log/scan_mount.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/topics.hpp"
 

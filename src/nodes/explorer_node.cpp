@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "outrider/core/text.hpp"
-#include "outrider/io/values.hpp"
+#include "outrider/io/scenario/values.hpp"
 #include "outrider/jobs/explore/mission/task.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/ros_marker_messages.hpp"

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <utility>
 
-#include "outrider/io/files.hpp"
-#include "outrider/io/map_server.hpp"
-#include "outrider/io/scan_mount.hpp"
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/files/text.hpp"
+#include "outrider/io/log/scan_mount.hpp"
+#include "outrider/io/map/map_server.hpp"
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/mcap_sink.hpp"

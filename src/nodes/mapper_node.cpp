@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "outrider/core/text.hpp"
-#include "outrider/io/scan_mount.hpp"
+#include "outrider/io/log/scan_mount.hpp"
 #include "outrider/jobs/explore/map/map_doubt.hpp"
 #include "outrider/jobs/explore/mission/task.hpp"
 #include "outrider/log/conversions.hpp"

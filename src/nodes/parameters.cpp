@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "outrider/core/text.hpp"
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/text.hpp"
 #include "outrider/log/codecs.hpp"
 
 namespace outrider {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "outrider/core/text.hpp"
-#include "outrider/io/scan_mount.hpp"
+#include "outrider/io/log/scan_mount.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/slam/laser_scan.hpp"
 

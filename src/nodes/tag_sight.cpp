@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "outrider/estimate/planar_pnp.hpp"
-#include "outrider/io/image_topics.hpp"
+#include "outrider/io/camera/image_topics.hpp"
 
 namespace outrider {
 namespace {

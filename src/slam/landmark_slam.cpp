@@ -79,6 +79,36 @@ std::vector<Option> describe(LandmarkSlamOptions& o) {
   };
 }
 
+std::vector<Option> describe(LogNoise& noise) {
+  return {{"distance", "", 1e-6, 100, "m of error in the root of a metre driven, along and across",
+           &noise.distance},
+          {"turn_per_distance", "deg", 0, 360, "error of heading in the root of a metre driven",
+           &noise.turn_per_distance_rad},
+          {"turn", "", 0, 100, "rad of error in the root of a radian turned", &noise.turn},
+          {"range", "m", 1e-6, 1000, "error of a range", &noise.range_m},
+          {"bearing", "deg", 1e-6, 180, "error of a bearing", &noise.bearing_rad}};
+}
+
+/// Adds independent errors for each part, so that the variances grow with the distance and the angle (Thrun,
+/// Burgard and Fox, Probabilistic Robotics, section 5.4, with standard deviations that grow with the square
+/// root).
+void LogMotion::add(double turn_rad, double distance_m, double then_turn_rad, const LogNoise& noise) {
+  const double heading_rad = pose.heading_rad + turn_rad;
+  const Vec2 arm = distance_m * direction(heading_rad);
+  Eigen::Matrix3d by_pose = Eigen::Matrix3d::Identity();
+  by_pose(0, 2) = -arm.y;
+  by_pose(1, 2) = arm.x;
+  const double driven_m = std::abs(distance_m);
+  const double turned_rad = std::abs(turn_rad) + std::abs(then_turn_rad);
+  constexpr double least = 1e-8;  // a robot at rest may still have been pushed
+  const double place = noise.distance * noise.distance * driven_m + least;
+  const double heading = noise.turn_per_distance_rad * noise.turn_per_distance_rad * driven_m +
+                         noise.turn * noise.turn * turned_rad + least;
+  covariance = by_pose * covariance * by_pose.transpose();
+  covariance.diagonal() += Eigen::Vector3d(place, place, heading);
+  pose = {pose.position + arm, wrap_angle(heading_rad + then_turn_rad)};
+}
+
 LandmarkSighting sighted(std::optional<std::int64_t> id, double range_m, double bearing_rad,
                          double range_sd_m, double bearing_sd_rad) {
   const double along = range_sd_m * range_sd_m;

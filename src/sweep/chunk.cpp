@@ -8,7 +8,7 @@
 
 #include "outrider/core/sha256.hpp"
 #include "outrider/core/text.hpp"
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/text.hpp"
 
 namespace outrider {
 namespace {

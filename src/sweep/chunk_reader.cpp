@@ -1,6 +1,6 @@
 #include "outrider/sweep/chunk_reader.hpp"
 
-#include "outrider/io/files.hpp"
+#include "outrider/io/files/files.hpp"
 #include "outrider/sweep/manifest.hpp"
 
 namespace outrider {

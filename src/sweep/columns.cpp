@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/text.hpp"
 
 namespace outrider {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/text.hpp"
 
 namespace outrider {
 namespace {

@@ -12,10 +12,9 @@
 #include "build_id.hpp"
 #include "outrider/core/json_excess.hpp"
 #include "outrider/core/sha256.hpp"
-#include "outrider/io/file_hash.hpp"
-#include "outrider/io/files.hpp"
-#include "outrider/io/read_record.hpp"
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/files/read_record.hpp"
+#include "outrider/io/files/text.hpp"
 #include "outrider/sweep/canary.hpp"
 
 namespace outrider {

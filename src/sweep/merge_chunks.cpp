@@ -5,8 +5,8 @@
 #include <system_error>
 
 #include "outrider/core/sha256.hpp"
-#include "outrider/io/file_lock.hpp"
-#include "outrider/io/files.hpp"
+#include "outrider/io/files/file_lock.hpp"
+#include "outrider/io/files/files.hpp"
 #include "outrider/log/byte_sink.hpp"
 
 namespace outrider {

@@ -8,7 +8,7 @@
 
 #include "axis.hpp"
 #include "outrider/core/text.hpp"
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/text.hpp"
 #include "outrider/sweep/columns.hpp"
 
 namespace outrider {

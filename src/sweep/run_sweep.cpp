@@ -11,10 +11,9 @@
 #include <system_error>
 
 #include "outrider/core/parallel.hpp"
-#include "outrider/io/file_lock.hpp"
-#include "outrider/io/files.hpp"
-#include "outrider/io/folders.hpp"
-#include "outrider/io/scenario.hpp"
+#include "outrider/io/files/file_lock.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/scenario/scenario.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/job/write_run.hpp"
 

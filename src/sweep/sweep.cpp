@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/text.hpp"
 
 namespace outrider {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "outrider/io/files.hpp"
-#include "outrider/io/map_server.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/map/map_server.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/catalog.hpp"
 #include "outrider/jobs/explore/job.hpp"

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "outrider/io/scenario.hpp"
+#include "outrider/io/scenario/scenario.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/log/scene_messages.hpp"
 #include "outrider/log/topics.hpp"

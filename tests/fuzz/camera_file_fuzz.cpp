@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "outrider/io/camera_file.hpp"
+#include "outrider/io/camera/camera_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace outrider;

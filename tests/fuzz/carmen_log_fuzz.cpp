@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "outrider/io/carmen_log.hpp"
+#include "outrider/io/log/carmen_log.hpp"
 #include "outrider/slam/laser_slam.hpp"
 
 namespace {

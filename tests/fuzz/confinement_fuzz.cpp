@@ -14,9 +14,9 @@
 #include <string>
 #include <string_view>
 
-#include "outrider/io/confinement.hpp"
-#include "outrider/io/map_server.hpp"
-#include "outrider/io/sdf.hpp"
+#include "outrider/io/files/confinement.hpp"
+#include "outrider/io/map/map_server.hpp"
+#include "outrider/io/sdf/sdf.hpp"
 #include "outrider/jobs/catalog.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "outrider/io/cover_area.hpp"
+#include "outrider/io/map/cover_area.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);

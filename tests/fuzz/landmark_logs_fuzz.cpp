@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "outrider/io/landmark_logs.hpp"
+#include "outrider/io/log/landmark_logs.hpp"
 #include "outrider/slam/landmark_slam.hpp"
 
 namespace {

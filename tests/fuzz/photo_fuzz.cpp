@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "outrider/io/photo.hpp"
+#include "outrider/io/camera/photo.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace outrider;

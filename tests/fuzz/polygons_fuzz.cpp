@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "outrider/io/polygons.hpp"
+#include "outrider/io/map/polygons.hpp"
 #include "outrider/path/visibility/polygon_ground.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "outrider/io/g2o.hpp"
-#include "outrider/io/pyfg.hpp"
+#include "outrider/io/log/g2o.hpp"
+#include "outrider/io/log/pyfg.hpp"
 #include "outrider/slam/pose_graph_bound.hpp"
 
 namespace {

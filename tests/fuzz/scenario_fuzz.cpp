@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "outrider/io/scenario.hpp"
+#include "outrider/io/scenario/scenario.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);

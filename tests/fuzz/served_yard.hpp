@@ -9,7 +9,7 @@
 #include <string>
 
 #include "app.hpp"
-#include "outrider/io/confinement.hpp"
+#include "outrider/io/files/confinement.hpp"
 #include "outrider/jobs/catalog.hpp"
 #include "temporary_folder.hpp"
 

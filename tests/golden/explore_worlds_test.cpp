@@ -6,11 +6,12 @@
 #include <fstream>
 #include <sstream>
 
-#include "outrider/io/slices.hpp"
+#include "outrider/io/map/slices.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/explore/job.hpp"
 #include "outrider/jobs/explore/map/reference.hpp"
 #include "outrider/jobs/explore/mission/task.hpp"
+#include "outrider/world/upright.hpp"
 #include "support/data.hpp"
 
 namespace outrider {
@@ -122,9 +123,9 @@ TEST_P(Published, IsAsTheNotesSay) {
   if (named.stem == willow.stem) {
     const auto walls = load_slices(published("willow_closed_wall_segments_z0.18.csv"));
     ASSERT_TRUE(walls);
-    for (const WorldSlice& wall : *walls) world.solids.push_back(upright(wall, "wall", 0.0, 0.5));
+    for (const WorldSlice& wall : *walls) world.solids.push_back(upright(wall.corners, "wall", 0.0, 0.5));
     EXPECT_TRUE(truth_of(world, named.start).leaks) << "between the posts in the south-west";
-    world = world.with(upright({"", {{-21.6, -19.55}, {-16.9, -19.55}}}, "seal", 0.0, 0.5));
+    world = world.with(upright({{-21.6, -19.55}, {-16.9, -19.55}}, "seal", 0.0, 0.5));
   }
   const ExplorationReference truth = truth_of(world, named.start);
   EXPECT_NEAR(truth.seeable_m2 / named.seeable_m2, 1.0, 0.025);

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "outrider/io/map_server.hpp"
+#include "outrider/io/map/map_server.hpp"
 #include "outrider/jobs/explore/scenario.hpp"
 #include "outrider/nodes/cover_mission_node.hpp"
 #include "outrider/nodes/sim_node.hpp"

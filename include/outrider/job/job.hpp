@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
-#include "outrider/io/files.hpp"
+#include "outrider/io/files/files.hpp"
 #include "outrider/job/watch.hpp"
 #include "outrider/report/report.hpp"
 

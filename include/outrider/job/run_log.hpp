@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "outrider/io/file_lock.hpp"
+#include "outrider/io/files/file_lock.hpp"
 #include "outrider/log/mcap_sink.hpp"
 
 namespace outrider {

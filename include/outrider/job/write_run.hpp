@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "outrider/io/files.hpp"
+#include "outrider/io/files/files.hpp"
 #include "outrider/job/job.hpp"
 #include "outrider/job/run_log.hpp"
 #include "outrider/report/run_json.hpp"

@@ -17,6 +17,8 @@ namespace outrider {
 builtin_interfaces::Time stamp_of(double time_s);
 /// Returns the time of a stamp, ns.
 std::int64_t nanoseconds_of(const builtin_interfaces::Time& stamp);
+/// Returns the time of the stamp in a header, ns, or that at which the message was recorded if it is 0.
+std::int64_t nanoseconds_of(const std_msgs::Header& header, std::int64_t recorded_ns);
 std_msgs::Header header_of(double time_s, std::string frame);
 
 inline outrider_msgs::Point2 point_of(Vec2 at) { return {at.x, at.y}; }

@@ -3,7 +3,7 @@
 //   area  geometry_msgs/PolygonStamped    ->   plan             nav_msgs/Path
 //   map   nav_msgs/OccupancyGrid               coverage/status  covered share, or the fault of the planner
 //
-// The area may also come from a file in metres of the map: polygons (io/cover_area.hpp) or a saved map
+// The area may also come from a file in metres of the map: polygons (io/map/cover_area.hpp) or a saved map
 // (jobs/cover/ground/saved_map.hpp). With `from_map` it is the free space of the map on the topic, such as
 // map_server sends; a map that has changed is planned anew. A track is sent only if
 // prove() (jobs/cover/strokes/plan.hpp) accepts it, and again once in `period`, for who comes later. The

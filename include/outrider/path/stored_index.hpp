@@ -4,7 +4,7 @@
 // and carry a version of the format and a checksum. They are read only where all of that agrees, so bytes
 // that were cut, damaged or made for something else are refused, each with a sentence and its remedy. Equal
 // indices have equal bytes. They are read where they lie, without a copy, so a file may be mapped
-// (io/index_file.hpp).
+// (io/files/index_file.hpp).
 //
 // A checksum tells damage, not intent: whoever can write the bytes can make them give wrong paths, though
 // none that reads outside of its memory. They hold numbers of this machine's byte order.

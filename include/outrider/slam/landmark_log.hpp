@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "outrider/core/options.hpp"
 #include "outrider/core/outcome.hpp"
+#include "outrider/core/units.hpp"
 #include "outrider/geometry/pose.hpp"
 
 namespace outrider {
@@ -24,6 +26,26 @@ struct LandmarkSighting {
 /// Returns a sighting from a range and a bearing with these standard deviations.
 LandmarkSighting sighted(std::optional<std::int64_t> id, double range_m, double bearing_rad,
                          double range_sd_m, double bearing_sd_rad);
+
+/// Standard deviations. For odometry they grow with the square root of the distance and of the angle turned.
+struct LogNoise {
+  double distance = 0.01;                       ///< error of the position, m per sqrt(m)
+  double turn_per_distance_rad = radians(6.0);  ///< error of the heading, rad per sqrt(m)
+  double turn = 0.1;                            ///< error of the heading, rad per sqrt(rad)
+  double range_m = 0.3;
+  double bearing_rad = radians(6.0);
+};
+
+std::vector<Option> describe(LogNoise& noise);
+
+/// A motion with its covariance, composed of short motions.
+struct LogMotion {
+  Pose2 pose;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+
+  /// Adds a turn, a straight drive and a second turn.
+  void add(double turn_rad, double distance_m, double then_turn_rad, const LogNoise& noise);
+};
 
 /// One motion and the sightings at its end.
 struct LogStep {

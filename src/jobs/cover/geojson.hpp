@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "outrider/io/area_frame.hpp"
+#include "outrider/io/map/area_frame.hpp"
 #include "outrider/jobs/cover/report.hpp"
 
 namespace outrider::cover {

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "outrider/core/units.hpp"
-#include "outrider/io/cover_area.hpp"
-#include "outrider/io/text.hpp"
-#include "outrider/io/values.hpp"
+#include "outrider/io/files/text.hpp"
+#include "outrider/io/map/cover_area.hpp"
+#include "outrider/io/scenario/values.hpp"
 #include "outrider/jobs/cover/ground/saved_map.hpp"
 #include "outrider/jobs/cover/strokes/plan.hpp"
 

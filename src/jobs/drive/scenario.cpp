@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "outrider/io/scenario.hpp"
-#include "outrider/io/sdf.hpp"
-#include "outrider/io/text.hpp"
-#include "outrider/io/values.hpp"
+#include "outrider/io/files/text.hpp"
+#include "outrider/io/scenario/scenario.hpp"
+#include "outrider/io/scenario/values.hpp"
+#include "outrider/io/sdf/sdf.hpp"
 #include "outrider/path/catalog.hpp"
 #include "tag_warnings.hpp"
 

@@ -1,7 +1,7 @@
 #include "outrider/jobs/explore/job.hpp"
 
-#include "outrider/io/map_server.hpp"
-#include "outrider/io/track_csv.hpp"
+#include "outrider/io/log/trajectory.hpp"
+#include "outrider/io/map/map_server.hpp"
 #include "outrider/jobs/explore/run.hpp"
 #include "summary.hpp"
 

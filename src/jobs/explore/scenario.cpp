@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "outrider/core/units.hpp"
-#include "outrider/io/scan_mount.hpp"
-#include "outrider/io/text.hpp"
-#include "outrider/io/values.hpp"
+#include "outrider/io/files/text.hpp"
+#include "outrider/io/log/scan_mount.hpp"
+#include "outrider/io/scenario/values.hpp"
 #include "outrider/sim/post_place.hpp"
 
 namespace outrider {
@@ -39,8 +39,8 @@ std::vector<Option> with(std::vector<Option> options, Option one) {
 /// Takes the size of the robot and the mount of its laser from its own file, if it has one.
 Status take_robot(const ExploreScenario& scenario, ExploreSetup& setup) {
   constexpr const char* key = "laser.link";
-  auto sensor = take_robot_file(scenario.robot_file, key, scenario.world.sdf, setup.task.robot.radius_m,
-                                setup.task.robot.height_m, setup.warnings);
+  auto sensor = take_robot_file(scenario.robot_file, key, scenario.world.options.sdf,
+                                setup.task.robot.radius_m, setup.task.robot.height_m, setup.warnings);
   if (!sensor) return pass_on(sensor);
   if (!*sensor) return {};
   auto level = scan_mount(**sensor);
@@ -91,14 +91,15 @@ std::vector<OptionGroup> describe(ExploreScenario& scenario) {
        "the world and the start",
        {file_option("world", "file to explore: SDF, map_server YAML, PGM or PNG image, slices CSV",
                     &world.world),
-        describe(world.sdf).front(),
+        describe(world.options.sdf).front(),
         file_option("slices",
                     "file of slices that stand in the world too, such as those of a mesh that is missing",
                     &world.slices),
         {"walls", "", 0, 0, "walls that stand in it too, x1,y1,x2,y2 each, in m", &world.walls},
         {"resolution", "m", 1e-3, 10.0, "side of a pixel, of an image without a YAML file",
-         &world.resolution_m},
-        {"wall_height", "m", 0.01, 100.0, "of slices, walls and the cells of a map", &world.wall_height_m},
+         &world.options.resolution_m},
+        {"wall_height", "m", 0.01, 100.0, "of slices, walls and the cells of a map",
+         &world.options.wall_height_m},
         {"start", "", 0, 0, "x,y,heading of the robot at first, m, m and degrees", &scenario.start},
         {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed},
         {"perfect_pose", "", 0, 0, "wheels that count right and are believed: no SLAM",

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "fleet_task.hpp"
-#include "outrider/io/map.hpp"
-#include "outrider/io/movingai.hpp"
-#include "outrider/io/text.hpp"
-#include "outrider/io/values.hpp"
+#include "outrider/io/files/text.hpp"
+#include "outrider/io/map/map.hpp"
+#include "outrider/io/map/movingai.hpp"
+#include "outrider/io/scenario/values.hpp"
 #include "outrider/path/grid/from_occupancy.hpp"
 
 namespace outrider {

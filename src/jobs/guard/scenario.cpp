@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "outrider/core/text.hpp"
-#include "outrider/io/files.hpp"
-#include "outrider/io/sdf.hpp"
-#include "outrider/io/targets.hpp"
-#include "outrider/io/terrain.hpp"
-#include "outrider/io/values.hpp"
-#include "outrider/io/world_changes.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/map/terrain.hpp"
+#include "outrider/io/scenario/targets.hpp"
+#include "outrider/io/scenario/values.hpp"
+#include "outrider/io/scenario/world_changes.hpp"
+#include "outrider/io/sdf/sdf.hpp"
 #include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/yard/arrivals_file.hpp"

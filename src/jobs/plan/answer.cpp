@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "outrider/core/units.hpp"
-#include "outrider/io/index_file.hpp"
+#include "outrider/io/files/index_file.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/path/check.hpp"
 #include "outrider/path/pieces.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "outrider/core/units.hpp"
-#include "outrider/io/text.hpp"
-#include "outrider/io/values.hpp"
+#include "outrider/io/files/text.hpp"
+#include "outrider/io/scenario/values.hpp"
 
 namespace outrider {
 namespace {

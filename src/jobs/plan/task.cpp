@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "outrider/io/files.hpp"
-#include "outrider/io/terrain.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/map/terrain.hpp"
 #include "queries.hpp"
 
 namespace outrider {

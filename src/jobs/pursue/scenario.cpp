@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "outrider/io/pursuit_map.hpp"
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/text.hpp"
+#include "outrider/io/map/pursuit_map.hpp"
 #include "outrider/pursuit/catalog.hpp"
 
 namespace outrider {

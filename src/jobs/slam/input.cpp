@@ -5,9 +5,9 @@
 #include <cctype>
 #include <filesystem>
 
-#include "outrider/io/files.hpp"
-#include "outrider/io/g2o.hpp"
-#include "outrider/io/pyfg.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/log/g2o.hpp"
+#include "outrider/io/log/pyfg.hpp"
 
 namespace outrider {
 namespace {

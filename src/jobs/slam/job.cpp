@@ -1,7 +1,7 @@
 #include "outrider/jobs/slam/job.hpp"
 
 #include "input.hpp"
-#include "outrider/io/log_file.hpp"
+#include "outrider/io/log/log_file.hpp"
 #include "recordings.hpp"
 #include "slam_log.hpp"
 #include "spoil.hpp"

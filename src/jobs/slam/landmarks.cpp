@@ -7,8 +7,8 @@
 #include <map>
 
 #include "landmark_verdict.hpp"
-#include "outrider/io/files.hpp"
-#include "outrider/io/track_csv.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/log/trajectory.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/jobs/slam/landmark_mission.hpp"
 #include "outrider/log/append.hpp"

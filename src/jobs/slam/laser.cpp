@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "laser_verdict.hpp"
-#include "outrider/io/g2o.hpp"
-#include "outrider/io/map_server.hpp"
+#include "outrider/io/log/g2o.hpp"
+#include "outrider/io/map/map_server.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/jobs/slam/laser_run.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "outrider/io/laser_source.hpp"
+#include "outrider/io/log/laser_source.hpp"
 #include "outrider/robot/observation.hpp"
 
 namespace outrider {

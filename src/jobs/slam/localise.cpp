@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "laser_records.hpp"
-#include "outrider/io/laser_source.hpp"
-#include "outrider/io/map.hpp"
+#include "outrider/io/log/laser_source.hpp"
+#include "outrider/io/map/map.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/job/map_log.hpp"
 #include "outrider/job/sensor_log.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "input.hpp"
-#include "outrider/io/laser_topics.hpp"
+#include "outrider/io/log/laser_topics.hpp"
 #include "outrider/job/job.hpp"
 #include "outrider/jobs/slam/job.hpp"
 #include "outrider/slam/map_localiser.hpp"
@@ -16,7 +16,7 @@
 namespace outrider {
 
 /// A log of ROS topics, which is read while it is mapped.
-using TopicsInput = std::unique_ptr<LaserTopics>;
+using TopicsInput = std::unique_ptr<LaserSource>;
 
 /// Map a recording. Each reports the numbers that docs/jobs/slam.md lists.
 template <class Pose>

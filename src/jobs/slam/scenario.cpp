@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/text.hpp"
 
 namespace outrider {
 

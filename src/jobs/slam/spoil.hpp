@@ -5,7 +5,7 @@
 #pragma once
 
 #include "outrider/core/rng.hpp"
-#include "outrider/io/carmen_log.hpp"
+#include "outrider/io/log/carmen_log.hpp"
 #include "outrider/jobs/slam/recording_faults.hpp"
 #include "outrider/slam/landmark_log.hpp"
 #include "outrider/slam/pose_graph.hpp"

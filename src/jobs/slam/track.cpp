@@ -4,7 +4,7 @@
 
 #include <iterator>
 
-#include "outrider/io/trajectory.hpp"
+#include "outrider/io/log/trajectory.hpp"
 #include "outrider/slam/map_error.hpp"
 
 namespace outrider {

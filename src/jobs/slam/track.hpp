@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "outrider/geometry/pose.hpp"
-#include "outrider/io/files.hpp"
+#include "outrider/io/files/files.hpp"
 
 namespace outrider {
 

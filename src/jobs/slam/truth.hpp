@@ -1,7 +1,7 @@
 // Compares a map that was made of a spoiled recording with what is true.
 #pragma once
 
-#include "outrider/io/carmen_log.hpp"
+#include "outrider/io/log/carmen_log.hpp"
 #include "outrider/report/report.hpp"
 #include "outrider/world/grid.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "outrider/io/scenario.hpp"
+#include "outrider/io/scenario/scenario.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/job/scene.hpp"
 #include "outrider/job/sensor_log.hpp"

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "outrider/core/sha256.hpp"
-#include "outrider/io/file_lock.hpp"
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/file_lock.hpp"
+#include "outrider/io/files/text.hpp"
 #include "sweep_job.hpp"
 
 namespace outrider {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/text.hpp"
 #include "sweep_job.hpp"
 
 namespace outrider {

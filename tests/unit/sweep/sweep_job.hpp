@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "outrider/core/rng.hpp"
-#include "outrider/io/files.hpp"
+#include "outrider/io/files/files.hpp"
 #include "outrider/sweep/merge_chunks.hpp"
 #include "outrider/sweep/run_sweep.hpp"
 

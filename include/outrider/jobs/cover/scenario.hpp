@@ -14,8 +14,8 @@ namespace outrider {
 
 /// The settings of the job.
 struct CoverScenario {
-  std::string area;                 ///< path of an area (io/cover_area.hpp) or a saved map (saved_map.hpp)
-  std::string units = "auto";       ///< units of the area: auto, degrees or metres
+  std::string area;            ///< path of an area (io/map/cover_area.hpp) or a saved map (saved_map.hpp)
+  std::string units = "auto";  ///< units of the area: auto, degrees or metres
   std::string method = "quickest";  ///< name of a row of cover_methods()
   std::string start;  ///< "x,y,heading" in the coordinates of the area; empty: where the track begins
   double map_tolerance_m = 0.0;  ///< see SavedMapOptions

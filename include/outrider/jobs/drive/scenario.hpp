@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
-#include "outrider/io/robot_file.hpp"
+#include "outrider/io/sdf/robot_file.hpp"
 #include "outrider/jobs/drive/laser_drive.hpp"
 #include "outrider/jobs/drive/route.hpp"
 #include "outrider/jobs/drive/task.hpp"

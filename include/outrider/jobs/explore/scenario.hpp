@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
-#include "outrider/io/explore_world.hpp"
-#include "outrider/io/robot_file.hpp"
+#include "outrider/io/map/world_file.hpp"
+#include "outrider/io/sdf/robot_file.hpp"
 #include "outrider/jobs/explore/mission/task.hpp"
 #include "outrider/sim/explorer_sim_params.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/core/outcome.hpp"
-#include "outrider/io/robot_file.hpp"
+#include "outrider/io/sdf/robot_file.hpp"
 #include "outrider/jobs/guard/problem.hpp"
 #include "outrider/jobs/guard/run/scout.hpp"
 #include "outrider/jobs/guard/yard/arrivals.hpp"

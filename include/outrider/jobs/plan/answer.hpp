@@ -84,7 +84,7 @@ struct PlanTools {
   /// Memory kept from earlier calls. If null, each planner starts without an index, and the time to build it
   /// is measured.
   Workspace* workspace = nullptr;
-  /// If not empty, the file in which the planner keeps its index (io/index_file.hpp): it is read if it
+  /// If not empty, the file in which the planner keeps its index (io/files/index_file.hpp): it is read if it
   /// exists, else written. Only for one planner, which has such an index.
   std::string index_file = {};
   std::function<Status(std::string_view planner)> before =

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "outrider/io/cost_map.hpp"
-#include "outrider/io/map.hpp"
+#include "outrider/io/map/cost_map.hpp"
+#include "outrider/io/map/map.hpp"
 #include "outrider/path/from_world.hpp"
 #include "outrider/path/problem.hpp"
 #include "outrider/world/collision_map.hpp"

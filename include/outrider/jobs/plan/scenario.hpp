@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
-#include "outrider/io/map.hpp"
+#include "outrider/io/map/map.hpp"
 #include "outrider/motion/fastest_drive.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/from_world.hpp"
@@ -47,7 +47,7 @@ struct PlanScenario {
   std::string block;            ///< cells to block: x,y or x,y,width,height, separated by blanks
   std::string index;            ///< file in which the planner keeps its index; empty: none
   std::string free;             ///< cells to free, in the same form; applied after `block`
-  std::string costs;            ///< file of a cost map (io/cost_map.hpp); empty: a metre costs 1
+  std::string costs;            ///< file of a cost map (io/map/cost_map.hpp); empty: a metre costs 1
   double cost_of_black = 10.0;  ///< cost per metre of a black pixel of that image
   std::string terrain;          ///< file of an ESRI ASCII grid of heights; empty: that of the world, if any
   double slope_cost = 0.0;      ///< cost per metre added for the tangent of the slope

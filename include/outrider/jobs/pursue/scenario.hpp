@@ -12,7 +12,7 @@ namespace outrider {
 
 /// The settings of the job.
 struct PursuitScenario {
-  std::string map;                         ///< path of a pursuit map (io/pursuit_map.hpp)
+  std::string map;                         ///< path of a pursuit map (io/map/pursuit_map.hpp)
   std::string clock = "virtual";           ///< virtual or wall
   std::string planner = "optimal";         ///< a name of the catalogue of pursuit planners
   std::int64_t known = -1;                 ///< seconds of the target's future that are known; -1: all

@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "outrider/io/laser_source.hpp"
+#include "outrider/io/log/laser_source.hpp"
 #include "outrider/robot/observation.hpp"
 #include "outrider/slam/laser_slam.hpp"
 

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "outrider/io/carmen_log.hpp"
-#include "outrider/io/landmark_logs.hpp"
-#include "outrider/io/laser_topics.hpp"
+#include "outrider/io/log/carmen_log.hpp"
+#include "outrider/io/log/landmark_logs.hpp"
+#include "outrider/io/log/laser_topics.hpp"
 #include "outrider/jobs/slam/recording_faults.hpp"
 #include "outrider/slam/landmark_slam.hpp"
 #include "outrider/slam/laser_slam.hpp"

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "outrider/io/files.hpp"
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/files/text.hpp"
 #include "outrider/path/visibility/polygon_ground.hpp"
 #include "outrider/world/free_parts.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "outrider/io/files.hpp"
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/files.hpp"
+#include "outrider/io/files/text.hpp"
 #include "outrider/jobs/guard/behaviour/policy.hpp"
 #include "outrider/jobs/guard/behaviour/survivors.hpp"
 

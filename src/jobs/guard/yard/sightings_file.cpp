@@ -7,7 +7,7 @@
 #include <map>
 
 #include "outrider/core/options.hpp"
-#include "outrider/io/text.hpp"
+#include "outrider/io/files/text.hpp"
 
 namespace outrider {
 namespace {

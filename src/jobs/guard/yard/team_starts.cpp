@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "outrider/io/values.hpp"
+#include "outrider/io/scenario/values.hpp"
 #include "outrider/jobs/guard/team/team_plan.hpp"
 
 namespace outrider {

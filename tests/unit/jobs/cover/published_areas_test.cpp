@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "outrider/io/cover_area.hpp"
+#include "outrider/io/map/cover_area.hpp"
 #include "outrider/jobs/cover/strokes/plan.hpp"
 #include "support/data.hpp"
 #include "support/random_cases.hpp"

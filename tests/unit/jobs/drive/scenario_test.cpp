@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "outrider/core/units.hpp"
-#include "outrider/io/scenario.hpp"
+#include "outrider/io/scenario/scenario.hpp"
 #include "support/cart.hpp"
 #include "support/data.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "outrider/core/units.hpp"
-#include "outrider/io/map_server.hpp"
+#include "outrider/io/map/map_server.hpp"
 #include "plan_case.hpp"
 
 namespace outrider {

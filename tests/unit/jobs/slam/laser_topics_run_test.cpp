@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "outrider/io/laser_topics.hpp"
+#include "outrider/io/log/laser_topics.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/jobs/slam/job.hpp"

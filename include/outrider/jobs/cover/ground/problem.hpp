@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
-#include "outrider/io/area_frame.hpp"
+#include "outrider/io/map/area_frame.hpp"
 #include "outrider/jobs/cover/ground/coverage.hpp"
 #include "outrider/jobs/cover/ground/region.hpp"
 #include "outrider/jobs/cover/strokes/track.hpp"

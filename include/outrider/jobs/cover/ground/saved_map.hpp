@@ -1,7 +1,7 @@
 // The free space of a saved map as the area to cover.
 //
 // A saved map is what `outrider` and ROS's map_saver write and map_server reads: YAML and an image
-// (io/map_server.hpp). Ground that the map shows as occupied or unknown is not free. One part of the free
+// (io/map/map_server.hpp). Ground that the map shows as occupied or unknown is not free. One part of the free
 // space is covered, that with the start or else the largest, without what the robot cannot reach; it is
 // simplified (world/free_parts.hpp), so the area lies inside the free space.
 #pragma once
@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "outrider/io/cover_area.hpp"
-#include "outrider/io/map_server.hpp"
+#include "outrider/io/map/cover_area.hpp"
+#include "outrider/io/map/map_server.hpp"
 
 namespace outrider {
 
