@@ -13,9 +13,11 @@
 #
 # CHECKED enables container checks in releases too (Harden.cmake). APART compiles the files one by one in quick
 # builds too (Precompile.cmake), for layers with many files of one kind, each with private names of that kind.
+# ALONE names the files of a joined layer that are compiled one by one: those that instantiate large templates,
+# which take more time and much more memory together.
 
 function(outrider_layer)
-  cmake_parse_arguments(LAYER "CHECKED;APART" "NAME" "SOURCES;USES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(LAYER "CHECKED;APART" "NAME" "SOURCES;ALONE;USES;PUBLIC;PRIVATE" ${ARGN})
   string(REPLACE / _ name ${LAYER_NAME})
   set(target outrider_${name})
   set(tree ${PROJECT_BINARY_DIR}/layers/${name})
@@ -34,7 +36,9 @@ function(outrider_layer)
 
   add_library(${target} STATIC)
   list(TRANSFORM LAYER_SOURCES PREPEND ${sources}/)
-  target_sources(${target} PRIVATE ${LAYER_SOURCES})
+  list(TRANSFORM LAYER_ALONE PREPEND ${sources}/)
+  target_sources(${target} PRIVATE ${LAYER_SOURCES} ${LAYER_ALONE})
+  set_source_files_properties(${LAYER_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   add_library(outrider::${name} ALIAS ${target})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${tree}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>

@@ -1,9 +1,10 @@
 #include "floor_fit.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
 
-#include "rigid_motion.hpp"
+#include "symmetric_solve.hpp"
 
 namespace outrider {
 namespace {
@@ -90,7 +91,7 @@ Pose upright_pose(const Pose2& pose) {
 /// Returns the covariance of x, y and heading.
 Matrix3d planar_covariance(const Normal& normal, double scale) {
   constexpr std::array<int, 3> kept{0, 1, 5};
-  const Matrix6d covariance = scale * normal.matrix.ldlt().solve(Matrix6d::Identity());
+  const Matrix6d covariance = scale * inverse_of_symmetric(normal.matrix);
   const Matrix3d planar = covariance(kept, kept);
   return 0.5 * (planar + planar.transpose());
 }
@@ -107,7 +108,7 @@ std::optional<PoseBelief> fit_on_floor(const Pose2& start, const std::vector<Tag
   for (int step = 0; step < most_steps && damping < 1e6; ++step) {
     Matrix6d damped = normal->matrix;
     damped.diagonal() *= 1.0 + damping;
-    const Vector6d move = damped.ldlt().solve(normal->downhill);
+    const Vector6d move = solve_symmetric(damped, normal->downhill);
     const Pose moved{exp_so3(move.tail<3>()) * robot.rotation, robot.position + move.head<3>()};
     const auto there = normal_at(moved, views, robot_camera, options);
     if (!there || !(there->cost <= normal->cost)) {

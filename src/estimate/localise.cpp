@@ -6,7 +6,7 @@
 
 #include "floor_fit.hpp"
 #include "outrider/estimate/planar_pnp.hpp"
-#include "rigid_motion.hpp"
+#include "symmetric_solve.hpp"
 
 namespace outrider {
 namespace {
@@ -30,9 +30,6 @@ PoseBelief belief_of(const Place& place) {
           0.5 * (place.covariance + place.covariance.transpose())};
 }
 
-/// Returns the inverse of a covariance.
-Matrix3d inverse(const Matrix3d& covariance) { return covariance.ldlt().solve(Matrix3d::Identity()); }
-
 Vector3d difference(const Vector3d& a, const Vector3d& b) {
   Vector3d d = a - b;
   d.z() = wrap_angle(d.z());
@@ -40,7 +37,7 @@ Vector3d difference(const Vector3d& a, const Vector3d& b) {
 }
 
 double squared_distance(const Vector3d& d, const Matrix3d& covariance) {
-  return d.dot(covariance.ldlt().solve(d));
+  return d.dot(solve_symmetric(covariance, d));
 }
 
 /// Returns the squared Mahalanobis distance between two places.
@@ -103,7 +100,7 @@ Candidate on_floor(const TagPose& solution, const Tag& tag, const Pose3& robot_T
   const Matrix3d innovation =
       all(told, told) +
       Matrix3d(Vector3d(options.floor_sigma_m * options.floor_sigma_m, tilt, tilt).asDiagonal());
-  const Matrix3d gain = all(kept, told) * inverse(innovation);
+  const Matrix3d gain = all(kept, told) * inverse_of_symmetric(innovation);
   const Vector3d mean(robot.position.x(), robot.position.y(), std::atan2(ahead.y(), ahead.x()));
   Candidate candidate;
   candidate.place = {mean - gain * lean, all(kept, kept) - gain * all(told, kept)};
@@ -168,7 +165,7 @@ Agreement agreement_with(std::size_t centre, const std::vector<Candidate>& all, 
 }
 
 Place fuse(const Place& a, const Place& b) {
-  const Matrix3d gain = a.covariance * inverse(a.covariance + b.covariance);
+  const Matrix3d gain = a.covariance * inverse_of_symmetric(Matrix3d(a.covariance + b.covariance));
   return {a.mean + gain * difference(b.mean, a.mean), a.covariance - gain * a.covariance};
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "rigid_motion.hpp"
+#include "symmetric_solve.hpp"
 
 namespace outrider {
 namespace {
@@ -94,7 +94,7 @@ Vector3d translation_for(const Matrix3d& rotation, const std::array<Vec3, 4>& co
     normal += rows.transpose() * rows;
     right -= rows.transpose() * (rows * p);
   }
-  return normal.ldlt().solve(right);
+  return solve_symmetric(normal, right);
 }
 
 /// The reprojection errors in px and their derivatives by translation and rotation vector. linearise()
@@ -137,7 +137,7 @@ std::optional<Minimum> refine(Estimate pose, const Vector2d& focal, const std::a
   for (int step = 0; step < most_pnp_steps && damping < 1e12; ++step) {
     Matrix6d normal = at->jacobian.transpose() * at->jacobian;
     normal.diagonal() *= 1.0 + damping;
-    const Vector6d move = normal.ldlt().solve(-at->jacobian.transpose() * at->error);
+    const Vector6d move = solve_symmetric(normal, -at->jacobian.transpose() * at->error);
     const Estimate moved{exp_so3(move.tail<3>()) * pose.rotation, pose.translation + move.head<3>()};
     auto there = linearise(moved, focal, corners, rays);
     if (!there || !(there->error.squaredNorm() <= at->error.squaredNorm())) {
@@ -160,7 +160,7 @@ TagPose with_covariance(const Minimum& minimum, const PlanarPnpOptions& options)
   const Matrix6d normal = minimum.at.jacobian.transpose() * minimum.at.jacobian;
   TagPose pose{{to_vec3(minimum.pose.translation), to_rotation(minimum.pose.rotation)},
                std::sqrt(squares / 4.0)};
-  const Matrix6d covariance = variance * normal.ldlt().solve(Matrix6d::Identity());
+  const Matrix6d covariance = variance * inverse_of_symmetric(normal);
   pose.covariance = 0.5 * (covariance + covariance.transpose());
   return pose;
 }
@@ -175,7 +175,7 @@ void set_probabilities(std::vector<TagPose>& poses, const std::vector<Minimum>& 
   std::vector<double> logs;
   for (const Minimum& minimum : minima) {
     const Matrix6d normal = minimum.at.jacobian.transpose() * minimum.at.jacobian;
-    const double sharpness = normal.ldlt().vectorD().prod();  // not positive: the corners do not fix the pose
+    const double sharpness = determinant_of_symmetric(normal);  // not positive: the pose is not determined
     logs.push_back(-0.5 * (weight + 2.0) * std::log(prior + minimum.at.error.squaredNorm()) -
                    0.5 * std::log(std::max(sharpness, least_sharpness)));
   }

@@ -1,7 +1,6 @@
 // Conversions of vectors and rotations to Eigen and back, and rotation vectors.
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <cmath>
 

@@ -1,9 +1,10 @@
 #include "block_cholesky.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
 #include <numeric>
+
+#include "small_cholesky.hpp"
 
 namespace outrider {
 namespace {
@@ -138,9 +139,9 @@ bool BlockCholesky<N>::factor_column(const BlockMatrix<N>& matrix, std::uint32_t
       column.blocks[index_[left.rows[i]]].noalias() -= left.blocks[i] * factor;
     }
   }
-  const Eigen::LLT<Block> triangle(pivot);
-  if (triangle.info() != Eigen::Success || !triangle.matrixLLT().allFinite()) return false;
-  column.inverse = triangle.matrixL().solve(Block::Identity());
+  const SmallCholesky<N> triangle(pivot);
+  if (!triangle.is_positive()) return false;
+  column.inverse = triangle.inverse_of_triangle();
   const Block right = column.inverse.transpose();
   for (Block& block : column.blocks) block = block * right;
   return true;
@@ -189,7 +190,9 @@ std::vector<Eigen::Matrix<double, N, 1>> BlockCholesky<N>::solve(std::span<const
 }
 
 template <int N>
-std::vector<Eigen::Matrix<double, N, N>> BlockCholesky<N>::inverse_columns(std::uint32_t node) const {
+std::vector<Eigen::Matrix<double, N, N>> BlockCholesky<N>::inverse_columns(std::uint32_t node) const
+  requires has_inverse<N>
+{
   std::vector<Block> result(order_.size());
   for (Eigen::Index k = 0; k < N; ++k) {
     std::vector<Vector> unit(order_.size(), Vector::Zero());
@@ -202,7 +205,9 @@ std::vector<Eigen::Matrix<double, N, N>> BlockCholesky<N>::inverse_columns(std::
 
 /// The inverse is L^-T L^-1: with Y the columns of L^-1 that belong to the node, its block is Y^T Y.
 template <int N>
-Eigen::Matrix<double, N, N> BlockCholesky<N>::inverse_diagonal(std::uint32_t node) const {
+Eigen::Matrix<double, N, N> BlockCholesky<N>::inverse_diagonal(std::uint32_t node) const
+  requires has_inverse<N>
+{
   const std::uint32_t first = place_[node];
   std::vector<Block> y(order_.size() - first, Block::Zero());
   y.front().setIdentity();
@@ -224,7 +229,9 @@ Eigen::Matrix<double, N, N> BlockCholesky<N>::inverse_diagonal(std::uint32_t nod
 /// and Z(j,j) = L(j,j)^-T L(j,j)^-1 - sum of Z(j,k) S(k); every Z(i,k) needed lies in the structure of L.
 template <int N>
 auto BlockCholesky<N>::inverse_blocks(std::span<const std::array<std::uint32_t, 2>> pairs) const
-    -> InverseBlocks {
+    -> InverseBlocks
+  requires has_inverse<N>
+{
   std::vector<Block> diagonals(order_.size());
   std::vector<std::vector<Block>> inverse(order_.size());
   const auto entry = [&](std::uint32_t row, std::uint32_t place) -> Block {

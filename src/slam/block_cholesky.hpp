@@ -66,6 +66,10 @@ class BlockMatrix : public BlockPattern {
 std::vector<std::uint32_t> least_fill_order(const BlockPattern& pattern,
                                             std::span<const std::uint32_t> last = {});
 
+/// Blocks of the inverse are compiled for the sizes of poses in the plane and in space.
+template <int N>
+constexpr bool has_inverse = N == 3 || N == 6;
+
 template <int N>
 class BlockCholesky {
  public:
@@ -88,10 +92,12 @@ class BlockCholesky {
   /// Returns x with A x = b; both are by node.
   [[nodiscard]] std::vector<Vector> solve(std::span<const Vector> b) const;
   /// Returns the columns of the inverse that belong to a node: N solutions, as blocks by node.
-  [[nodiscard]] std::vector<Block> inverse_columns(std::uint32_t node) const;
+  [[nodiscard]] std::vector<Block> inverse_columns(std::uint32_t node) const
+    requires has_inverse<N>;
   /// Returns the diagonal block of the inverse for a node. Visits the columns of L that depend on it, so it
   /// is cheap for nodes late in the order.
-  [[nodiscard]] Block inverse_diagonal(std::uint32_t node) const;
+  [[nodiscard]] Block inverse_diagonal(std::uint32_t node) const
+    requires has_inverse<N>;
   /// The blocks of the inverse on the diagonal, by node, and those of pairs of nodes, in the row of the
   /// first.
   struct InverseBlocks {
@@ -100,7 +106,8 @@ class BlockCholesky {
   };
   /// Returns the diagonal blocks of the inverse and those of pairs that the matrix has (Takahashi, Fagan and
   /// Chen, 1973); costs about as much as two factorisations.
-  [[nodiscard]] InverseBlocks inverse_blocks(std::span<const std::array<std::uint32_t, 2>> pairs) const;
+  [[nodiscard]] InverseBlocks inverse_blocks(std::span<const std::array<std::uint32_t, 2>> pairs) const
+    requires has_inverse<N>;
   /// Returns the number of blocks of L below its diagonal.
   [[nodiscard]] std::size_t fill() const;
 

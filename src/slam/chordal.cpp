@@ -1,4 +1,3 @@
-#include <Eigen/Cholesky>
 #include <algorithm>
 
 #include "block_cholesky.hpp"

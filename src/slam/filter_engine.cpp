@@ -8,6 +8,7 @@
 #include "outrider/core/units.hpp"
 #include "outrider/slam/joint_compatibility.hpp"
 #include "slam_engine.hpp"
+#include "small_cholesky.hpp"
 
 namespace outrider {
 namespace {
@@ -124,7 +125,7 @@ class FilterEngine : public SlamEngine {
   [[nodiscard]] bool compatible(const LandmarkSighting& sighting, std::size_t landmark) const {
     const Expectation e = expect(sighting, landmark);
     const Eigen::Matrix2d s = e.jacobian * covariance_ * e.jacobian.transpose() + sighting.covariance;
-    return e.innovation.dot(s.llt().solve(e.innovation)) <= squared_gate(options_.gate, 2);
+    return e.innovation.dot(SmallCholesky<2>(s).solve(e.innovation)) <= squared_gate(options_.gate, 2);
   }
 
   /// Returns the sightings of landmarks in the map, and counts those refused. Sightings of other landmarks

@@ -1,12 +1,12 @@
 #include "graph_edges.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "outrider/core/units.hpp"
+#include "small_cholesky.hpp"
 
 namespace outrider {
 namespace {
@@ -176,7 +176,12 @@ template <class Pose>
 double rotation_weight(const GraphEdgeOf<Pose>& edge) {
   constexpr int K = freedoms<Pose> - dimension<Pose>;
   const Eigen::Matrix<double, K, K> part = edge.information.template bottomRightCorner<K, K>();
-  return K / part.llt().solve(Eigen::Matrix<double, K, K>::Identity()).trace();
+  const SmallCholesky<K> factor(part);
+  if constexpr (K == 1) {
+    return 1.0 / factor.solve(part.Ones())[0];
+  } else {
+    return K / factor.inverse().trace();
+  }
 }
 template double rotation_weight(const GraphEdge&);
 template double rotation_weight(const GraphEdge3&);

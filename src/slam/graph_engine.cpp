@@ -1,10 +1,10 @@
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
 
 #include "growing_graph.hpp"
 #include "outrider/slam/joint_compatibility.hpp"
 #include "slam_engine.hpp"
+#include "small_cholesky.hpp"
 
 namespace outrider {
 namespace {
@@ -110,8 +110,8 @@ class GraphEngine : public SlamEngine {
     const Eigen::Vector3d r = residual(edge, graph_.estimate(poses_.back()), graph_.estimate(landmark.node));
     const double gate = squared_gate(options_.gate, 2);
     const auto far = [&](const Eigen::Matrix2d& covariance) {
-      const Eigen::LLT<Eigen::Matrix2d> factor(covariance);
-      return factor.info() == Eigen::Success && r.head<2>().dot(factor.solve(r.head<2>())) > gate;
+      const SmallCholesky<2> factor(covariance);
+      return factor.is_positive() && r.head<2>().dot(factor.solve(r.head<2>())) > gate;
     };
     if (!far(sighting.covariance)) return true;
     if (!has_present_pose_) graph_.update(std::numeric_limits<double>::infinity());

@@ -1,10 +1,10 @@
 #include "growing_graph.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "outrider/core/units.hpp"
+#include "small_cholesky.hpp"
 
 namespace outrider {
 namespace {
@@ -13,9 +13,9 @@ Eigen::Matrix3d information_of(Eigen::Matrix3d covariance, EdgeKind kind) {
   constexpr double exact = 1e-12;
   if (kind == EdgeKind::point) covariance(2, 2) = 1.0;
   for (Eigen::Index k = 0; k < 3; ++k) covariance(k, k) += covariance(k, k) == 0.0 ? exact : 0.0;
-  const Eigen::LLT<Eigen::Matrix3d> factor(covariance);
-  if (factor.info() != Eigen::Success) return Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d information = factor.solve(Eigen::Matrix3d::Identity());
+  const SmallCholesky<3> factor(covariance);
+  if (!factor.is_positive()) return Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d information = factor.inverse();
   if (kind == EdgeKind::point) information(2, 2) = 0.0;
   return information;
 }

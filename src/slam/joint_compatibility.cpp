@@ -65,7 +65,7 @@ class Joint {
   std::vector<std::size_t> indices_;
 };
 
-struct Search {
+struct JointSearch {
   const std::vector<PossiblePair>& pairs;
   std::vector<std::vector<std::size_t>> by_sighting;
   double gate;
@@ -111,7 +111,7 @@ std::vector<std::size_t> joint_compatibility(const std::vector<PossiblePair>& pa
     if (i == 0 || pairs[i].sighting != pairs[i - 1].sighting) by_sighting.emplace_back();
     by_sighting.back().push_back(i);
   }
-  Search search{pairs, std::move(by_sighting), gate, Joint(pairs, covariance), {}, {}, {}, 0.0};
+  JointSearch search{pairs, std::move(by_sighting), gate, Joint(pairs, covariance), {}, {}, {}, 0.0};
   search.run(0);
   return search.best;
 }

@@ -1,11 +1,11 @@
 #include "keyframe_graph.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
 #include <queue>
 
 #include "covariances.hpp"
+#include "small_cholesky.hpp"
 
 namespace outrider {
 
@@ -29,9 +29,9 @@ void KeyframeGraph::add_constraint(const KeyframeConstraint& constraint) {
 }
 
 void KeyframeGraph::add_links(const GraphEdge& edge) {
-  const Eigen::LLT<Eigen::Matrix3d> factor(edge.information);
+  const SmallCholesky<3> factor(edge.information);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  if (factor.info() == Eigen::Success) covariance = factor.solve(Eigen::Matrix3d::Identity());
+  if (factor.is_positive()) covariance = factor.inverse();
   constexpr double lever_m = 2.0;  // distance at which a rotation is converted to a displacement
   const double variance = covariance(0, 0) + covariance(1, 1) + lever_m * lever_m * covariance(2, 2);
   links_.resize(keyframes.size());

@@ -1,8 +1,10 @@
 #include "outrider/slam/landmark_check.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "symmetric_eigen.hpp"
 
 namespace outrider {
 namespace {
@@ -14,9 +16,9 @@ constexpr double most_squared_sds = 4.0 * 18.42;  // twice the error that 0.9999
 /// Returns the covariance that the difference of two estimates of a consistent filter has, in each direction
 /// at least `least_sd_m` squared.
 Eigen::Matrix2d difference_covariance(const Eigen::Matrix2d& earlier, const Eigen::Matrix2d& later) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(earlier - later);
-  const Eigen::Vector2d variances = axes.eigenvalues().cwiseMax(least_sd_m * least_sd_m);
-  return axes.eigenvectors() * variances.asDiagonal() * axes.eigenvectors().transpose();
+  const auto [values, axes] = eigen_of_symmetric<2>(earlier - later);
+  const Eigen::Vector2d variances = values.cwiseMax(least_sd_m * least_sd_m);
+  return axes * variances.asDiagonal() * axes.transpose();
 }
 
 /// Returns the squared Mahalanobis distance between two estimates of a landmark.

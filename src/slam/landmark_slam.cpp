@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "covariances.hpp"
 #include "outrider/core/text.hpp"
 #include "slam_engine.hpp"
+#include "small_cholesky.hpp"
 
 namespace outrider {
 namespace {
@@ -19,7 +19,7 @@ constexpr std::string_view state_head = "outrider-landmark-slam-2";
 
 template <int N>
 bool usable(const Eigen::Matrix<double, N, N>& covariance) {
-  return is_symmetric(covariance) && covariance.llt().info() == Eigen::Success;
+  return is_symmetric(covariance) && SmallCholesky<N>(covariance).is_positive();
 }
 
 Status check_options(const LandmarkSlamOptions& options) {

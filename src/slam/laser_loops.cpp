@@ -1,6 +1,5 @@
 #include "laser_loops.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -10,6 +9,7 @@
 
 #include "outrider/geometry/box.hpp"
 #include "scan_match.hpp"
+#include "small_cholesky.hpp"
 
 namespace outrider {
 namespace {
@@ -94,10 +94,10 @@ bool is_plausible(const KeyframeGraph& graph, const Pose2& there, double reach_s
   const Eigen::Matrix3d& c = graph.covariance();
   const double turn_rad = std::abs(wrap_angle(there.heading_rad - graph.keyframes.back().pose.heading_rad));
   if (turn_rad > std::max(least_turn_rad, reach_sd * std::sqrt(c(2, 2)))) return false;
-  const Eigen::LLT<Eigen::Matrix2d> factor(c.topLeftCorner<2, 2>() + least * Eigen::Matrix2d::Identity());
+  const SmallCholesky<2> factor(c.topLeftCorner<2, 2>() + least * Eigen::Matrix2d::Identity());
   const Vec2 gap = there.position - graph.keyframes.back().pose.position;
   const Eigen::Vector2d off(gap.x, gap.y);
-  return factor.info() == Eigen::Success && off.dot(factor.solve(off)) <= reach_sd * reach_sd;
+  return factor.is_positive() && off.dot(factor.solve(off)) <= reach_sd * reach_sd;
 }
 
 /// Returns the constraint of a match of `scan` with the last keyframe.

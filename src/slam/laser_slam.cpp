@@ -1,6 +1,5 @@
 #include "outrider/slam/laser_slam.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "path_check.hpp"
 #include "scan_agreement.hpp"
 #include "scan_match.hpp"
+#include "small_cholesky.hpp"
 #include "wall_crossings.hpp"
 
 namespace outrider {
@@ -257,10 +257,10 @@ void LaserSlam::State::move(const Pose2& motion) {
 /// Updates the estimate of odometry errors with the motion since the last keyframe.
 void LaserSlam::State::learn(const Fit& fit) {
   constexpr double nothing = 1e-3;
-  const Eigen::LLT<Eigen::Matrix3d> factor(fit.information + nothing * Eigen::Matrix3d::Identity());
+  const SmallCholesky<3> factor(fit.information + nothing * Eigen::Matrix3d::Identity());
   const MotionNoise noise = odometry_noise(unkept, options);
-  if (factor.info() != Eigen::Success) return;
-  bias.learn(pose, factor.solve(Eigen::Matrix3d::Identity()), noise.position_m * noise.position_m,
+  if (!factor.is_positive()) return;
+  bias.learn(pose, factor.inverse(), noise.position_m * noise.position_m,
              noise.heading_rad * noise.heading_rad);
 }
 

@@ -1,6 +1,5 @@
 #include "outrider/slam/localiser.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
@@ -9,6 +8,7 @@
 #include "graph_edges.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/slam/joint_compatibility.hpp"
+#include "small_cholesky.hpp"
 
 namespace outrider {
 namespace {
@@ -32,9 +32,9 @@ Innovation innovation(const LandmarkSighting& sighting, const LandmarkEstimate& 
   Eigen::Matrix2d sum = result.by_pose * covariance * result.by_pose.transpose() + sighting.covariance +
                         turn * landmark.covariance * turn.transpose();
   sum(1, 0) = sum(0, 1);
-  const Eigen::LLT<Eigen::Matrix2d> factor(sum);
-  if (factor.info() != Eigen::Success) return result;
-  result.weight = factor.solve(Eigen::Matrix2d::Identity());
+  const SmallCholesky<2> factor(sum);
+  if (!factor.is_positive()) return result;
+  result.weight = factor.inverse();
   result.squared_distance = result.difference.dot(result.weight * result.difference);
   return result;
 }

@@ -1,7 +1,6 @@
 #include "outrider/slam/map_localiser.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "outrider/world/known_extent.hpp"
 #include "recent_scans.hpp"
 #include "scan_match.hpp"
+#include "small_cholesky.hpp"
 
 namespace outrider {
 namespace {
@@ -22,7 +22,7 @@ namespace {
 constexpr double most_side_m = 500.0;    // of a map: its surfaces take a byte for each 5 cm by 5 cm
 constexpr int levels = 7;                // of the pyramid: the widest blocks are 3.2 m
 constexpr double search_reach_m = 15.0;  // farther readings are not used to search the whole map
-constexpr std::size_t least_points = 10;
+constexpr std::size_t fewest_points = 10;
 constexpr std::int64_t most_blocks = 40'000'000;
 constexpr double turn_m = 0.5;  // a radian turned shows as much as this way
 constexpr double first_search_m = 0.5;
@@ -176,7 +176,7 @@ Outcome<MapLocaliserStep> MapLocaliser::advance(const Pose2& motion, const Laser
   if (check(scan)) {
     const double reach_m = s.is_located ? s.options.reach_m : std::min(s.options.reach_m, search_reach_m);
     const Surface surface = surface_of(scan, s.options.robot_T_laser, reach_m);
-    if (surface.size() >= least_points) {
+    if (surface.size() >= fewest_points) {
       s.is_located ? s.track(scan, surface, step) : s.search(scan, surface, step);
     }
   }
@@ -193,8 +193,7 @@ const Pose2& MapLocaliser::world_T_grid() const { return state_->world_T_grid; }
 Eigen::Matrix3d MapLocaliser::pose_covariance() const {
   const State& s = *state_;
   const MotionNoise noise = odometry_noise(s.unmatched, s.options);
-  const Eigen::LLT<Eigen::Matrix3d> factor(s.information + 1e-6 * Eigen::Matrix3d::Identity());
-  Eigen::Matrix3d result = factor.solve(Eigen::Matrix3d::Identity());
+  Eigen::Matrix3d result = SmallCholesky<3>(s.information + 1e-6 * Eigen::Matrix3d::Identity()).inverse();
   if (!s.unmatched.is_zero()) result += noise.information().inverse();
   return result;
 }

@@ -7,6 +7,7 @@
 
 #include "graph_edges.hpp"
 #include "quadratic_form.hpp"
+#include "symmetric_eigen.hpp"
 
 namespace outrider {
 namespace {
@@ -57,7 +58,7 @@ PoseMatrix<Pose> uncoupled_part(const PoseMatrix<Pose>& information) {
 /// Sets arm, spread and the tangent of the position's error for the information `w`.
 template <class Pose, class Matrix, class Vector>
 void add_position(const Matrix& w, const Vector& r, EdgeForm<Pose>& minorant) {
-  minorant.spread = Eigen::SelfAdjointEigenSolver<Matrix>(w).eigenvalues().minCoeff();
+  minorant.spread = eigen_of_symmetric<dimension<Pose>>(w).values.minCoeff();
   const Vector rest = w * r - minorant.spread * r;
   add_tangent(rest, -rest.dot(r), minorant);
 }
@@ -82,9 +83,8 @@ EdgeForm<Pose2> minorant_of(const GraphEdge& edge, const Pose2& from, const Pose
 /// Lowers the largest eigenvalue to the sum of the others. Beyond that, a reflection would cost less than no
 /// error, and the dual cannot tell it from a rotation.
 Eigen::Matrix3d without_reflections(const Eigen::Matrix3d& w) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(w);
-  const Eigen::Vector3d& values = eigen.eigenvalues();
-  const Eigen::Vector3d axis = eigen.eigenvectors().col(2);
+  const auto [values, axes] = eigen_of_symmetric<3>(w);
+  const Eigen::Vector3d axis = axes.col(2);
   return w - std::max(0.0, values[2] - values[1] - values[0]) * axis * axis.transpose();
 }
 

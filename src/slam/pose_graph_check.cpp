@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "covariances.hpp"
 #include "graph_edges.hpp"
 #include "graph_starts.hpp"
+#include "small_cholesky.hpp"
 
 namespace outrider {
 namespace {
@@ -42,7 +42,7 @@ bool positive_definite(const GraphEdgeOf<Pose>& edge) {
       information(i, j) = i == j ? 1.0 : 0.0;
     }
   }
-  return information.llt().info() == Eigen::Success;
+  return SmallCholesky<freedoms<Pose>>(information).is_positive();
 }
 
 template <class Pose>

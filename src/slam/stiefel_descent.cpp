@@ -1,9 +1,10 @@
 #include "stiefel_descent.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "symmetric_eigen.hpp"
 
 namespace outrider {
 
@@ -65,8 +66,7 @@ void orthonormalise(const PoseGraphOf<Pose>& graph, Eigen::MatrixXd& x) {
     if (graph.nodes[i].is_point) continue;
     auto rotation = x.template middleRows<D>(B * static_cast<Eigen::Index>(i));
     const Eigen::Matrix<double, D, D> gram = rotation * rotation.transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> eigen(gram);
-    rotation = (eigen.operatorInverseSqrt() * rotation).eval();
+    rotation = (inverse_square_root<D>(gram) * rotation).eval();
   }
 }
 

@@ -1,12 +1,12 @@
 #include "surface_map.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "graph_edges.hpp"
 #include "outrider/core/units.hpp"
+#include "small_cholesky.hpp"
 
 namespace outrider {
 namespace {
@@ -240,10 +240,9 @@ Fit SurfaceMap::refine(const Surface& surface, const Pose2& start, const PosePri
     const Eigen::Vector3d off(fit.pose.position.x - prior.mean.position.x,
                               fit.pose.position.y - prior.mean.position.y,
                               wrap_angle(fit.pose.heading_rad - prior.mean.heading_rad));
-    const Eigen::LLT<Eigen::Matrix3d> factor(sum.hessian + prior.information +
-                                             held * Eigen::Matrix3d::Identity());
+    const SmallCholesky<3> factor(sum.hessian + prior.information + held * Eigen::Matrix3d::Identity());
     const Eigen::Vector3d move = factor.solve(sum.gradient + prior.information * off);
-    if (factor.info() != Eigen::Success || !move.allFinite()) break;
+    if (!factor.is_positive() || !move.allFinite()) break;
     fit.pose = {fit.pose.position - Vec2{move[0], move[1]}, fit.pose.heading_rad - move[2]};
     if (move.lpNorm<Eigen::Infinity>() < enough) break;
   }

@@ -75,7 +75,34 @@ BlockCholesky<N> factored(const System<N>& system) {
 }
 
 template <int N>
-void solve_and_invert_as_a_dense_solver_does() {
+void solves_as_a_dense_solver_does() {
+  Rng rng(1);
+  constexpr std::size_t n = N;
+  for (int round = 0; round < testing::cases(20); ++round) {
+    const std::size_t nodes = 1 + rng.below(20);
+    const System<N> system = random_system<N>(nodes, rng);
+    const testing::Dense inverse = testing::inverse(system.dense);
+    const auto b = random_vector<N>(nodes, rng);
+    const auto x = factored(system).solve(b);
+    for (std::size_t row = 0; row < n * nodes; ++row) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < n * nodes; ++k)
+        sum += inverse[row][k] * b[k / n][static_cast<Eigen::Index>(k % n)];
+      EXPECT_NEAR(x[row / n][static_cast<Eigen::Index>(row % n)], sum, 1e-6 * (1.0 + std::abs(sum)));
+    }
+  }
+}
+
+TEST(BlockCholesky, SolvesAsADenseSolverDoes) {
+  solves_as_a_dense_solver_does<1>();
+  solves_as_a_dense_solver_does<2>();
+  solves_as_a_dense_solver_does<3>();
+  solves_as_a_dense_solver_does<4>();
+  solves_as_a_dense_solver_does<6>();
+}
+
+template <int N>
+void inverts_as_a_dense_solver_does() {
   Rng rng(1);
   constexpr std::size_t n = N;
   for (int round = 0; round < testing::cases(20); ++round) {
@@ -83,8 +110,6 @@ void solve_and_invert_as_a_dense_solver_does() {
     const System<N> system = random_system<N>(nodes, rng);
     const BlockCholesky<N> factor = factored(system);
     const testing::Dense inverse = testing::inverse(system.dense);
-    const auto b = random_vector<N>(nodes, rng);
-    const auto x = factor.solve(b);
     std::vector<std::array<std::uint32_t, 2>> pairs;
     for (std::uint32_t a = 0; a < nodes; ++a) {
       for (const auto& neighbour : system.sparse.neighbours(a)) pairs.push_back({a, neighbour.node});
@@ -101,10 +126,6 @@ void solve_and_invert_as_a_dense_solver_does() {
     for (std::size_t k = 0; k < n * n; ++k)
       EXPECT_NEAR(entry(own, k / n, k % n), inverse[n * some + k / n][n * some + k % n], 1e-6);
     for (std::size_t row = 0; row < n * nodes; ++row) {
-      double sum = 0.0;
-      for (std::size_t k = 0; k < n * nodes; ++k)
-        sum += inverse[row][k] * b[k / n][static_cast<Eigen::Index>(k % n)];
-      EXPECT_NEAR(x[row / n][static_cast<Eigen::Index>(row % n)], sum, 1e-6 * (1.0 + std::abs(sum)));
       for (std::size_t k = 0; k < n; ++k) {
         EXPECT_NEAR(entry(diagonals[row / n], row % n, k), inverse[row][n * (row / n) + k], 1e-6);
         EXPECT_NEAR(entry(columns[row / n], row % n, k), inverse[row][n * some + k], 1e-6);
@@ -113,11 +134,9 @@ void solve_and_invert_as_a_dense_solver_does() {
   }
 }
 
-TEST(BlockCholesky, SolvesAndInvertsAsADenseSolverDoes) {
-  solve_and_invert_as_a_dense_solver_does<2>();
-  solve_and_invert_as_a_dense_solver_does<3>();
-  solve_and_invert_as_a_dense_solver_does<4>();
-  solve_and_invert_as_a_dense_solver_does<6>();
+TEST(BlockCholesky, InvertsAsADenseSolverDoes) {
+  inverts_as_a_dense_solver_does<3>();
+  inverts_as_a_dense_solver_does<6>();
 }
 
 TEST(BlockCholesky, AfterAChangeItHasTheVeryNumbersOfAFactorisationFromTheBeginning) {
