@@ -25,10 +25,10 @@ template <class Pose>
 std::vector<bool> graduated_refusals(const PoseGraphOf<Pose>& graph, std::vector<Pose>& poses,
                                      std::int64_t iterations, BudgetMeter& meter);
 
-/// By how much each refused edge would raise the cost, and each other edge lowers it by its absence, to first
-/// order: r^T (W^-1 + C)^-1 r and r^T (W^-1 - C)^-1 r, with C the covariance of the edge as the kept edges
-/// predict it. 0 for the odometry and where nothing but the edge determines its error. `poses` are those of
-/// least cost for the edges kept.
+/// Returns how much each refused edge would raise the cost, and each other edge lowers it by its absence, to
+/// first order: r^T (W^-1 + C)^-1 r and r^T (W^-1 - C)^-1 r, with C the covariance of the edge as the kept
+/// edges predict it. 0 for the odometry and where nothing but the edge determines its error. `poses` are
+/// those of least cost for the edges kept.
 template <class Pose>
 std::vector<double> cost_changes(const PoseGraphOf<Pose>& graph, const std::vector<Pose>& poses,
                                  const std::vector<bool>& refused);

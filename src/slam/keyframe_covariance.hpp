@@ -51,7 +51,7 @@ class KeyframeCovariance {
   void forget();
 
  private:
-  /// Where a keyframe is in the graph: at a node, or attached to the keyframe of one.
+  /// The place of a keyframe in the graph: at a node, or attached to the keyframe of one.
   struct Place {
     std::uint32_t keyframe = 0;
     std::uint32_t node = 0;

@@ -1,4 +1,5 @@
-// Where on the map are the last keyframes? They are joined rigidly and matched with keyframes of before.
+// Recognises the place of the last keyframes on the map: they are joined rigidly and matched with keyframes
+// of before.
 #pragma once
 
 #include <optional>

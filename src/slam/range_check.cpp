@@ -29,7 +29,7 @@ struct PairEquations {
   std::size_t points = 0;
 };
 
-/// What a pair says of the bias, whatever the error of its pose is.
+/// The vote of a pair for the bias, whatever the error of its pose is.
 struct BiasVote {
   double information = 0.0;
   double bias_m = 0.0;

@@ -16,7 +16,7 @@ constexpr std::size_t most_points = 180;
 constexpr long most_neighbours = 16;  // beams looked at around a point
 constexpr double least_m = 0.5;       // nearer points have too wide a neighbourhood
 
-/// What the beams of a scan around a bearing say.
+/// The beams of a scan around a bearing.
 struct Neighbourhood {
   double nearest_m = std::numeric_limits<double>::infinity();  ///< of their free parts
   double closest_m = std::numeric_limits<double>::infinity();  ///< least distance of a hit from the range

@@ -13,7 +13,7 @@
 
 namespace outrider {
 
-/// What one scan says of the points of another one. Points that it cannot see are not counted.
+/// The judgement of one scan about the points of another one. Points that it cannot see are not counted.
 struct Agreement {
   std::size_t agreeing = 0;      ///< it has a hit near the point
   std::size_t seen_through = 0;  ///< all its beams around the point go far beyond

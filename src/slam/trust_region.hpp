@@ -11,7 +11,7 @@
 
 namespace outrider {
 
-/// What is made least: the sum of loss(weight r^T W r) over the edges.
+/// The objective to minimise: the sum of loss(weight r^T W r) over the edges.
 struct GraphObjective {
   std::string kernel = "none";
   double kernel_width = 1.0;
@@ -27,7 +27,7 @@ struct DescentLimits {
 
 enum class DescentEnd { none, converged, stuck };  ///< stuck: no step lowers the cost, to rounding
 
-/// Where a descent stands; it can be continued.
+/// The state of a descent; it can be continued.
 template <class Pose>
 struct Descent {
   std::vector<Pose> poses;

@@ -116,8 +116,6 @@ TEST(Style, CommentsBeginWithASentence) {
   const std::regex fragment(R"(\s*///?<? (Of|Whether|Who|What|By|Those|Where)\b.*)");
   EXPECT_TRUE(std::regex_match("  /// Of the disk, m.", fragment));
   for (const Source& source : sources({"include", "src", "apps", "research", "tests", "bench", "examples"})) {
-    if (source.path.find("/io/") != std::string::npos || source.path.find("/slam/") != std::string::npos)
-      continue;
     bool goes_on = false;
     for (const std::string& line : lines(source.text)) {
       const std::size_t begin = line.find_first_not_of(' ');

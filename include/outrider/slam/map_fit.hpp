@@ -14,7 +14,7 @@
 
 namespace outrider {
 
-/// What the beams of a scan say about a map. Beams that may pass along a surface are not counted.
+/// The agreement of the beams of a scan with a map. Beams that may pass along a surface are not counted.
 struct MapFit {
   std::size_t agreeing = 0;    ///< ends at a surface of the map
   std::size_t through = 0;     ///< passes through a surface of the map

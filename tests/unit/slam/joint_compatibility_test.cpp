@@ -34,7 +34,8 @@ double joint_distance(const std::vector<PossiblePair>& pairs, const Eigen::Matri
   return sum;
 }
 
-/// Of all subsets that pair each sighting and landmark at most once and whose beginnings are compatible.
+/// Returns the best of all subsets that pair each sighting and landmark at most once and whose beginnings are
+/// compatible.
 std::vector<std::size_t> by_brute_force(const std::vector<PossiblePair>& pairs,
                                         const Eigen::MatrixXd& covariance, double gate) {
   std::vector<std::size_t> best;

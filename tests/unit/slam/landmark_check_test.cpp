@@ -27,7 +27,8 @@ TEST(LandmarkCheck, ALandmarkMayMoveByAsMuchAsItWasUncertain) {
   EXPECT_NEAR(moved[0].sd_m, std::sqrt(0.25 - 0.01), 1e-9);
 }
 
-/// What is known to a centimetre must not move by half a metre, also where the covariance has not shrunk.
+/// A landmark that is known to a centimetre must not move by half a metre, also where the covariance has not
+/// shrunk.
 TEST(LandmarkCheck, ALandmarkThatWasWellKnownMayNot) {
   LandmarkCheck check;
   check.note(1, map_of(1, {}, 1.0));

@@ -1,4 +1,4 @@
-// Of a place that is known, no more scans are held.
+// Local maps hold no more scans of a place that is known.
 #include "local_map.hpp"
 
 #include <gtest/gtest.h>

@@ -20,8 +20,8 @@ using Key = std::pair<std::int64_t, std::int64_t>;
 std::int64_t put(double cells) { return 2 * static_cast<std::int64_t>(std::floor(512.0 * cells)) + 1; }
 std::int64_t cell_of(std::int64_t units) { return units >= 0 ? units / 1024 : -((-units + 1023) / 1024); }
 
-/// Whether the segment meets the inside of a cell, by integers: the corners lie on both sides of its line,
-/// and its box meets the cell's.
+/// Returns true if the segment meets the inside of a cell, by integers: the corners lie on both sides of its
+/// line, and its box meets the cell's.
 bool meets(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by, Key cell) {
   const std::int64_t x0 = cell.first * 1024, y0 = cell.second * 1024, x1 = x0 + 1024, y1 = y0 + 1024;
   if (std::max(ax, bx) <= x0 || std::min(ax, bx) >= x1) return false;
@@ -35,7 +35,7 @@ bool meets(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by, K
          *std::max_element(std::begin(sides), std::end(sides)) > 0;
 }
 
-/// What a scan does, cell by cell of the box around each beam: 1 crossed, 2 hit.
+/// Returns the effect of a scan, cell by cell of the box around each beam: 1 crossed, 2 hit.
 std::map<Key, int> touched(const Pose2& laser, const LaserScan& scan, double side_m) {
   std::map<Key, int> result;
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double way_factor = 1.015, turn_factor = 0.98, bend_rad_per_m = 0.06;
 
-/// What such wheels really do where they count that motion.
+/// Returns the true motion of such wheels when they count that motion.
 Pose2 truly(const Pose2& counted) {
   const double turn_rad = turn_factor * counted.heading_rad + bend_rad_per_m * counted.position.x;
   const double middle = 0.5 * (turn_rad - counted.heading_rad);
@@ -47,7 +47,7 @@ OdometryBias taught(int steps, std::uint64_t seed) {
   return bias;
 }
 
-/// Where a blind drive of that many arcs is taken to end, off the truth.
+/// Returns the error of the believed end of a blind drive of that many arcs.
 Pose2 blind_error(const OdometryBias& bias, int steps, std::uint64_t seed) {
   Rng rng(seed);
   Pose2 truth, believed;

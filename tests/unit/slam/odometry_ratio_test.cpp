@@ -11,7 +11,7 @@
 namespace outrider {
 namespace {
 
-/// What the map and the wheels make of the true motion.
+/// The scales that the map and the wheels give to the true motion.
 struct Scales {
   double map = 1.0, ways = 1.0, turns = 1.0;
 };

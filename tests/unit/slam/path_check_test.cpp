@@ -119,7 +119,7 @@ TEST(PathCheck, WhatNeitherOdometryNorScansConfirmIsAJump) {
   EXPECT_TRUE(find_jumps(graph, surfaces).empty()) << "odometry confirms it";
 }
 
-/// What odometry missed in a minute without a scan, only the scans can tell.
+/// Only the scans can tell what odometry missed in a minute without a scan.
 TEST(PathCheck, AStepAfterAPauseNeedsScansThatAgree) {
   Rng rng(6);
   KeyframeGraph graph = drive_past_walls(rng);

@@ -58,7 +58,7 @@ TEST(PoseGraphBound, NoPosesCostLess) {
   no_poses_cost_less<Pose3>();
 }
 
-/// Where errors are moderate, the bound made from the optimum reaches its cost.
+/// The bound made from the optimum reaches its cost when errors are moderate.
 template <class Pose>
 void proves_the_optimum(bool coupled) {
   Rng rng(2);

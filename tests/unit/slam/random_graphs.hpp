@@ -38,7 +38,7 @@ PoseMatrix<Pose> random_information(EdgeKind kind, Rng& rng) {
   return result;
 }
 
-/// What an edge between these poses would measure, moved by `error` in each direction.
+/// Returns the measurement of an edge between these poses, moved by `error` in each direction.
 template <class Pose>
 Pose measurement(EdgeKind kind, const Pose& from, const Pose& to, double error, Rng& rng) {
   PoseVector<Pose> noise = PoseVector<Pose>::Zero();

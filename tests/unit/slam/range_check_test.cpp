@@ -67,7 +67,7 @@ TEST(RangeCheck, BeamsThatEndAnywhereAreStrays) {
   }
 }
 
-/// Of a range finder that reaches far beyond the walls nearly all outliers lie behind them.
+/// Nearly all outliers of a range finder that reaches far beyond the walls lie behind them.
 TEST(RangeCheck, BeamsThatEndBehindWallsAreStrays) {
   testing::Finder far;
   far.most_m = 30.0;

@@ -1,4 +1,4 @@
-// What two scans say of each other, in rooms whose walls are known.
+// The judgement of two scans about each other, in rooms whose walls are known.
 #include "scan_agreement.hpp"
 
 #include <gtest/gtest.h>

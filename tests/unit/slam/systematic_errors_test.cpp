@@ -17,7 +17,7 @@ namespace {
 
 constexpr double way_sd_m = 0.05, turn_sd_rad = 0.035, sight_sd_m = 0.05;
 
-/// What is wrong with all measurements of a kind.
+/// The errors that all measurements of a kind have in common.
 struct Wrong {
   double ways = 0.0, turns = 0.0, range_m = 0.0, range_part = 0.0;
 };

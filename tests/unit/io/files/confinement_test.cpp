@@ -150,7 +150,7 @@ TEST_F(Confinement, AWorldMayIncludeWhatLiesInside) {
   EXPECT_EQ(loading(std::string(world).insert(world.find("<include>"), floor)).said, "2 solids");
 }
 
-/// What got through a parser that guessed which files a world opens.
+/// These worlds got through a parser that guessed which files a world opens.
 TEST_F(Confinement, NoWorldLeadsOut) {
   const std::string out = "../outside/model.sdf";
   const std::vector<std::string> uris = {"<uri>" + out + "</uri>",

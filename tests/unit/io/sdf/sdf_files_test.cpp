@@ -1,4 +1,4 @@
-// Where the models that a world names are found.
+// The search for the models that a world names.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

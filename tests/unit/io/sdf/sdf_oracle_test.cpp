@@ -115,7 +115,7 @@ Peer read_by_sdformat(const std::string& text, const std::string& path) {
   return peer;
 }
 
-/// What Outrider reads.
+/// Returns the poses that Outrider reads.
 Peer read_by_us(const std::string& text, const std::string& path) {
   Peer ours;
   SdfFiles files("");
