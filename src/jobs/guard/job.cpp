@@ -43,7 +43,10 @@ Status explore_and_guard(const GuardScenario& scenario, Run& run, const RunWatch
   RunSteps steps(watch, 4);
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   if (auto ok = steps.next("exploring the yard"); !ok) return ok;
-  auto yard = scout(scenario.problem, {{}, scenario.sensors, scenario.scout}, seed, run.log, steps.inner());
+  ScoutTask task;
+  task.sensors = scenario.sensors;
+  task.options = scenario.scout;
+  auto yard = scout(scenario.problem, task, seed, run.log, steps.inner());
   if (!yard) return pass_on(yard);
   const bool explored = yard->run.report.status != "cancelled";
   std::string failure = yard->failure;

@@ -13,7 +13,7 @@ Solid box(const std::string& name, Vec3 at, Vec3 half, double yaw_rad = 0.0) {
 }
 
 /// A shed of two walls, a bench, a post, on a floor.
-World yard() {
+World yard_of_sheds() {
   World world;
   world.bounds = {{-10, -10}, {10, 10}};
   world.solids = {Solid{"floor", {}, HalfSpaceShape{}},
@@ -26,7 +26,7 @@ World yard() {
 }
 
 std::string refusal(const WorldChanges& changes) {
-  const auto world = changed(yard(), changes);
+  const auto world = changed(yard_of_sheds(), changes);
   EXPECT_FALSE(world.has_value());
   return world ? "" : to_string(world.error());
 }
@@ -36,7 +36,7 @@ const Solid& solid_named(const World& world, const std::string& name) {
 }
 
 TEST(WorldChanges, AThingIsMovedAndTurnedAboutTheMiddleOfItsBox) {
-  const auto world = changed(yard(), {{{"shed", {{0, -5}, pi / 2}}}, {}});
+  const auto world = changed(yard_of_sheds(), {{{"shed", {{0, -5}, pi / 2}}}, {}});
   ASSERT_TRUE(world.has_value()) << world.error().sentence;
   // The box around both walls is [1, 3.1] x [-0.1, 2]; its middle (2.05, 0.95) comes to (0, -5).
   const Vec3 wall = solid_named(*world, "shed/wall").world_T_solid.position;
@@ -50,7 +50,7 @@ TEST(WorldChanges, AThingIsMovedAndTurnedAboutTheMiddleOfItsBox) {
 /// Whatever is inside a thing before is inside it afterwards, at the place that the rigid motion takes it to.
 TEST(WorldChanges, PointsOfAThingGoWithIt) {
   Rng rng = Rng(3).child("changes");
-  const World before = yard();
+  const World before = yard_of_sheds();
   for (int i = 0; i < 50; ++i) {
     const Pose2 to{{rng.uniform(-8, 8), rng.uniform(-8, 8)}, rng.uniform(-pi, pi)};
     for (const MovableThing& thing : movable_things(before)) {
@@ -72,7 +72,7 @@ TEST(WorldChanges, PointsOfAThingGoWithIt) {
 }
 
 TEST(WorldChanges, OnAHillItKeepsItsHeightAboveTheGround) {
-  World world = yard();
+  World world = yard_of_sheds();
   const auto field = HeightField::make({-10, -10}, {10, 10}, 3, 3, {0, 1, 2, 0, 1, 2, 0, 1, 2});
   ASSERT_TRUE(field.has_value());
   world = world.on(std::make_shared<const HeightField>(*field));
@@ -83,9 +83,9 @@ TEST(WorldChanges, OnAHillItKeepsItsHeightAboveTheGround) {
 }
 
 TEST(WorldChanges, ANameStandsForItsPartsAndNotForWhatOnlyBeginsLikeIt) {
-  const auto world = changed(yard(), {{{"shed/side", {}}, {"bench_2", {{1, 2}, 0.05}}}, {"bench"}});
+  const auto world = changed(yard_of_sheds(), {{{"shed/side", {}}, {"bench_2", {{1, 2}, 0.05}}}, {"bench"}});
   ASSERT_TRUE(world.has_value()) << world.error().sentence;
-  EXPECT_EQ(world->solids.size(), yard().solids.size() - 1);
+  EXPECT_EQ(world->solids.size(), yard_of_sheds().solids.size() - 1);
   EXPECT_EQ(solid_named(*world, "shed/wall").world_T_solid.position.x, 2.0);
   EXPECT_NEAR(solid_named(*world, "shed/side/left").world_T_solid.position.x, 0.0, 1e-12);
   EXPECT_NEAR(solid_named(*world, "bench_2").world_T_solid.position.y, 2.0, 1e-12);
@@ -93,7 +93,7 @@ TEST(WorldChanges, ANameStandsForItsPartsAndNotForWhatOnlyBeginsLikeIt) {
 
 TEST(WorldChanges, WhatCanBeMovedLeavesOutTheGround) {
   std::vector<std::string> names;
-  for (const MovableThing& thing : movable_things(yard())) names.push_back(thing.name);
+  for (const MovableThing& thing : movable_things(yard_of_sheds())) names.push_back(thing.name);
   EXPECT_EQ(names, (std::vector<std::string>{"shed", "bench", "bench_2", "post"}));
 }
 
