@@ -1,6 +1,6 @@
 #include "outrider/jobs/drive/scenario.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -102,9 +102,10 @@ Status load_ground(const DriveScenario& scenario, const std::optional<Pose2>& go
   return {};
 }
 
-Status check_argument(const std::string& value, const char* key, const char* one, const char* other) {
-  if (value == one || value == other) return {};
-  return bad_input(fmt::format("'{}' is not valid; expected {} or {}", excerpt(value), one, other), key);
+Status check_argument(const std::string& value, const char* key, const std::vector<std::string>& names) {
+  if (std::ranges::count(names, value) > 0) return {};
+  return bad_input(fmt::format("'{}' is not valid; expected {}", excerpt(value), fmt::join(names, " or ")),
+                   key);
 }
 
 /// A drive is planned before it begins, and never again.
@@ -138,12 +139,12 @@ Status check_laser(const DriveScenario& scenario) {
 }
 
 Status check_arguments(const DriveScenario& scenario) {
-  if (scenario.loop != "laser") {
-    if (auto ok = check_argument(scenario.loop, "loop", "closed", "open or laser"); !ok) return ok;
-  } else if (auto ok = check_laser(scenario); !ok) {
+  const bool by_laser = scenario.loop == "laser";
+  if (auto ok = by_laser ? check_laser(scenario)
+                         : check_argument(scenario.loop, "loop", {"closed", "open", "laser"});
+      !ok)
     return ok;
-  }
-  if (auto ok = check_argument(scenario.sight, "sight", "rendered", "modelled"); !ok) return ok;
+  if (auto ok = check_argument(scenario.sight, "sight", {"rendered", "modelled"}); !ok) return ok;
   if (scenario.goal.empty() != scenario.planner.empty()) {
     return bad_input("a goal and a planner go together; give both, or waypoints",
                      scenario.goal.empty() ? "goal" : "planner");
