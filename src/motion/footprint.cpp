@@ -50,7 +50,9 @@ Status check_footprint(const RoundedPolygon& shape) {
   const auto refuse = [](std::string sentence) { return bad_input(std::move(sentence), "footprint"); };
   if (core.empty() || core.size() > most_corners)
     return refuse(fmt::format("a footprint has 1 to {} corners, this one has {}", most_corners, core.size()));
-  if (!(shape.radius_m >= 0.0 && shape.radius_m <= most_m) || (core.size() < 3 && shape.radius_m == 0.0))
+  const bool has_size = shape.radius_m > 0.0 || core.size() >= 3;
+  const bool in_range = shape.radius_m >= 0.0 && shape.radius_m <= most_m;
+  if (!has_size || !in_range)
     return refuse(fmt::format("the radius of a footprint must be more than 0 and at most {} m", most_m));
   for (std::size_t i = 0; i < core.size(); ++i) {
     const Vec2 a = core[i], b = core[(i + 1) % core.size()], c = core[(i + 2) % core.size()];

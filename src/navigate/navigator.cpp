@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace outrider {
 namespace {
@@ -237,7 +238,7 @@ void Navigator::note_progress(const GoTo& order) {
     nearer_s_ = time_s_;
     least_left_s_ = left_s_.value_or(std::numeric_limits<double>::infinity());
   }
-  if (recovery_ == Recovery::none && time_s_ - nearer_s_ > setup_.options.patience_s) recover();
+  if (recovery_ == Recovery::none && time_s_ - nearer_s_ > setup_.options.patience_s) recover(order);
 }
 
 Twist2 Navigator::turn_at_place(const MotionState& state, double heading_rad) const {
@@ -250,22 +251,21 @@ Twist2 Navigator::turn_at_place(const MotionState& state, double heading_rad) co
 }
 
 /// Begins the next way out, or gives up.
-void Navigator::recover() {
+void Navigator::recover(const GoTo& order) {
   if (recoveries_ >= setup_.options.most_recoveries) {
+    const Vec2 to = order.place;
     progress_ = {Progress::State::blocked, left_s_,
-                 left_s_ ? fmt::format("no progress towards ({:.2f}, {:.2f}) after {} recoveries",
-                                       order_->place.x, order_->place.y, recoveries_)
-                         : fmt::format("no way to ({:.2f}, {:.2f}) around what stands there", order_->place.x,
-                                       order_->place.y)};
+                 left_s_ ? fmt::format("no progress towards ({:.2f}, {:.2f}) after {} recoveries", to.x, to.y,
+                                       recoveries_)
+                         : fmt::format("no way to ({:.2f}, {:.2f}) around what stands there", to.x, to.y)};
     return;
   }
-  constexpr Recovery ways[] = {Recovery::forget, Recovery::turn, Recovery::back_off};
-  recovery_ = ways[recoveries_ % 3];
-  ++recoveries_;
-  if (recovery_ == Recovery::forget) map_.forget_but(time_s_, lately_s);
-  recovers_until_s_ = time_s_ + (recovery_ == Recovery::turn       ? turn_s
-                                 : recovery_ == Recovery::back_off ? back_off_s
-                                                                   : 0.0);
+  constexpr std::pair<Recovery, double> ways[] = {
+      {Recovery::forget, 0.0}, {Recovery::turn, turn_s}, {Recovery::back_off, back_off_s}};
+  const auto& [way, takes_s] = ways[recoveries_++ % 3];
+  recovery_ = way;
+  recovers_until_s_ = time_s_ + takes_s;
+  if (way == Recovery::forget) map_.forget_but(time_s_, lately_s);
 }
 
 /// Returns the twist of a way out: a turn to where the way leads, or straight back; none if it is not safe.

@@ -138,7 +138,7 @@ class SampledMotion final : public LocalMotion {
     double cost_s = 0.0;
     double gap_m = std::numeric_limits<double>::infinity();  // unknown
     const std::size_t steps = knots_ * steps_a_knot;
-    const std::size_t passed = static_cast<std::size_t>(elapsed_s_ / step_s);  // of the first knot
+    const auto passed = static_cast<std::size_t>(elapsed_s_ / step_s);  // of the first knot
     for (std::size_t step = 0; step < steps; ++step) {
       const std::size_t knot = std::min((step + passed) / steps_a_knot, knots_ - 1);
       const Twist2 next = twist_after(twist, commands.at[knot], robot, step_s);

@@ -42,8 +42,8 @@ double Surroundings::clearance(Vec2 place) const {
   const double x = (place.x - frame_.origin.x) / frame_.resolution_m - 0.5;
   const double y = (place.y - frame_.origin.y) / frame_.resolution_m - 0.5;
   const double column = std::floor(x), row = std::floor(y);
-  if (!(column >= 0.0 && row >= 0.0 && column + 1.0 < frame_.width && row + 1.0 < frame_.height))
-    return most_m;
+  const bool inside = column >= 0.0 && row >= 0.0 && column + 1.0 < frame_.width && row + 1.0 < frame_.height;
+  if (!inside) return most_m;
   const auto at = frame_.index({static_cast<int>(column), static_cast<int>(row)});
   const auto up = at + static_cast<std::size_t>(frame_.width);
   const double u = x - column, v = y - row;

@@ -107,7 +107,7 @@ class Navigator {
   [[nodiscard]] Pose2 pose() const { return compose(estimator_->world_T_odometry(), track_.back().odometry); }
   void take(const LaserScan& scan);
   void judge(const GoTo& order);
-  void recover();
+  void recover(const GoTo& order);
   [[nodiscard]] Twist2 recovery_twist(const MotionState& state) const;
   [[nodiscard]] Twist2 turn_at_place(const MotionState& state, double heading_rad) const;
   void begin(const GoTo& order);

@@ -182,7 +182,7 @@ class LaserDrive {
 };
 
 Report LaserDrive::report() const {
-  const TwistBody& body = robot_.body<TwistBody>();
+  const auto& body = robot_.body<TwistBody>();
   Report report;
   report.world_name = task_.world.name;
   const bool arrived = next_ == task_.waypoints.size();
