@@ -29,8 +29,8 @@ Outcome<CameraImage> from_jpeg(std::string_view bytes, const std::string& name) 
     return damaged();
   }
   const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
-  if (auto size = check_image_size(columns, rows, name); !size) return pass_on(size);
-  const std::size_t pixels = columns * rows;
+  const std::size_t pixels = columns * rows;  // none where the header is cut: decoding says so
+  if (auto size = check_image_size(columns, rows, name); pixels > 0 && !size) return pass_on(size);
   if (auto size = check_expansion(pixels, bytes.size(), most_pixels_per_byte, name); !size)
     return pass_on(size);
   CameraImage image{width, height, std::vector<std::uint8_t>(pixels)};

@@ -128,7 +128,7 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     const page = await open("#live?scenario=cover/cover_room.yaml");
     await page.waitForSelector(".start button:enabled");
     await page.click(".start button");
-    await page.waitForSelector(".live-page .verdict");
+    await page.waitForSelector('.live-page[data-state="done"] .verdict');  // only then is its log to be had
     assert.match(await text(page, ".verdict"), /Done/);
     assert.match(await text(page, ".legend"), /covered.*lap.*lane.*move.*planned.*out of reach/);
     assert.equal((await saved(page, () => page.keyboard.press("j"))).subarray(1, 5).toString(), "MCAP", "a run that was live has its log");
