@@ -20,7 +20,7 @@
 
 namespace outrider {
 
-/// What a GoalField is for.
+/// The goal of a GoalField, and the room that a robot wants.
 struct GoalQuery {
   Vec2 goal;
   double within_m = 0.1;  ///< so near to the goal the robot has arrived

@@ -51,7 +51,7 @@ struct LocalMotionOptions {
 };
 std::vector<Option> describe(LocalMotionOptions& options);
 
-/// What a rule proposes.
+/// The proposal of a rule.
 struct MotionChoice {
   Twist2 twist;            ///< to be commanded for a period
   std::vector<Pose2> way;  ///< where it leads, a pose each 0.1 s; empty if the robot brakes

@@ -52,7 +52,7 @@ struct Progress {
   std::string why = {};               ///< one sentence if it is blocked or lost
 };
 
-/// What a mission may know.
+/// The present situation, for a mission.
 struct Situation {
   double time_s = 0.0;
   Pose2 pose;                                            ///< world_T_robot, as believed

@@ -9,7 +9,7 @@
 namespace outrider {
 namespace {
 
-/// What a plane cuts of the solid is the slice again.
+/// The cut of a plane through the solid is the slice again.
 TEST(Upright, StandsAsItWasCut) {
   const std::vector<std::vector<Vec2>> all = {{{0, 1}, {2, 3}},
                                               {{1, 1}, {1, 4}},
