@@ -23,7 +23,7 @@ namespace outrider {
 /// The goal of a GoalField, and the room that a robot wants.
 struct GoalQuery {
   Vec2 goal;
-  double within_m = 0.1;  ///< so near to the goal the robot has arrived
+  double within_m = 0.1;  ///< distance from the goal at which the robot has arrived
   double wide_m = 0.35;   ///< room beside its footprint at which a robot goes at full speed
   double margin_m = 0.0;  ///< room that it keeps at least
 };

@@ -4,9 +4,9 @@
 // ends there adds to the weight of the mark, up to eight; each scan whose beams pass it takes one away, so
 // what has gone is forgotten in a fraction of a second, and a reading that was wrong at once. What is out of
 // sight stays until it is `forget_s` old. What was touched stays longer, since the laser may not see it.
-// Where the robot has driven nothing stands, whatever noise does.
+// Nothing stands where the robot has driven, whatever noise does.
 //
-// Frames: the world of the localiser. A correction of the pose smears marks, which later beams then clear.
+// Frames: the world of the localiser. Small corrections of the pose smear marks; later beams clear them.
 // Thread rule: one at a time. O(beams + marks in range) per scan.
 #pragma once
 
@@ -24,8 +24,8 @@ namespace outrider {
 struct LiveMapOptions {
   double resolution_m = 0.05;  ///< side of a cell
   double reach_m = 10.0;       ///< half the side of the window
-  double forget_s = 30.0;      ///< after which a mark out of sight is forgotten
-  double touch_s = 120.0;      ///< after which what was touched is forgotten
+  double forget_s = 30.0;      ///< time after which a mark out of sight is forgotten
+  double touch_s = 120.0;      ///< time after which what was touched is forgotten
 };
 std::vector<Option> describe(LiveMapOptions& options);
 
@@ -34,7 +34,7 @@ struct Mark {
   Vec2 place;            ///< mean of the newest readings
   double seen_s = 0.0;   ///< time of the newest reading
   int weight = 0;        ///< 0: nothing stands there
-  bool touched = false;  ///< by the bumper
+  bool touched = false;  ///< the bumper found it
 };
 
 class LiveMap {

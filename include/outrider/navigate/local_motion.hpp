@@ -35,8 +35,8 @@ struct MotionState {
   const Surroundings& near;
   const GoalField& field;
   Vec2 goal;
-  double within_m = 0.1;   ///< of the goal the robot has arrived
-  double period_s = 0.05;  ///< until the next command
+  double within_m = 0.1;   ///< distance from the goal at which the robot has arrived
+  double period_s = 0.05;  ///< time until the next command
 };
 
 /// Options of the rules.

@@ -1,15 +1,15 @@
-// Navigator: gets a robot where a mission wants it, around what its map does not have.
+// Navigator: gets a robot where a mission wants it, around what no map has.
 //
-//   Navigator navigator(setup, start);
+//   auto navigator = Navigator::make(setup, start);
 //   for (;;) {
-//     const Situation now = navigator.perceive(robot.sense());
-//     robot.act(navigator.act(GoTo{goal}));
+//     const Situation now = navigator->perceive(robot.sense());
+//     robot.act(navigator->act(GoTo{goal}));
 //   }
 //
 // perceive() localises the robot, brings the live map up to date (live_map.hpp) and judges the progress.
 // act() plans anew when the map has changed (goal_field.hpp), finds the next motion (local_motion.hpp) and
 // recovers when nothing goes on: it forgets what it has not seen lately, turns to where the way leads, backs
-// off to where there is more room, and after all of that several times in vain gives up with a reason. Every
+// off, and after all of that several times in vain gives up with a reason. Every
 // answer is a DriveTwist for one period. It never commands a motion from which the robot could not brake
 // before what is marked.
 //
@@ -56,7 +56,7 @@ struct Progress {
 struct Situation {
   double time_s = 0.0;
   Pose2 pose;                                            ///< world_T_robot, as believed
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of x, y and heading in the world
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< covariance of x, y and heading in the world
   Twist2 twist;                                          ///< present
   Progress progress;
 };
@@ -64,11 +64,11 @@ struct Situation {
 /// Options of the navigator besides those of its parts.
 struct NavigatorOptions {
   std::string localiser = "laser_mapping";  ///< row of pose_estimators()
-  double period_s = 0.05;                   ///< of commands
+  double period_s = 0.05;                   ///< time between two commands
   double plan_again_s = 0.2;                ///< least time between two plans
-  double patience_s = 3.0;                  ///< without progress, after which it recovers
-  double blind_s = 0.5;                     ///< without a scan, after which the robot stands
-  std::int64_t most_recoveries = 12;        ///< in a row, after which it gives up
+  double patience_s = 3.0;                  ///< time without progress after which it recovers
+  double blind_s = 0.5;  ///< time without a scan after which it stands; after 20 times that it is lost
+  std::int64_t most_recoveries = 12;  ///< number of recoveries in a row after which it gives up
 };
 std::vector<Option> describe(NavigatorOptions& options);
 

@@ -91,8 +91,8 @@ inline std::string_view without_gz(std::string_view name) {
 /// The lines of a text, one after the other.
 struct TextLines {
   std::string_view rest;
-  const std::string& name;  ///< of the file
-  std::size_t number = 0;   ///< of the line, from 1
+  const std::string& name;  ///< the file
+  std::size_t number = 0;   ///< the number of the line, from 1
   std::string_view line = {};
 
   /// Takes the next line. Returns false at the end.

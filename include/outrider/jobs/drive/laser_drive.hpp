@@ -18,7 +18,7 @@ namespace outrider {
 /// Options of a drive by laser.
 struct LaserDriveOptions {
   std::string footprint;             ///< corners or radius (parse_footprint()); empty: the disk of the robot
-  double within_m = 0.15;            ///< of a waypoint the robot has arrived
+  double within_m = 0.15;            ///< distance from a waypoint at which the robot has arrived
   double within_rad = radians(5.0);  ///< the same of the heading at a stop
   RangeFinderModel laser;
   ExplorerWheels wheels;
@@ -34,7 +34,8 @@ std::vector<OptionGroup> describe(LaserDriveOptions& options);
 /// waypoint, was truly there within twice the tolerance, and touched nothing. A pure function of its
 /// arguments, but for the watch. Faults: those of parse_footprint() and Navigator::make(). Metrics:
 ///   driven_m, ideal_m, turned_rad, ideal_rad   of the true robot; along straight legs through the waypoints
-///   time_s, contacts, recoveries
+///   time_s, contacts
+///   recoveries              most ways out of a place where nothing went on, in a row
 ///   belief_error_m          largest error of the believed position
 ///   false_arrivals          waypoints called reached where the robot was not
 /// and the table "waypoints" as run_drive() has it.

@@ -56,7 +56,7 @@ struct DriveScenario {
   std::int64_t seed = 1;                   ///< of the simulation
   DriveRouteOptions route;                 ///< of planned paths
   DriveSimParams sim;                      ///< errors of the simulated robot
-  LaserDriveOptions laser;                 ///< of a drive by laser
+  LaserDriveOptions laser;                 ///< options of a drive by laser
   DriveTask task;                          ///< the other settings
 };
 
