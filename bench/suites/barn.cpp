@@ -45,7 +45,7 @@ struct BarnRun {
 /// The runs of one rule.
 struct BarnRow {
   std::string rule;
-  std::int64_t runs = 0, done = 0, contacts = 0, timeouts = 0;
+  std::int64_t runs = 0, done = 0, contacts = 0, not_reached = 0;
   double score = 0.0;   ///< mean
   double time_s = 0.0;  ///< mean of those that are done
 };
@@ -56,18 +56,18 @@ nlohmann::ordered_json row_json(const BarnRow& row) {
           {"runs", row.runs},
           {"success", static_cast<double>(row.done) / runs},
           {"contacts", row.contacts},
-          {"timeouts", row.timeouts},
+          {"not_reached", row.not_reached},
           {"score", row.score},
           {"time_s", row.time_s}};
 }
 
 std::string table_text(const std::vector<BarnRow>& rows) {
-  std::string text = "rule        runs  success  contacts  time out  time    score (at most 0.5)\n";
+  std::string text = "rule        runs  success  contacts  not there  time    score (at most 0.5)\n";
   for (const BarnRow& row : rows) {
     text += fmt::format(
         "{:10} {:5}  {:6.1f} %  {:8}  {:8}  {:5.1f} s {:6.4f}\n", row.rule, row.runs,
         100.0 * static_cast<double>(row.done) / static_cast<double>(std::max<std::int64_t>(row.runs, 1)),
-        row.contacts, row.timeouts, row.time_s, row.score);
+        row.contacts, row.not_reached, row.time_s, row.score);
   }
   return text;
 }
@@ -163,7 +163,7 @@ BarnRow row_of(const std::string& rule, const std::vector<BarnRun>& runs) {
   for (const BarnRun& run : runs) {
     row.done += run.done;
     row.contacts += run.touched;
-    row.timeouts += !run.done && !run.touched;
+    row.not_reached += !run.done && !run.touched;
     row.score += run.score / static_cast<double>(runs.size());
     if (run.done) row.time_s += run.time_s;
   }

@@ -20,7 +20,7 @@ class DynamicWindow final : public LocalMotion {
  public:
   explicit DynamicWindow(const LocalMotionOptions& options) : options_(options) {}
 
-  MotionChoice choose(const MotionState& state) override {
+  Twist2 choose(const MotionState& state) override {
     const RobotModel& robot = state.robot;
     const double reach_s = std::max(state.period_s, 0.25);
     Twist2 low = twist_after(state.twist, {0.0, 0.0, -robot.turn_rate_radps}, robot, reach_s);
@@ -30,7 +30,7 @@ class DynamicWindow final : public LocalMotion {
     low.ahead_mps = std::clamp(low.ahead_mps, 0.0, high.ahead_mps);
     const Vec2 aim =
         to_goal_m < lookahead_m ? state.goal : state.field.way(state.pose.position, lookahead_m).back();
-    MotionChoice best{{}, {}, true};
+    Twist2 best;
     double most = -1.0;
     for (int i = 0; i < speeds; ++i) {
       for (int k = 0; k < turns; ++k) {
@@ -39,11 +39,9 @@ class DynamicWindow final : public LocalMotion {
         const double worth = worth_of(state, twist, aim);
         if (worth <= most || !can_brake(state, twist, options_.margin_m)) continue;
         most = worth;
-        best = {twist, {}, false};
+        best = twist;
       }
     }
-    for (double s = 0.0; !best.brakes && s < foresight_s; s += 0.1)
-      best.way.push_back(moved(state.pose, best.twist, s));
     return best;
   }
 

@@ -12,8 +12,6 @@ namespace {
 constexpr double brake_step_s = 0.02;
 constexpr double rounding_m = 1e-4;  // by which a gap may become less because of rounding
 
-double nearer(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
-
 }  // namespace
 
 std::vector<Option> describe(LocalMotionOptions& options) {
@@ -36,20 +34,6 @@ const std::vector<LocalMotionRow>& local_motions() {
       {"dwa", "the dynamic window approach, as a baseline", make_dynamic_window},
   };
   return rows;
-}
-
-Twist2 twist_after(const Twist2& now, const Twist2& commanded, const RobotModel& robot, double duration_s) {
-  const double ahead = std::clamp(commanded.ahead_mps, -robot.speed_mps, robot.speed_mps);
-  const double turn = std::clamp(commanded.turn_radps, -robot.turn_rate_radps, robot.turn_rate_radps);
-  return {nearer(now.ahead_mps, ahead, robot.acceleration_mps2 * duration_s), 0.0,
-          nearer(now.turn_radps, turn, robot.turn_acceleration_radps2 * duration_s)};
-}
-
-Pose2 moved_evenly(const Pose2& from, const Twist2& begin, const Twist2& end, double duration_s) {
-  const double way_m = 0.5 * (begin.ahead_mps + end.ahead_mps) * duration_s;
-  const double turned_rad = 0.5 * (begin.turn_radps + end.turn_radps) * duration_s;
-  return {from.position + way_m * direction(from.heading_rad + 0.5 * turned_rad),
-          from.heading_rad + turned_rad};
 }
 
 bool can_brake(const MotionState& state, const Twist2& commanded, double margin_m) {

@@ -30,7 +30,7 @@ constexpr double back_off_s = 1.5;
 std::vector<Option> describe(NavigatorOptions& options) {
   return {
       choice_option("localiser", "how the robot knows where it is", &options.localiser,
-                    names_of(pose_estimators())),
+                    names_of(robot_localisers())),
       {"period", "s", 0.005, 1.0, "time between two commands", &options.period_s},
       {"plan_again", "s", 0.0, 60.0, "least time between two plans", &options.plan_again_s},
       {"patience", "s", 0.1, 1e4, "time without progress after which it recovers", &options.patience_s},
@@ -43,18 +43,18 @@ std::vector<Option> describe(NavigatorOptions& options) {
 Outcome<Navigator> Navigator::make(NavigatorSetup setup, const Pose2& start) {
   auto row = find_row(local_motions(), "rule of motion", setup.motion.rule, "rule");
   if (!row) return pass_on(row);
-  auto known = find_row(pose_estimators(), "localiser", setup.options.localiser, "localiser");
+  auto known = find_row(robot_localisers(), "localiser", setup.options.localiser, "localiser");
   if (!known) return pass_on(known);
-  auto estimator = known->make(start, setup.robot_T_laser);
-  if (!estimator) return pass_on(estimator);
+  auto localiser = known->make(start, setup.robot_T_laser);
+  if (!localiser) return pass_on(localiser);
   auto rule = row->make(setup.motion);
-  return Navigator(std::move(setup), start, std::move(*estimator), std::move(rule));
+  return Navigator(std::move(setup), start, std::move(*localiser), std::move(rule));
 }
 
-Navigator::Navigator(NavigatorSetup setup, const Pose2& start, std::unique_ptr<PoseEstimator> estimator,
+Navigator::Navigator(NavigatorSetup setup, const Pose2& start, std::unique_ptr<RobotLocaliser> localiser,
                      std::unique_ptr<LocalMotion> motion)
     : setup_(std::move(setup)),
-      estimator_(std::move(estimator)),
+      localiser_(std::move(localiser)),
       rule_(std::move(motion)),
       map_(setup_.map, start.position) {}
 
@@ -92,9 +92,9 @@ Pose2 Navigator::odometry_at(double time_s) const {
 /// here.
 void Navigator::take(const LaserScan& scan) {
   const Pose2 then = odometry_at(scan.time_s);
-  const Pose2 before = estimator_->world_T_odometry();
-  const bool corrected = estimator_->take(scan, then);
-  const Pose2 after = estimator_->world_T_odometry();
+  const Pose2 before = localiser_->world_T_odometry();
+  const bool corrected = localiser_->take(scan, then);
+  const Pose2 after = localiser_->world_T_odometry();
   if (corrected) map_.correct(compose(after, inverse(before)));
   map_.note(scan, compose(compose(after, then), setup_.robot_T_laser));
   scan_s_ = scan.time_s;
@@ -114,13 +114,13 @@ Situation Navigator::perceive(const Observation& seen) {
   }
   map_.forget(time_s_);
   if (order_) judge(*order_);
-  return {time_s_, here, estimator_->covariance(), twist_, progress_};
+  return {time_s_, here, localiser_->covariance(), twist_, progress_};
 }
 
 /// Judges how far the order is.
 void Navigator::judge(const GoTo& order) {
   if (progress_.state != Progress::State::underway) return;
-  if (std::string lost = estimator_->lost(); !lost.empty()) {
+  if (std::string lost = localiser_->lost(); !lost.empty()) {
     progress_ = {Progress::State::lost, {}, std::move(lost)};
     return;
   }
@@ -150,7 +150,6 @@ MotionState Navigator::state_of(const GoTo& order) const {
 Command Navigator::act(const Order& order) {
   const double until_s = time_s_ + setup_.options.period_s;
   commanded_ = {};
-  choice_ = {{}, {}, true};
   const auto* const go = std::get_if<GoTo>(&order);
   if (go == nullptr) nearer_s_ = time_s_;
   if (go == nullptr || track_.empty()) return DriveTwist{{}, until_s};
@@ -165,8 +164,7 @@ Command Navigator::act(const Order& order) {
   } else if (at_place_) {
     commanded_ = turn_at_place(state, *go->heading_rad);
   } else {
-    choice_ = rule_->choose(state);
-    commanded_ = choice_.twist;
+    commanded_ = rule_->choose(state);
   }
   return DriveTwist{commanded_, until_s};
 }

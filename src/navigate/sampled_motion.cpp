@@ -58,7 +58,7 @@ class SampledMotion final : public LocalMotion {
     }
   }
 
-  MotionChoice choose(const MotionState& state) override {
+  Twist2 choose(const MotionState& state) override {
     shift(state.period_s);
     const double gap_m = state.near.gap(state.footprint, state.pose, options_.wide_m);
     least_m_ = std::min(options_.margin_m, gap_m - 1e-3);
@@ -111,7 +111,7 @@ class SampledMotion final : public LocalMotion {
                           robot);
       }
     }
-    for (Sample& sample : samples_) sample.cost_s = cost_of(state, sample.commands, nullptr);
+    for (Sample& sample : samples_) sample.cost_s = cost_of(state, sample.commands);
     take_mean(state);
   }
 
@@ -127,11 +127,14 @@ class SampledMotion final : public LocalMotion {
       for (std::size_t k = 0; k < knots_; ++k) mean.at[k] = mean.at[k] + weight * sample.commands.at[k];
     }
     for (std::size_t k = 0; k < knots_; ++k) mean.at[k] = (1.0 / sum) * mean.at[k];
-    plan_ = cost_of(state, mean, nullptr) <= best.cost_s + temperature_s ? mean : best.commands;
+    const double mean_cost_s = cost_of(state, mean);
+    const bool takes_mean = mean_cost_s <= best.cost_s + temperature_s;
+    plan_ = takes_mean ? mean : best.commands;
+    plan_cost_s_ = takes_mean ? mean_cost_s : best.cost_s;
   }
 
   /// Returns the cost of a motion, s: the time that it leaves to the goal, and what it costs on the way.
-  double cost_of(const MotionState& state, const Commands& commands, std::vector<Pose2>* way) const {
+  double cost_of(const MotionState& state, const Commands& commands) const {
     const RobotModel& robot = state.robot;
     Vec2 place = state.pose.position, along = direction(state.pose.heading_rad);
     Twist2 twist = state.twist;
@@ -148,7 +151,6 @@ class SampledMotion final : public LocalMotion {
       place = place + way_m * middle;
       along = turned(along, turn_rad);
       twist = next;
-      if (way != nullptr && step % 2 == 1) way->push_back({place, heading_of(along)});
 
       const double room_m = state.near.clearance(place);
       const double outer_m = state.footprint.outer_m();
@@ -196,16 +198,9 @@ class SampledMotion final : public LocalMotion {
     return *left_s + off_rad / state.robot.turn_rate_radps * std::min(1.0, off_rad);
   }
 
-  [[nodiscard]] MotionChoice choice_of(const MotionState& state, const Commands& commands) const {
-    MotionChoice choice{commands.at[0], {state.pose}, false};
-    cost_of(state, commands, &choice.way);
-    return choice;
-  }
-
   /// Returns the plan if the robot can brake after its first command, else the best sample of that kind.
-  MotionChoice passing(const MotionState& state) {
-    if (cost_of(state, plan_, nullptr) < touch_s && can_brake(state, plan_.at[0], options_.margin_m))
-      return choice_of(state, plan_);
+  Twist2 passing(const MotionState& state) {
+    if (plan_cost_s_ < touch_s && can_brake(state, plan_.at[0], options_.margin_m)) return plan_.at[0];
     const std::size_t count = std::min(fallbacks, samples_.size());
     std::ranges::partial_sort(samples_, samples_.begin() + static_cast<std::ptrdiff_t>(count), {},
                               &Sample::cost_s);
@@ -213,14 +208,14 @@ class SampledMotion final : public LocalMotion {
       if (samples_[i].cost_s >= touch_s || !can_brake(state, samples_[i].commands.at[0], options_.margin_m))
         continue;
       plan_ = samples_[i].commands;
-      return choice_of(state, plan_);
+      return plan_.at[0];
     }
     for (const double part : {0.6, 0.3, 0.0}) {
       const Twist2 slower{part * plan_.at[0].ahead_mps, 0.0, plan_.at[0].turn_radps};
-      if (can_brake(state, slower, options_.margin_m)) return {slower, {state.pose}, false};
+      if (can_brake(state, slower, options_.margin_m)) return slower;
     }
     plan_ = {};
-    return {{}, {}, true};
+    return {};
   }
 
   LocalMotionOptions options_;
@@ -228,6 +223,7 @@ class SampledMotion final : public LocalMotion {
   std::vector<Commands> noise_;
   std::size_t next_noise_ = 0;
   Commands plan_;
+  double plan_cost_s_ = 0.0;
   double elapsed_s_ = 0.0;  // of the first knot of the plan
   double least_m_ = 0.0;    // gap that a motion keeps now
   std::vector<Sample> samples_;

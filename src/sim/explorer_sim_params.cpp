@@ -1,5 +1,7 @@
 #include "outrider/sim/explorer_sim_params.hpp"
 
+#include <fmt/format.h>
+
 namespace outrider {
 
 std::vector<Option> describe(RangeFinderModel& laser) {
@@ -13,6 +15,13 @@ std::vector<Option> describe(RangeFinderModel& laser) {
       {"missed", "", 0.0, 1.0, "part of the beams that give no reading", &laser.missed},
       {"height", "m", 0.0, 10.0, "of the laser above the floor", &laser.height_m},
   };
+}
+
+Status check(const RangeFinderModel& laser) {
+  if (laser.least_m < laser.most_m) return {};
+  return bad_input(fmt::format("'{:g}' is not valid; expected less than laser.most, which is {:g} m",
+                               laser.least_m, laser.most_m),
+                   "laser.least");
 }
 
 std::vector<Option> describe(ExplorerWheels& wheels) {

@@ -207,11 +207,12 @@ LaserScan RangeFinder::measured(const std::vector<double>& ranges_m, double time
                  {}};
   scan.ranges_m.reserve(static_cast<std::size_t>(model_.beams));
   constexpr float infinite = std::numeric_limits<float>::infinity();
+  const double exact_step_rad = 2.0 * pi / static_cast<double>(ranges_m.size());
   for (std::size_t beam = 0; beam < ranges_m.size(); ++beam) {
     const double exact = ranges_m[beam];
     const double error_m = model_.noise_m * rng.normal();
-    const bool out_of_view =
-        std::abs(wrap_angle(static_cast<double>(beam) * scan.step_rad)) > 0.5 * model_.view_rad;
+    const auto from_ahead = static_cast<double>(std::min(beam, ranges_m.size() - beam));
+    const bool out_of_view = from_ahead * exact_step_rad > 0.5 * model_.view_rad + touch;
     const bool missed = rng.uniform() < model_.missed || out_of_view;
     const double measured = missed || exact < model_.least_m ? 0.0 : std::max(0.0, exact + error_m);
     const auto range_m = static_cast<float>(measured);

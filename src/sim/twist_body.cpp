@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "outrider/log/log.hpp"
+#include "outrider/motion/limited_twist.hpp"
 
 namespace outrider {
 namespace {
@@ -14,8 +15,6 @@ constexpr double apart_m = 1e-3;      ///< a robot so far from everything touche
 constexpr double at_rest_mps = 0.02;  ///< no faster, the robot does not drive
 constexpr double hand_m = 0.1;        ///< who puts a robot down leaves so much room around it
 constexpr int halvings = 20;          ///< with which the place of a contact is found
-
-double nearer_by(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 
 }  // namespace
 
@@ -45,7 +44,7 @@ void TwistBody::run_until(double time_s) {
   while (time_s_ < time_s - instant_s) {
     const bool last = time_s - time_s_ < step_s + instant_s;
     const double duration_s = last ? time_s - time_s_ : step_s;
-    speed_up(duration_s);
+    twist_ = twist_after(twist_, wanted_, robot_, duration_s);
     walk_ins_.advance(time_s_, {pose_, robot_.radius_m, twist_.ahead_mps > at_rest_mps}, ground_);
     pass(duration_s);
     time_s_ = last ? time_s : time_s_ + step_s;
@@ -65,13 +64,6 @@ bool TwistBody::take_touch() {
   const bool touched = touching_ || touched_;
   touched_ = false;
   return touched;
-}
-
-void TwistBody::speed_up(double duration_s) {
-  const double ahead = std::clamp(wanted_.ahead_mps, -robot_.speed_mps, robot_.speed_mps);
-  const double turn = std::clamp(wanted_.turn_radps, -robot_.turn_rate_radps, robot_.turn_rate_radps);
-  twist_.ahead_mps = nearer_by(twist_.ahead_mps, ahead, robot_.acceleration_mps2 * duration_s);
-  twist_.turn_radps = nearer_by(twist_.turn_radps, turn, robot_.turn_acceleration_radps2 * duration_s);
 }
 
 void TwistBody::pass(double duration_s) {

@@ -22,7 +22,7 @@ class Barn(ToolTest):
         rows = {row["rule"]: row for row in self.json_of(result)["rows"]}
         self.assertEqual(set(rows), {"sampled", "dwa"})
         for row in rows.values():
-            self.assertEqual((row["runs"], row["success"], row["contacts"], row["timeouts"]), (4, 1.0, 0, 0), row)
+            self.assertEqual((row["runs"], row["success"], row["contacts"], row["not_reached"]), (4, 1.0, 0, 0), row)
             self.assertLessEqual(row["score"], 0.5)
         self.assertGreater(rows["sampled"]["score"], 0.45)
 

@@ -19,8 +19,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
-#include "outrider/motion/robot_model.hpp"
-#include "outrider/motion/twist.hpp"
+#include "outrider/motion/limited_twist.hpp"
 #include "outrider/navigate/goal_field.hpp"
 #include "outrider/navigate/surroundings.hpp"
 
@@ -51,17 +50,11 @@ struct LocalMotionOptions {
 };
 std::vector<Option> describe(LocalMotionOptions& options);
 
-/// The proposal of a rule.
-struct MotionChoice {
-  Twist2 twist;            ///< to be commanded for a period
-  std::vector<Pose2> way;  ///< where it leads, a pose each 0.1 s; empty if the robot brakes
-  bool brakes = false;     ///< nothing better than to brake was found
-};
-
 class LocalMotion {
  public:
   virtual ~LocalMotion() = default;
-  virtual MotionChoice choose(const MotionState& state) = 0;
+  /// Returns the twist to command for a period; none at all if nothing is better than to brake.
+  virtual Twist2 choose(const MotionState& state) = 0;
 
  protected:
   LocalMotion() = default;
@@ -76,15 +69,9 @@ struct LocalMotionRow {
 };
 const std::vector<LocalMotionRow>& local_motions();
 
-/// Returns the twist after a time with a commanded one, under the limits of the robot.
-Twist2 twist_after(const Twist2& now, const Twist2& commanded, const RobotModel& robot, double duration_s);
-
 /// Returns true if the robot touches nothing that is marked when it is commanded a twist for a period and
 /// then brakes: the gap is at least `margin_m` then, or as it is now if that is less. Exact in space, with
 /// steps in time between which nothing can be reached.
 bool can_brake(const MotionState& state, const Twist2& commanded, double margin_m);
-
-/// Returns the pose after a twist that grows evenly from one to another; accurate to the third order.
-Pose2 moved_evenly(const Pose2& from, const Twist2& begin, const Twist2& end, double duration_s);
 
 }  // namespace outrider

@@ -25,7 +25,7 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/navigate/local_motion.hpp"
-#include "outrider/navigate/pose_estimator.hpp"
+#include "outrider/navigate/robot_localiser.hpp"
 #include "outrider/robot/command.hpp"
 #include "outrider/robot/observation.hpp"
 
@@ -63,7 +63,7 @@ struct Situation {
 
 /// Options of the navigator besides those of its parts.
 struct NavigatorOptions {
-  std::string localiser = "laser_mapping";  ///< row of pose_estimators()
+  std::string localiser = "laser_mapping";  ///< row of robot_localisers()
   double period_s = 0.05;                   ///< time between two commands
   double plan_again_s = 0.2;                ///< least time between two plans
   double patience_s = 3.0;                  ///< time without progress after which it recovers
@@ -92,11 +92,10 @@ class Navigator {
 
   [[nodiscard]] const LiveMap& map() const { return map_; }
   [[nodiscard]] const GoalField& field() const { return field_; }
-  [[nodiscard]] const MotionChoice& motion() const { return choice_; }  ///< of the last command
   [[nodiscard]] std::int64_t recoveries() const { return recoveries_; }
 
  private:
-  Navigator(NavigatorSetup setup, const Pose2& start, std::unique_ptr<PoseEstimator> estimator,
+  Navigator(NavigatorSetup setup, const Pose2& start, std::unique_ptr<RobotLocaliser> localiser,
             std::unique_ptr<LocalMotion> motion);
 
   /// The ways out of a place where nothing goes on, in the order in which they are tried.
@@ -104,7 +103,7 @@ class Navigator {
 
   void note_odometry(const Observation& seen);
   [[nodiscard]] Pose2 odometry_at(double time_s) const;
-  [[nodiscard]] Pose2 pose() const { return compose(estimator_->world_T_odometry(), track_.back().odometry); }
+  [[nodiscard]] Pose2 pose() const { return compose(localiser_->world_T_odometry(), track_.back().odometry); }
   void take(const LaserScan& scan);
   void judge(const GoTo& order);
   void recover(const GoTo& order);
@@ -122,12 +121,11 @@ class Navigator {
   };
 
   NavigatorSetup setup_;
-  std::unique_ptr<PoseEstimator> estimator_;
+  std::unique_ptr<RobotLocaliser> localiser_;
   std::unique_ptr<LocalMotion> rule_;
   LiveMap map_;
   Surroundings near_;
   GoalField field_;
-  MotionChoice choice_;
   Twist2 commanded_;
 
   double time_s_ = 0.0;

@@ -32,6 +32,8 @@ struct RangeFinderModel {
   Pose2 robot_T_laser;         ///< mounting pose
 };
 std::vector<Option> describe(RangeFinderModel& laser);
+/// Refuses a minimum range that is not below the maximum. Fault: bad_input at laser.least.
+Status check(const RangeFinderModel& laser);
 
 /// Two driven wheels with encoders. The odometry measures the distance that each wheel rolls, with a scale
 /// error and noise.

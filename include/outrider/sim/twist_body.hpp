@@ -54,7 +54,6 @@ class TwistBody {
   [[nodiscard]] double room_m(const Pose2& pose) const;
   void stop_at_contact(Pose2& next);
   [[nodiscard]] double towards_nearest(Vec2 centre) const;
-  void speed_up(double duration_s);
   [[nodiscard]] Twist2 rolled() const;
   void count_wheels(const Twist2& rolled, double duration_s);
   double counted_m(double way_m, double scale);

@@ -5,7 +5,18 @@
 
 namespace outrider {
 
+/// Refuses keys that say what goes wrong where nothing of it is simulated.
+Status DriveJob::check_faults() const {
+  if (scenario.loop != "laser") return {};
+  for (const std::string& key : given) {
+    if (key.starts_with("faults.") || key.starts_with("link."))
+      return bad_input("a drive by laser has no such faults; leave it out, or give loop: closed", key);
+  }
+  return {};
+}
+
 Outcome<Warnings> DriveJob::load() {
+  if (auto ok = check_faults(); !ok) return pass_on(ok);
   auto loaded = load_drive(scenario);
   if (!loaded) return pass_on(loaded);
   setup = std::move(*loaded);

@@ -186,12 +186,14 @@ Report LaserDrive::report() const {
   Report report;
   report.world_name = task_.world.name;
   const bool arrived = next_ == task_.waypoints.size();
+  const auto add = [&](const std::string& reason) {
+    report.reason += (report.reason.empty() ? "" : "; ") + reason;
+  };
   report.reason = reason_;
-  if (body.contacts() > 0)
-    report.reason = "something was touched";
-  else if (false_arrivals_ > 0)
-    report.reason = fmt::format("{} waypoint{} called reached where the robot was not", false_arrivals_,
-                                false_arrivals_ == 1 ? " was" : "s were");
+  if (body.contacts() > 0) add("something was touched");
+  if (false_arrivals_ > 0)
+    add(fmt::format("{} waypoint{} called reached where the robot was not", false_arrivals_,
+                    false_arrivals_ == 1 ? " was" : "s were"));
   report.status = arrived && report.reason.empty() ? "done" : "not_done";
   const DriveLegs legs = straight_legs(task_);
   report.metrics = {{"driven_m", body.driven_m()},

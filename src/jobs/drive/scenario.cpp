@@ -127,11 +127,7 @@ Status check_laser(const DriveScenario& scenario) {
   if (!scenario.planner.empty())
     return bad_input("a drive by laser finds its way itself; leave the planner out and give waypoints",
                      "planner");
-  const RangeFinderModel& laser = scenario.laser.laser;
-  if (laser.least_m >= laser.most_m)
-    return bad_input(fmt::format("'{:g}' is not valid; expected less than laser.most, which is {:g} m",
-                                 laser.least_m, laser.most_m),
-                     "laser.least");
+  if (auto ok = check(scenario.laser.laser); !ok) return ok;
   if (scenario.laser.footprint.empty()) return {};
   if (auto shape = parse_footprint(scenario.laser.footprint); !shape)
     return bad_input(shape.error().sentence, "navigator.footprint");
@@ -184,6 +180,7 @@ Outcome<DriveTask> robot_from(const DriveScenario& scenario) {
   task.chassis = std::move(*chassis);
   task.radius_m = scenario.radius_m;
   task.closed_loop = scenario.loop != "open";
+  if (scenario.loop == "laser") task.follow.mode = "rotate_then_go";  // its two wheels do not go sideways
   if (scenario.loop == "closed" && task.follow.mode == "holonomic" && !task.chassis.moves_sideways()) {
     return bad_input(
         fmt::format("a {} chassis does not move sideways; take rotate_then_go", scenario.chassis),

@@ -24,13 +24,6 @@ Status check_start(const Box2& bounds, Vec2 start) {
                "start");
 }
 
-Status check_laser(const RangeFinderModel& laser) {
-  if (laser.least_m < laser.most_m) return {};
-  return bad_input(fmt::format("'{:g}' is not valid; expected less than laser.most, which is {:g} m",
-                               laser.least_m, laser.most_m),
-                   "laser.least");
-}
-
 std::vector<Option> with(std::vector<Option> options, Option one) {
   options.push_back(std::move(one));
   return options;
@@ -121,7 +114,7 @@ std::vector<OptionGroup> describe(ExploreScenario& scenario) {
 Outcome<ExploreSetup> load_explore(const ExploreScenario& scenario) {
   auto start = parse_pose(scenario.start, "start");
   if (!start) return pass_on(start);
-  if (auto ok = check_laser(scenario.sim.laser); !ok) return pass_on(ok);
+  if (auto ok = check(scenario.sim.laser); !ok) return pass_on(ok);
   auto loaded = load_explore_world(scenario.world);
   if (!loaded) return pass_on(loaded);
   if (auto ok = check_start(loaded->world.bounds, start->position); !ok) return pass_on(ok);

@@ -35,9 +35,9 @@ struct ObedientRobot {
     for (double t = 0.0; t < limit_s; t += 0.05) {
       near.look(map, pose.position, 4.0);
       const MotionState state{pose, twist, body, robot, near, field, goal};
-      const MotionChoice choice = rule.choose(state);
+      const Twist2 chosen = rule.choose(state);
       for (int i = 0; i < 10; ++i) {
-        const Twist2 next = twist_after(twist, choice.twist, robot, 0.005);
+        const Twist2 next = twist_after(twist, chosen, robot, 0.005);
         pose = moved_evenly(pose, twist, next, 0.005);
         twist = next;
         for (const Mark& mark : map.marks())

@@ -57,7 +57,7 @@ TEST(Navigator, DrivesAroundWhatNobodyToldItOf) {
   World world;
   world.solids = {box_at({2.0, 0.0}, {0.4, 2.0}), box_at({4.0, 1.5}, {0.4, 3.0}),
                   box_at({0.0, -5.0}, {12.0, 0.2})};
-  for (const auto& localiser : names_of(pose_estimators())) {
+  for (const auto& localiser : names_of(robot_localisers())) {
     NavigatorSetup setup = small_robot();
     setup.options.localiser = localiser;
     const Result result = drive(world, setup, {6.0, 0.0}, 60.0, devices(setup));

@@ -17,6 +17,9 @@ class DriveJob final : public JobTask {
   DriveScenario scenario;
   std::optional<DriveSetup> setup;  ///< once loaded
 
+ private:
+  [[nodiscard]] Status check_faults() const;
+
  protected:
   std::vector<OptionGroup> describe() override { return outrider::describe(scenario); }
 };

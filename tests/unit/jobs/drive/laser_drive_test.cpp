@@ -115,6 +115,10 @@ TEST(LaserDrive, IsAskedForByItsLoop) {
   const auto planned = job.load();
   ASSERT_FALSE(planned);
   EXPECT_EQ(planned.error().where, "planner");
+  job.given = {"faults.wheel_1"};
+  const auto faulty = job.load();
+  ASSERT_FALSE(faulty);
+  EXPECT_EQ(faulty.error().where, "faults.wheel_1");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "outrider/navigate/pose_estimator.hpp"
+#include "outrider/navigate/robot_localiser.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace {
 constexpr double match_s = 0.1;  // a scan is matched no sooner after the last one
 constexpr double lost_m = 3.0;   // standard deviation of the position at which the robot is lost
 
-class BelievedOdometry final : public PoseEstimator {
+class BelievedOdometry final : public RobotLocaliser {
  public:
   explicit BelievedOdometry(const Pose2& start) : start_(start) {}
   bool take(const LaserScan&, const Pose2&) override { return false; }
@@ -23,7 +23,7 @@ class BelievedOdometry final : public PoseEstimator {
   Pose2 start_;
 };
 
-class LaserMapping final : public PoseEstimator {
+class LaserMapping final : public RobotLocaliser {
  public:
   LaserMapping(LaserSlam slam, const Pose2& start) : slam_(std::move(slam)), world_T_odometry_(start) {}
 
@@ -58,12 +58,12 @@ class LaserMapping final : public PoseEstimator {
   std::string lost_;
 };
 
-Outcome<std::unique_ptr<PoseEstimator>> make_odometry(const Pose2& start, const Pose2&) {
+Outcome<std::unique_ptr<RobotLocaliser>> make_odometry(const Pose2& start, const Pose2&) {
   if (!finite(start)) return bad_input("the start must be finite");
   return std::make_unique<BelievedOdometry>(start);
 }
 
-Outcome<std::unique_ptr<PoseEstimator>> make_laser_mapping(const Pose2& start, const Pose2& robot_T_laser) {
+Outcome<std::unique_ptr<RobotLocaliser>> make_laser_mapping(const Pose2& start, const Pose2& robot_T_laser) {
   LaserSlamOptions options;
   options.robot_T_laser = robot_T_laser;
   options.draw_late = true;
@@ -75,8 +75,8 @@ Outcome<std::unique_ptr<PoseEstimator>> make_laser_mapping(const Pose2& start, c
 
 }  // namespace
 
-const std::vector<PoseEstimatorRow>& pose_estimators() {
-  static const std::vector<PoseEstimatorRow> rows = {
+const std::vector<RobotLocaliserRow>& robot_localisers() {
+  static const std::vector<RobotLocaliserRow> rows = {
       {"odometry", "the odometry is believed", make_odometry},
       {"laser_mapping", "scans are matched with each other on a map that grows", make_laser_mapping},
   };

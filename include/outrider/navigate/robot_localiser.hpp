@@ -1,6 +1,6 @@
-// PoseEstimator: where a robot is, by its odometry and what else it senses.
+// RobotLocaliser: where a robot is, by its odometry and what else it senses.
 //
-// Rows of pose_estimators():
+// Rows of robot_localisers():
 //   odometry       the odometry is believed
 //   laser_mapping  scans are matched with each other on a map that grows (laser_slam.hpp)
 //
@@ -19,9 +19,9 @@
 
 namespace outrider {
 
-class PoseEstimator {
+class RobotLocaliser {
  public:
-  virtual ~PoseEstimator() = default;
+  virtual ~RobotLocaliser() = default;
   /// Takes a scan that was measured where the odometry was `odometry_T_robot`. Returns true if that corrected
   /// earlier poses too, so that what was seen from there lies elsewhere.
   virtual bool take(const LaserScan& scan, const Pose2& odometry_T_robot) = 0;
@@ -34,18 +34,18 @@ class PoseEstimator {
   [[nodiscard]] virtual std::string lost() const { return {}; }
 
  protected:
-  PoseEstimator() = default;
-  PoseEstimator(const PoseEstimator&) = default;
-  PoseEstimator& operator=(const PoseEstimator&) = default;
+  RobotLocaliser() = default;
+  RobotLocaliser(const RobotLocaliser&) = default;
+  RobotLocaliser& operator=(const RobotLocaliser&) = default;
 };
 
-struct PoseEstimatorRow {
+struct RobotLocaliserRow {
   std::string_view name;
   std::string_view sentence;
   /// `start` is the pose of the robot where its odometry begins. Fault: bad_input for a start that is not
   /// finite.
-  Outcome<std::unique_ptr<PoseEstimator>> (*make)(const Pose2& start, const Pose2& robot_T_laser);
+  Outcome<std::unique_ptr<RobotLocaliser>> (*make)(const Pose2& start, const Pose2& robot_T_laser);
 };
-const std::vector<PoseEstimatorRow>& pose_estimators();
+const std::vector<RobotLocaliserRow>& robot_localisers();
 
 }  // namespace outrider
