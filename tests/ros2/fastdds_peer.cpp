@@ -11,10 +11,8 @@
 // that of the participant. For each TwistStamped on /cmd_vel it sends its speed and turn rate on
 // /command_seen. It sends a PoseStamped with x = 2.5 on /goal_pose again and again. What comes on
 // /echo/nN/asked, of the type N of `echoed`, it sends back to the byte on /echo/nN/answered.
-#include <fastcdr/Cdr.h>
 #include <unistd.h>
 
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -27,18 +25,17 @@
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastdds/dds/topic/TopicDataType.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
-#include <functional>
 #include <memory>
 #include <numeric>
 #include <string>
 #include <vector>
 
+#include "fastdds_type.hpp"
+
 namespace {
 
 namespace fast = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
 using eprosima::fastcdr::Cdr;
 
 struct Twist {
@@ -121,40 +118,33 @@ struct EntitiesInfo {
 };
 
 template <class Message>
-class MessageSupport final : public fast::TopicDataType {
+class MessageType final : public WireType {
  public:
-  MessageSupport() {
-    setName(Message::type);
-    m_typeSize = 20'000'000;
-    m_isGetKeyDefined = false;
-  }
-  bool serialize(void* message, rtps::SerializedPayload_t* payload) override {
-    eprosima::fastcdr::FastBuffer buffer(reinterpret_cast<char*>(payload->data), payload->max_size);
-    Cdr out(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
-    payload->encapsulation = CDR_LE;
+  MessageType() : WireType(Message::type, 20'000'000) {}
+  std::uint32_t write(const void* message, Payload& payload) override {
+    eprosima::fastcdr::FastBuffer buffer(reinterpret_cast<char*>(payload.data), payload.max_size);
+    Cdr out(buffer, Cdr::LITTLE_ENDIANNESS, CdrVersion::DDS_CDR);
     out.serialize_encapsulation();
-    static_cast<Message*>(message)->visit([&](auto& field) { out << field; });
-    payload->length = static_cast<std::uint32_t>(out.getSerializedDataLength());
-    return true;
+    Message copy = *static_cast<const Message*>(message);
+    copy.visit([&](auto& field) { out << field; });
+    return bytes_in(out);
   }
-  bool deserialize(rtps::SerializedPayload_t* payload, void* message) override {
-    eprosima::fastcdr::FastBuffer buffer(reinterpret_cast<char*>(payload->data), payload->length);
-    Cdr in(buffer, Cdr::DEFAULT_ENDIAN, Cdr::DDS_CDR);
+  void read(const Payload& payload, void* message) override {
+    eprosima::fastcdr::FastBuffer buffer(reinterpret_cast<char*>(payload.data), payload.length);
+    Cdr in(buffer, Cdr::DEFAULT_ENDIAN, CdrVersion::DDS_CDR);
     in.read_encapsulation();
     static_cast<Message*>(message)->visit([&](auto& field) { in >> field; });
-    return true;
   }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* message) override {
-    return [message] { return static_cast<Message*>(message)->most_bytes(); };
+  std::uint32_t most_bytes(const void* message) const override {
+    return static_cast<const Message*>(message)->most_bytes();
   }
-  void* createData() override { return new Message; }
-  void deleteData(void* message) override { delete static_cast<Message*>(message); }
-  bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
+  void* make() override { return new Message; }
+  void remove(void* message) override { delete static_cast<Message*>(message); }
 };
 
 template <class Message>
 fast::Topic* topic_on_wire(fast::DomainParticipant& participant, const std::string& name) {
-  fast::TypeSupport support(new MessageSupport<Message>);
+  fast::TypeSupport support(new MessageType<Message>);
   support.register_type(&participant);
   return participant.create_topic(name, Message::type, fast::TOPIC_QOS_DEFAULT);
 }
@@ -173,7 +163,7 @@ class Answer final : public fast::DataReaderListener {
   void on_data_available(fast::DataReader* reader) override {
     Message message;
     fast::SampleInfo info;
-    while (reader->take_next_sample(&message, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
+    while (reader->take_next_sample(&message, &info) == taken) {
       if (!info.valid_data) continue;
       Twist answer = made_of_(message);
       to_->write(&answer);
@@ -185,37 +175,26 @@ class Answer final : public fast::DataReaderListener {
   Twist (*made_of_)(Message&);
 };
 
-/// The bytes of a message as they came.
-struct Payload {
-  std::vector<std::uint8_t> bytes;
-};
+using Bytes = std::vector<std::uint8_t>;
 
 /// A type of that name whose messages are not looked into.
-class PayloadSupport final : public fast::TopicDataType {
+class BytesType final : public WireType {
  public:
-  explicit PayloadSupport(const std::string& type) {
-    setName(type.c_str());
-    m_typeSize = 1'000'000;
-    m_isGetKeyDefined = false;
+  explicit BytesType(const std::string& name) : WireType(name, 1'000'000) {}
+  std::uint32_t write(const void* message, Payload& payload) override {
+    const auto& bytes = *static_cast<const Bytes*>(message);
+    if (bytes.size() > payload.max_size) return 0;
+    std::copy(bytes.begin(), bytes.end(), payload.data);
+    return static_cast<std::uint32_t>(bytes.size());
   }
-  bool serialize(void* message, rtps::SerializedPayload_t* payload) override {
-    const auto& bytes = static_cast<Payload*>(message)->bytes;
-    if (bytes.size() > payload->max_size) return false;
-    std::copy(bytes.begin(), bytes.end(), payload->data);
-    payload->encapsulation = CDR_LE;
-    payload->length = static_cast<std::uint32_t>(bytes.size());
-    return true;
+  void read(const Payload& payload, void* message) override {
+    static_cast<Bytes*>(message)->assign(payload.data, payload.data + payload.length);
   }
-  bool deserialize(rtps::SerializedPayload_t* payload, void* message) override {
-    static_cast<Payload*>(message)->bytes.assign(payload->data, payload->data + payload->length);
-    return true;
+  std::uint32_t most_bytes(const void* message) const override {
+    return static_cast<std::uint32_t>(static_cast<const Bytes*>(message)->size());
   }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* message) override {
-    return [message] { return static_cast<std::uint32_t>(static_cast<Payload*>(message)->bytes.size()); };
-  }
-  void* createData() override { return new Payload; }
-  void deleteData(void* message) override { delete static_cast<Payload*>(message); }
-  bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
+  void* make() override { return new Bytes; }
+  void remove(void* message) override { delete static_cast<Bytes*>(message); }
 };
 
 /// Sends back what comes.
@@ -223,9 +202,9 @@ class Echo final : public fast::DataReaderListener {
  public:
   explicit Echo(fast::DataWriter* to) : to_(to) {}
   void on_data_available(fast::DataReader* reader) override {
-    Payload message;
+    Bytes message;
     fast::SampleInfo info;
-    while (reader->take_next_sample(&message, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
+    while (reader->take_next_sample(&message, &info) == taken) {
       if (info.valid_data) to_->write(&message);
     }
   }
@@ -303,7 +282,7 @@ std::vector<std::unique_ptr<Echo>> echo_all(std::uint32_t domain, bool local) {
   reads.reliability().kind = fast::RELIABLE_RELIABILITY_QOS;
   std::vector<std::unique_ptr<Echo>> echoes;
   for (std::size_t i = 0; i < echoed.size(); ++i) {
-    fast::TypeSupport(new PayloadSupport(echoed[i])).register_type(participant);
+    fast::TypeSupport(new BytesType(echoed[i])).register_type(participant);
     const auto topic_of = [&](const char* what) {
       return participant->create_topic("rt/echo/n" + std::to_string(i) + what, echoed[i],
                                        fast::TOPIC_QOS_DEFAULT);
