@@ -33,6 +33,16 @@ std::string superseded(const Json& message) {
   return text_of(Json{{"type", "plan"}, {"id", id_of(message)}, {"superseded", true}});
 }
 
+/// As answer_plan(); an exception, which is a bug of ours, is a fault like any other.
+Outcome<Json> plan_or_bug(const Json& request, PlanningMemory& memory, Workspace& workspace,
+                          const std::stop_token& stop) {
+  try {
+    return answer_plan(request, memory, workspace, stop);
+  } catch (const std::exception& broken) {
+    return bad_input(std::string("this is a bug: ") + broken.what());
+  }
+}
+
 }  // namespace
 
 PageViewer::PageViewer(Runs& runs, Shared& shared, std::string hello) : runs_(runs), shared_(shared) {
@@ -163,12 +173,7 @@ std::string PageViewer::answer(const Json& message) {
   }
   auto place = shared_.workspaces.take(this, longest_wait, most_waiting, stop);
   if (!place) return superseded(message);
-  Outcome<Json> plan = bad_input("");
-  try {
-    plan = answer_plan(message["request"], shared_.planning, place->workspace(), stop);
-  } catch (const std::exception& broken) {
-    plan = bad_input(std::string("this is a bug: ") + broken.what());
-  }
+  auto plan = plan_or_bug(message["request"], shared_.planning, place->workspace(), stop);
   if (!plan && plan.error().code == FaultCode::cancelled) return superseded(message);
   if (!plan) return error_text(plan.error(), id_of(message));
   Json answer = {{"type", "plan"}, {"id", id_of(message)}};

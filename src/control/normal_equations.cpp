@@ -24,7 +24,8 @@ void NormalEquations::add(const Vector& row, double right) {
 /// separate into one for each direction. Directions with eigenvalue zero are not determined.
 NormalEquations::Solution NormalEquations::solve_with_mean_zero() const {
   const Eigen::Index n = right_.size();
-  const Matrix projection = Matrix::Identity(n, n) - Matrix::Constant(n, n, 1.0 / static_cast<double>(n));
+  Matrix projection = Matrix::Identity(n, n);
+  projection.array() -= 1.0 / static_cast<double>(n);
   const Matrix projected = projection * product_ * projection;
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(projected);
   const double largest = projected.diagonal().maxCoeff();

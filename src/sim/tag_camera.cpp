@@ -17,7 +17,7 @@ std::vector<Option> describe(TagCameraOptions& options) {
 namespace {
 
 TagDetectorOptions of_family(TagDetectorOptions options, TagFamily family) {
-  options.families = {family};
+  options.families = std::vector<TagFamily>(1, family);
   return options;
 }
 
