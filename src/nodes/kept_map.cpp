@@ -16,7 +16,7 @@
 #include "outrider/log/mcap_sink.hpp"
 #include "outrider/log/read_log.hpp"
 #include "outrider/log/topics.hpp"
-#include "outrider/slam/map_fit.hpp"
+#include "outrider/slam/map/map_fit.hpp"
 #include "outrider/world/clearance.hpp"
 #include "outrider/world/occupancy.hpp"
 

@@ -17,7 +17,7 @@
 #include "outrider/log/mcap_sink.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
 #include "outrider/log/topics.hpp"
-#include "outrider/slam/laser_slam.hpp"
+#include "outrider/slam/laser/laser_slam.hpp"
 #include "outrider/world/known_extent.hpp"
 #include "support/robot_logs.hpp"
 

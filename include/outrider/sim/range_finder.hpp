@@ -15,7 +15,7 @@
 #include "outrider/geometry/convex.hpp"
 #include "outrider/geometry/pose.hpp"
 #include "outrider/sim/explorer_sim_params.hpp"
-#include "outrider/slam/laser_scan.hpp"
+#include "outrider/slam/scan/laser_scan.hpp"
 #include "outrider/world/world.hpp"
 
 namespace outrider {

@@ -9,8 +9,8 @@
 #include "outrider/io/log/g2o.hpp"
 #include "outrider/io/log/trajectory.hpp"
 #include "outrider/job/clock.hpp"
+#include "outrider/slam/bounds/pose_graph_bound.hpp"
 #include "outrider/slam/map_error.hpp"
-#include "outrider/slam/pose_graph_bound.hpp"
 
 namespace outrider {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "outrider/geometry/spatial_pose.hpp"
-#include "outrider/slam/pose_graph_doubt.hpp"
-#include "outrider/slam/systematic_errors.hpp"
+#include "outrider/slam/graph/pose_graph_doubt.hpp"
+#include "outrider/slam/graph/systematic_errors.hpp"
 
 namespace outrider {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "outrider/report/report.hpp"
-#include "outrider/slam/pose_graph.hpp"
+#include "outrider/slam/graph/pose_graph.hpp"
 
 namespace outrider {
 

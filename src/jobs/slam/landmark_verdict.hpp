@@ -6,7 +6,7 @@
 #include "outrider/jobs/slam/landmark_mission.hpp"
 #include "outrider/log/log.hpp"
 #include "outrider/report/report.hpp"
-#include "outrider/slam/systematic_errors.hpp"
+#include "outrider/slam/graph/systematic_errors.hpp"
 
 namespace outrider {
 

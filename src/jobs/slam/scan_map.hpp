@@ -5,7 +5,7 @@
 #pragma once
 
 #include "outrider/job/map_log.hpp"
-#include "outrider/slam/occupancy_map.hpp"
+#include "outrider/slam/map/occupancy_map.hpp"
 
 namespace outrider {
 

@@ -7,8 +7,8 @@
 #include "outrider/core/rng.hpp"
 #include "outrider/io/log/carmen_log.hpp"
 #include "outrider/jobs/slam/recording_faults.hpp"
-#include "outrider/slam/landmark_log.hpp"
-#include "outrider/slam/pose_graph.hpp"
+#include "outrider/slam/graph/pose_graph.hpp"
+#include "outrider/slam/landmark/landmark_log.hpp"
 
 namespace outrider {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "outrider/robot/mission.hpp"
-#include "outrider/slam/landmark_check.hpp"
-#include "outrider/slam/landmark_slam.hpp"
+#include "outrider/slam/landmark/landmark_check.hpp"
+#include "outrider/slam/landmark/landmark_slam.hpp"
 
 namespace outrider {
 

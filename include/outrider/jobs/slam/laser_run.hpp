@@ -8,7 +8,7 @@
 
 #include "outrider/io/log/laser_source.hpp"
 #include "outrider/robot/observation.hpp"
-#include "outrider/slam/laser_slam.hpp"
+#include "outrider/slam/laser/laser_slam.hpp"
 
 namespace outrider {
 

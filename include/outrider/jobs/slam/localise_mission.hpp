@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "outrider/robot/mission.hpp"
-#include "outrider/slam/map_fit.hpp"
-#include "outrider/slam/map_localiser.hpp"
+#include "outrider/slam/map/map_fit.hpp"
+#include "outrider/slam/map/map_localiser.hpp"
 
 namespace outrider {
 

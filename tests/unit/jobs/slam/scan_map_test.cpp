@@ -8,7 +8,7 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/job/log_map.hpp"
-#include "outrider/slam/laser_slam.hpp"
+#include "outrider/slam/laser/laser_slam.hpp"
 #include "outrider/world/occupancy.hpp"
 
 namespace outrider {
