@@ -13,7 +13,7 @@
 #include <string>
 #include <thread>
 
-#include "outrider/log/mcap_sink.hpp"
+#include "outrider/log/mcap/mcap_sink.hpp"
 
 namespace outrider::cli {
 

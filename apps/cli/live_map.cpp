@@ -9,8 +9,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/world/known_extent.hpp"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "outrider/log/mcap_follower.hpp"
+#include "outrider/log/mcap/mcap_follower.hpp"
 
 namespace outrider::server {
 

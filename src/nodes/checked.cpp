@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/path/grid/grid_map.hpp"
 #include "outrider/world/occupancy.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "outrider/core/text.hpp"
 #include "outrider/io/log/scan_mount.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

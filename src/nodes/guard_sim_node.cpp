@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "outrider/ballistics/moving_target.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/nodes/remote_gun.hpp"
 
 namespace outrider {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/known_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/known_messages.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

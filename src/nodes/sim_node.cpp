@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "outrider/job/sensor_log.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 
 namespace outrider {
 

@@ -4,8 +4,8 @@
 
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/jobs/drive/run.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/nodes/tag_sight.hpp"
 
 namespace outrider {

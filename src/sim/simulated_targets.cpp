@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/sim/execution_errors.hpp"
 

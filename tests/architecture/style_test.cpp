@@ -43,8 +43,8 @@ bool is_the_tool(const Source& s) {
 /// The others write, or open what is the server's own.
 bool opens_through_the_gate(const Source& s) {
   static const std::set<std::string> others = {
-      "src/io/files/file_lock.cpp",      "src/io/files/open_file.cpp", "src/io/files/open_folder.cpp",
-      "src/io/files/temporary_file.cpp", "src/log/byte_source.cpp",    "src/log/byte_sink.cpp",
+      "src/io/files/file_lock.cpp",      "src/io/files/open_file.cpp",    "src/io/files/open_folder.cpp",
+      "src/io/files/temporary_file.cpp", "src/log/bytes/byte_source.cpp", "src/log/bytes/byte_sink.cpp",
       "apps/server/temporary_folder.cpp"};
   const bool ours = s.in_library() || s.path.starts_with("apps/");
   return ours && !others.contains(s.path);

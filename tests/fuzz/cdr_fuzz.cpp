@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "outrider/log/codecs.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/encoding/codecs.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/nodes/node_messages.hpp"
 #include "outrider/nodes/parameter_messages.hpp"
 #include "outrider/nodes/tag_messages.hpp"

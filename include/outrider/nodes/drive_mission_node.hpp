@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "outrider/jobs/drive/mission.hpp"
-#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/nodes/mission_node.hpp"
 #include "outrider/nodes/slowed_clock.hpp"
 #include "outrider/nodes/tag_sight.hpp"

@@ -17,8 +17,8 @@
 #include <optional>
 
 #include "outrider/jobs/explore/mission/explore_log.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
-#include "outrider/log/scene_messages.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
+#include "outrider/log/messages/scene_messages.hpp"
 #include "outrider/nodes/mission_node.hpp"
 
 namespace outrider {

@@ -21,7 +21,7 @@
 
 #include "outrider/jobs/guard/scenario.hpp"
 #include "outrider/jobs/guard/yard/firing_map.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/nodes/node_messages.hpp"
 #include "outrider/nodes/robot_sim_node.hpp"
 

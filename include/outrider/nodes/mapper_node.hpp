@@ -26,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/nodes/checked.hpp"
 #include "outrider/nodes/kept_map.hpp"
 #include "outrider/nodes/node.hpp"

@@ -23,8 +23,8 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/log/codecs.hpp"
-#include "outrider/log/message_type.hpp"
+#include "outrider/log/encoding/codecs.hpp"
+#include "outrider/log/encoding/message_type.hpp"
 #include "outrider/nodes/delivery.hpp"
 #include "outrider/nodes/node_messages.hpp"
 

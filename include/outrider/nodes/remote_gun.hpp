@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "outrider/ballistics/target.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/nodes/checked.hpp"
 #include "outrider/nodes/node_messages.hpp"
 #include "outrider/robot/observation.hpp"

@@ -15,7 +15,7 @@
 #include <limits>
 #include <optional>
 
-#include "outrider/log/codecs.hpp"
+#include "outrider/log/encoding/codecs.hpp"
 #include "outrider/motion/twist.hpp"
 #include "outrider/nodes/message_faults.hpp"
 #include "outrider/nodes/node.hpp"

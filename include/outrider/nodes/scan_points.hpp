@@ -6,7 +6,7 @@
 
 #include "outrider/core/outcome.hpp"
 #include "outrider/geometry/vec.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/nodes/checked.hpp"
 #include "outrider/nodes/robot_frames.hpp"
 

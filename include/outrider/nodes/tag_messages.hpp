@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "outrider/log/message_fields.hpp"
-#include "outrider/log/ros_messages.hpp"
+#include "outrider/log/encoding/message_fields.hpp"
+#include "outrider/log/messages/ros_messages.hpp"
 
 namespace outrider::apriltag_msgs {
 

@@ -13,7 +13,7 @@
 
 #include "outrider/estimate/camera.hpp"
 #include "outrider/estimate/tag_detector.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/nodes/checked.hpp"
 #include "outrider/nodes/tag_messages.hpp"
 #include "outrider/robot/observation.hpp"

@@ -16,7 +16,7 @@
 #include <string>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/log/message_type.hpp"
+#include "outrider/log/encoding/message_type.hpp"
 #include "outrider/nodes/delivery.hpp"
 #include "outrider/ros2/names.hpp"
 

@@ -12,7 +12,7 @@
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/jobs/drive/run.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/sim/simulated_robot.hpp"
 #include "outrider/world/occupancy.hpp"

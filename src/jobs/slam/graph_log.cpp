@@ -9,8 +9,8 @@
 #include <tuple>
 
 #include "outrider/log/append.hpp"
-#include "outrider/log/conversions.hpp"
 #include "outrider/log/log_queue.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "slam_log.hpp"
 

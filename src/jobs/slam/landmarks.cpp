@@ -12,7 +12,7 @@
 #include "outrider/job/clock.hpp"
 #include "outrider/jobs/slam/landmark_mission.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/robot/recorded_robot.hpp"
 #include "outrider/slam/map_error.hpp"

@@ -10,7 +10,7 @@
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/jobs/slam/laser_run.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/slam/map_error.hpp"
 #include "outrider/world/known_extent.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/nodes/checked.hpp"
 #include "support/published.hpp"

@@ -10,7 +10,7 @@
 #include "outrider/job/scene.hpp"
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/nodes/guard_sim_node.hpp"
 #include "support/node_bus.hpp"

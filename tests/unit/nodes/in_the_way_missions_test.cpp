@@ -8,7 +8,7 @@
 #include "outrider/job/scene.hpp"
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/jobs/drive/job.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/nodes/cover_mission_node.hpp"
 #include "outrider/nodes/drive_mission_node.hpp"
 #include "outrider/nodes/tag_sim_node.hpp"

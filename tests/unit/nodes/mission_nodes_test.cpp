@@ -6,7 +6,7 @@
 
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/drive/job.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/nodes/cover_mission_node.hpp"
 #include "outrider/nodes/drive_mission_node.hpp"

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/nodes/coverage_node.hpp"
 #include "outrider/nodes/follower_node.hpp"
 #include "outrider/nodes/message_faults.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "outrider/job/sensor_log.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 
 namespace outrider {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "outrider/geometry/pose.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/slam/scan/laser_scan.hpp"
 
 namespace outrider {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "outrider/jobs/drive/job.hpp"
-#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/run_bytes.hpp"
 

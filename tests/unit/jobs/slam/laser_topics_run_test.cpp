@@ -8,9 +8,9 @@
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/jobs/slam/job.hpp"
 #include "outrider/jobs/slam/laser_run.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/mcap_sink.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/mcap/mcap_sink.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "support/data.hpp"
 #include "support/robot_logs.hpp"
 
