@@ -9,14 +9,14 @@
 
 #include "app.hpp"
 #include "commands.hpp"
+#include "files/reading.hpp"
+#include "files/temporary_folder.hpp"
 #include "flags.hpp"
+#include "http/web_server.hpp"
 #include "output.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/io/files/files.hpp"
-#include "reading.hpp"
-#include "temporary_folder.hpp"
 #include "terminal.hpp"
-#include "web_server.hpp"
 
 namespace outrider::cli {
 namespace {

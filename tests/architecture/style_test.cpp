@@ -42,10 +42,13 @@ bool is_the_tool(const Source& s) {
 /// Limits that a process sets for reading hold for every file, because one place opens them all.
 /// The others write, or open what is the server's own.
 bool opens_through_the_gate(const Source& s) {
-  static const std::set<std::string> others = {
-      "src/io/files/file_lock.cpp",      "src/io/files/open_file.cpp",    "src/io/files/open_folder.cpp",
-      "src/io/files/temporary_file.cpp", "src/log/bytes/byte_source.cpp", "src/log/bytes/byte_sink.cpp",
-      "apps/server/temporary_folder.cpp"};
+  static const std::set<std::string> others = {"src/io/files/file_lock.cpp",
+                                               "src/io/files/open_file.cpp",
+                                               "src/io/files/open_folder.cpp",
+                                               "src/io/files/temporary_file.cpp",
+                                               "src/log/bytes/byte_source.cpp",
+                                               "src/log/bytes/byte_sink.cpp",
+                                               "apps/server/files/temporary_folder.cpp"};
   const bool ours = s.in_library() || s.path.starts_with("apps/");
   return ours && !others.contains(s.path);
 }
