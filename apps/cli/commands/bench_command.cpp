@@ -3,12 +3,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "commands.hpp"
-#include "output.hpp"
+#include "commands/commands.hpp"
+#include "output/output.hpp"
+#include "output/progress.hpp"
+#include "output/terminal.hpp"
 #include "outrider/job/clock.hpp"
-#include "progress.hpp"
-#include "suites/suites.hpp"
-#include "terminal.hpp"
+#include "suites.hpp"
 
 namespace outrider::cli {
 namespace {

@@ -1,14 +1,14 @@
 #include <memory>
 
-#include "commands.hpp"
+#include "commands/commands.hpp"
 #include "flags.hpp"
-#include "output.hpp"
+#include "output/output.hpp"
 #include "outrider/nodes/coverage_node.hpp"
 #include "outrider/nodes/explorer_node.hpp"
 #include "outrider/nodes/follower_node.hpp"
 #include "outrider/nodes/mapper_node.hpp"
 #include "outrider/nodes/planner_node.hpp"
-#include "ros_request.hpp"
+#include "ros/ros_request.hpp"
 
 namespace outrider::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "output.hpp"
+#include "output/output.hpp"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "output/terminal.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/io/files/files.hpp"
 #include "page.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 

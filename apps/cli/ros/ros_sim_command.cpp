@@ -5,7 +5,8 @@
 #include <set>
 
 #include "flags.hpp"
-#include "output.hpp"
+#include "output/output.hpp"
+#include "output/terminal.hpp"
 #include "outrider/io/scenario/scenario.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/drive/job.hpp"
@@ -14,8 +15,7 @@
 #include "outrider/nodes/guard_sim_node.hpp"
 #include "outrider/nodes/sim_node.hpp"
 #include "outrider/nodes/tag_sim_node.hpp"
-#include "ros_request.hpp"
-#include "terminal.hpp"
+#include "ros/ros_request.hpp"
 
 namespace outrider::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "slurm_script.hpp"
+#include "commands/slurm_script.hpp"
 
 #include <fmt/format.h>
 

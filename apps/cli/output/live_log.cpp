@@ -1,4 +1,4 @@
-#include "live_log.hpp"
+#include "output/live_log.hpp"
 
 #include <chrono>
 #include <condition_variable>

@@ -6,16 +6,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "commands.hpp"
+#include "commands/commands.hpp"
 #include "flags.hpp"
-#include "output.hpp"
+#include "output/output.hpp"
+#include "output/terminal.hpp"
 #include "outrider/io/files/files.hpp"
 #include "outrider/io/files/text.hpp"
 #include "outrider/io/log/log_export.hpp"
 #include "outrider/io/log/log_file.hpp"
 #include "outrider/io/log/log_trajectory.hpp"
 #include "outrider/log/copy_log.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "job_command.hpp"
+#include "commands/job_command.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -12,16 +12,16 @@
 #include <optional>
 
 #include "flags.hpp"
-#include "live_log.hpp"
-#include "live_map.hpp"
-#include "output.hpp"
+#include "output/live_log.hpp"
+#include "output/live_map.hpp"
+#include "output/output.hpp"
+#include "output/progress.hpp"
+#include "output/run_output.hpp"
+#include "output/terminal.hpp"
 #include "outrider/io/files/confinement.hpp"
 #include "outrider/io/scenario/scenario.hpp"
 #include "outrider/job/run_job.hpp"
-#include "progress.hpp"
-#include "run_output.hpp"
 #include "stop_on_signal.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {

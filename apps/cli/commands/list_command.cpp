@@ -3,15 +3,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "commands.hpp"
-#include "output.hpp"
+#include "commands/commands.hpp"
+#include "output/output.hpp"
+#include "output/terminal.hpp"
 #include "outrider/jobs/cover/strokes/plan.hpp"
 #include "outrider/jobs/guard/behaviour/policy.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/fleet/planners.hpp"
 #include "outrider/pursuit/catalog.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "ros_network.hpp"
+#include "ros/ros_network.hpp"
 
 namespace outrider::cli {
 

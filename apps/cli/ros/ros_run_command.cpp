@@ -5,7 +5,8 @@
 #include <memory>
 
 #include "flags.hpp"
-#include "output.hpp"
+#include "output/output.hpp"
+#include "output/terminal.hpp"
 #include "outrider/io/scenario/scenario.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/cover/job.hpp"
@@ -18,8 +19,7 @@
 #include "outrider/nodes/explore_mission_node.hpp"
 #include "outrider/nodes/guard_mission_node.hpp"
 #include "outrider/nodes/pursue_mission_node.hpp"
-#include "ros_request.hpp"
-#include "terminal.hpp"
+#include "ros/ros_request.hpp"
 
 namespace outrider::cli {
 namespace {

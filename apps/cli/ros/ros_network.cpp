@@ -1,7 +1,7 @@
-#include "ros_network.hpp"
+#include "ros/ros_network.hpp"
 
+#include "output/terminal.hpp"
 #include "outrider/ros2/run_node.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 

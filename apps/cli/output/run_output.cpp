@@ -1,14 +1,14 @@
-#include "run_output.hpp"
+#include "output/run_output.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-#include "output.hpp"
+#include "output/output.hpp"
+#include "output/terminal.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/io/files/files.hpp"
 #include "page.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "progress.hpp"
+#include "output/progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "output.hpp"
+#include "output/output.hpp"
 #include "outrider/core/text.hpp"
 
 namespace outrider::cli {

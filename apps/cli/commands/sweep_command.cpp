@@ -12,9 +12,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "commands.hpp"
+#include "commands/commands.hpp"
+#include "commands/slurm_script.hpp"
 #include "flags.hpp"
-#include "output.hpp"
+#include "output/output.hpp"
+#include "output/progress.hpp"
+#include "output/terminal.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/io/files/files.hpp"
 #include "outrider/io/files/text.hpp"
@@ -24,10 +27,7 @@
 #include "outrider/sweep/picture.hpp"
 #include "outrider/sweep/run_sweep.hpp"
 #include "outrider/sweep/summary.hpp"
-#include "progress.hpp"
-#include "slurm_script.hpp"
 #include "stop_on_signal.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "research.hpp"
+#include "commands/research.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

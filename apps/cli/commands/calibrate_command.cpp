@@ -4,17 +4,17 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "calibration_picture.hpp"
-#include "commands.hpp"
+#include "commands/commands.hpp"
 #include "flags.hpp"
-#include "output.hpp"
+#include "output/calibration_picture.hpp"
+#include "output/output.hpp"
+#include "output/terminal.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/io/log/calibration_runs.hpp"
 #include "outrider/io/scenario/scenario.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/drive/job.hpp"
 #include "outrider/jobs/drive/run.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {

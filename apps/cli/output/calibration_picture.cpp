@@ -1,4 +1,4 @@
-#include "calibration_picture.hpp"
+#include "output/calibration_picture.hpp"
 
 #include <fmt/format.h>
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <memory>
 
-#include "commands.hpp"
+#include "commands/commands.hpp"
 #include "completion.hpp"
 #include "manual_page.hpp"
-#include "output.hpp"
+#include "output/output.hpp"
+#include "output/terminal.hpp"
 #include "outrider/core/text.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {

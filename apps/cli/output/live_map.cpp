@@ -1,4 +1,4 @@
-#include "live_map.hpp"
+#include "output/live_map.hpp"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>

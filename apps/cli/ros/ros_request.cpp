@@ -1,7 +1,7 @@
-#include "ros_request.hpp"
+#include "ros/ros_request.hpp"
 
-#include "output.hpp"
-#include "terminal.hpp"
+#include "output/output.hpp"
+#include "output/terminal.hpp"
 
 namespace outrider::cli {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <memory>
 
-#include "commands.hpp"
+#include "commands/commands.hpp"
 #include "flags.hpp"
-#include "output.hpp"
+#include "output/output.hpp"
+#include "output/terminal.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/io/scenario/scenario.hpp"
 #include "outrider/job/job.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {

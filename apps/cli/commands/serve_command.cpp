@@ -8,15 +8,15 @@
 #include <memory>
 
 #include "app.hpp"
-#include "commands.hpp"
+#include "commands/commands.hpp"
 #include "files/reading.hpp"
 #include "files/temporary_folder.hpp"
 #include "flags.hpp"
 #include "http/web_server.hpp"
-#include "output.hpp"
+#include "output/output.hpp"
+#include "output/terminal.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/io/files/files.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {

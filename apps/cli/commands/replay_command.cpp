@@ -6,9 +6,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "commands.hpp"
+#include "commands/commands.hpp"
 #include "flags.hpp"
-#include "output.hpp"
+#include "output/output.hpp"
+#include "output/run_output.hpp"
+#include "output/terminal.hpp"
 #include "outrider/io/files/files.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/log/mcap/mcap_file.hpp"
@@ -17,8 +19,6 @@
 #include "outrider/log/topics.hpp"
 #include "outrider/picture/plan_view.hpp"
 #include "page.hpp"
-#include "run_output.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {

@@ -4,10 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "commands.hpp"
-#include "detect_output.hpp"
+#include "commands/commands.hpp"
 #include "flags.hpp"
-#include "output.hpp"
+#include "output/detect_output.hpp"
+#include "output/output.hpp"
+#include "output/tag_picture.hpp"
+#include "output/terminal.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/estimate/planar_pnp.hpp"
 #include "outrider/estimate/tag_detector.hpp"
@@ -16,8 +18,6 @@
 #include "outrider/io/camera/photo.hpp"
 #include "outrider/io/files/files.hpp"
 #include "outrider/io/log/log_file.hpp"
-#include "tag_picture.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {

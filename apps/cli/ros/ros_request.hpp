@@ -5,7 +5,7 @@
 
 #include "command.hpp"
 #include "outrider/core/options.hpp"
-#include "ros_network.hpp"
+#include "ros/ros_network.hpp"
 
 namespace outrider::cli {
 

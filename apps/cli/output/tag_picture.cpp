@@ -1,4 +1,4 @@
-#include "tag_picture.hpp"
+#include "output/tag_picture.hpp"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
-#include "detect_output.hpp"
+#include "output/detect_output.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "output/terminal.hpp"
 #include "outrider/core/units.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
