@@ -8,7 +8,7 @@
 #include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
-#include "outrider/sim/execution_errors.hpp"
+#include "outrider/sim/faults/execution_errors.hpp"
 
 namespace outrider {
 

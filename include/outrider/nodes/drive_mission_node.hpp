@@ -27,7 +27,7 @@
 #include "outrider/nodes/mission_node.hpp"
 #include "outrider/nodes/slowed_clock.hpp"
 #include "outrider/nodes/tag_sight.hpp"
-#include "outrider/sim/range_finder.hpp"
+#include "outrider/sim/sensors/range_finder.hpp"
 
 namespace outrider {
 

@@ -31,7 +31,7 @@
 #include "outrider/nodes/mission_node.hpp"
 #include "outrider/nodes/piece_driver.hpp"
 #include "outrider/nodes/remote_gun.hpp"
-#include "outrider/sim/range_finder.hpp"
+#include "outrider/sim/sensors/range_finder.hpp"
 
 namespace outrider {
 

@@ -7,11 +7,11 @@
 //                                                            lost
 //
 // and what every RobotSimNode sends, with map -> odom without errors. A differential drive
-// (sim/twist_body.hpp) carries the gun of the job guard (sim/simulated_gun.hpp): its joints turn at their
-// rates, and each ball leaves with the errors of the scenario and flies to its first contact. Where a drive
-// ends is what comes of the commands, so the error of position of the scenario has no part in it. The topics
-// do not say at whom a ball is shot: it hits whom it touches first. Same scenario, options, messages and
-// times: same outputs.
+// (sim/bodies/twist_body.hpp) carries the gun of the job guard (sim/simulated_gun.hpp): its joints turn at
+// their rates, and each ball leaves with the errors of the scenario and flies to its first contact. Where a
+// drive ends is what comes of the commands, so the error of position of the scenario has no part in it. The
+// topics do not say at whom a ball is shot: it hits whom it touches first. Same scenario, options, messages
+// and times: same outputs.
 #pragma once
 
 #include <deque>

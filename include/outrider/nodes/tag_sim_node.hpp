@@ -3,9 +3,9 @@
 //   camera/camera_info, detections
 //   camera/image_raw, if images are rendered and wanted
 //
-// and what every RobotSimNode sends. It is the robot of the job drive (sim/wheel_body.hpp,
-// sim/simulated_tag_camera.hpp), with its faults. The odometry is what the commands say, since nobody counts
-// the turns of its wheels. Same options, messages and times: same outputs.
+// and what every RobotSimNode sends. It is the robot of the job drive (sim/bodies/wheel_body.hpp,
+// sim/sensors/simulated_tag_camera.hpp), with its faults. The odometry is what the commands say, since nobody
+// counts the turns of its wheels. Same options, messages and times: same outputs.
 #pragma once
 
 #include <limits>

@@ -6,8 +6,8 @@
 
 #include "look.hpp"
 #include "outrider/core/units.hpp"
-#include "outrider/sim/simulated_tag_camera.hpp"
-#include "outrider/sim/tag_model.hpp"
+#include "outrider/sim/sensors/simulated_tag_camera.hpp"
+#include "outrider/sim/sensors/tag_model.hpp"
 
 namespace outrider {
 namespace {

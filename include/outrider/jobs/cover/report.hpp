@@ -15,7 +15,7 @@
 #include "outrider/log/log_queue.hpp"
 #include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/report/report.hpp"
-#include "outrider/sim/piece_body.hpp"
+#include "outrider/sim/bodies/piece_body.hpp"
 
 namespace outrider {
 

@@ -11,7 +11,7 @@
 #include "outrider/log/log.hpp"
 #include "outrider/navigate/navigator.hpp"
 #include "outrider/report/report.hpp"
-#include "outrider/sim/explorer_sim_params.hpp"
+#include "outrider/sim/faults/explorer_sim_params.hpp"
 
 namespace outrider {
 

@@ -27,7 +27,7 @@
 #include "outrider/jobs/drive/laser_drive.hpp"
 #include "outrider/jobs/drive/route.hpp"
 #include "outrider/jobs/drive/task.hpp"
-#include "outrider/sim/drive_sim_params.hpp"
+#include "outrider/sim/faults/drive_sim_params.hpp"
 
 namespace outrider {
 

@@ -6,7 +6,7 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/estimate/planar_pnp.hpp"
-#include "outrider/sim/drive_sim_params.hpp"
+#include "outrider/sim/faults/drive_sim_params.hpp"
 
 namespace outrider {
 namespace {
