@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "relaxation.hpp"
+#include "bounds/relaxation.hpp"
 
 namespace outrider {
 

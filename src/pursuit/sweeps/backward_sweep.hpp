@@ -10,10 +10,10 @@
 #include <memory>
 #include <optional>
 
-#include "forward_bound.hpp"
-#include "layer.hpp"
+#include "bounds/forward_bound.hpp"
+#include "bounds/relaxation.hpp"
 #include "outrider/core/budget.hpp"
-#include "relaxation.hpp"
+#include "sweeps/layer.hpp"
 
 namespace outrider {
 

@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "pursuit_boxes.hpp"
-#include "row_kernel.hpp"
+#include "sweeps/pursuit_boxes.hpp"
+#include "sweeps/row_kernel.hpp"
 
 namespace outrider {
 

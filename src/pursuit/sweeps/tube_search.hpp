@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "backward_sweep.hpp"
+#include "sweeps/backward_sweep.hpp"
 
 namespace outrider {
 

@@ -1,4 +1,4 @@
-#include "forward_bound.hpp"
+#include "bounds/forward_bound.hpp"
 
 namespace outrider {
 

@@ -1,4 +1,4 @@
-#include "relaxation.hpp"
+#include "bounds/relaxation.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -10,10 +10,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "bounds/relaxation.hpp"
 #include "field.hpp"
 #include "outrider/core/budget.hpp"
 #include "radix_queue.hpp"
-#include "relaxation.hpp"
 
 namespace outrider {
 

@@ -1,4 +1,4 @@
-#include "row_kernel.hpp"
+#include "sweeps/row_kernel.hpp"
 
 #include <cstring>
 

@@ -9,8 +9,8 @@
 
 #include <optional>
 
-#include "layer.hpp"
 #include "outrider/core/budget.hpp"
+#include "sweeps/layer.hpp"
 
 namespace outrider {
 

@@ -1,4 +1,4 @@
-#include "tube_search.hpp"
+#include "sweeps/tube_search.hpp"
 
 #include <utility>
 

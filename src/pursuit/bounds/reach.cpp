@@ -1,4 +1,4 @@
-#include "reach.hpp"
+#include "bounds/reach.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "box_sweep.hpp"
+#include "sweeps/box_sweep.hpp"
 
 #include <algorithm>
 

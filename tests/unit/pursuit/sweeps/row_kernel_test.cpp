@@ -1,5 +1,5 @@
 // The kernels compute what they say, and the same on every processor.
-#include "row_kernel.hpp"
+#include "sweeps/row_kernel.hpp"
 
 #include <gtest/gtest.h>
 

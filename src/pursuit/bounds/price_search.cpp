@@ -1,4 +1,4 @@
-#include "price_search.hpp"
+#include "bounds/price_search.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "backward_sweep.hpp"
+#include "sweeps/backward_sweep.hpp"
 
 #include <cmath>
 
