@@ -14,11 +14,11 @@
 #include "outrider/jobs/explore/job.hpp"
 #include "outrider/jobs/guard/job.hpp"
 #include "outrider/jobs/pursue/job.hpp"
-#include "outrider/nodes/cover_mission_node.hpp"
-#include "outrider/nodes/drive_mission_node.hpp"
-#include "outrider/nodes/explore_mission_node.hpp"
-#include "outrider/nodes/guard_mission_node.hpp"
-#include "outrider/nodes/pursue_mission_node.hpp"
+#include "outrider/nodes/missions/cover_mission_node.hpp"
+#include "outrider/nodes/missions/drive_mission_node.hpp"
+#include "outrider/nodes/missions/explore_mission_node.hpp"
+#include "outrider/nodes/missions/guard_mission_node.hpp"
+#include "outrider/nodes/missions/pursue_mission_node.hpp"
 #include "ros/ros_request.hpp"
 
 namespace outrider::cli {

@@ -12,9 +12,9 @@
 #include "outrider/jobs/drive/job.hpp"
 #include "outrider/jobs/explore/job.hpp"
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/nodes/guard_sim_node.hpp"
-#include "outrider/nodes/sim_node.hpp"
-#include "outrider/nodes/tag_sim_node.hpp"
+#include "outrider/nodes/sim/guard_sim_node.hpp"
+#include "outrider/nodes/sim/sim_node.hpp"
+#include "outrider/nodes/sim/tag_sim_node.hpp"
 #include "ros/ros_request.hpp"
 
 namespace outrider::cli {

@@ -27,8 +27,8 @@
 #include <vector>
 
 #include "outrider/log/messages/ros_sensor_messages.hpp"
-#include "outrider/nodes/checked.hpp"
 #include "outrider/nodes/kept_map.hpp"
+#include "outrider/nodes/messages/checked.hpp"
 #include "outrider/nodes/node.hpp"
 #include "outrider/nodes/robot_frames.hpp"
 #include "outrider/slam/laser/laser_slam.hpp"

@@ -7,7 +7,7 @@
 #include "outrider/core/outcome.hpp"
 #include "outrider/geometry/vec.hpp"
 #include "outrider/log/messages/ros_sensor_messages.hpp"
-#include "outrider/nodes/checked.hpp"
+#include "outrider/nodes/messages/checked.hpp"
 #include "outrider/nodes/robot_frames.hpp"
 
 namespace outrider {

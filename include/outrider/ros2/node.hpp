@@ -17,7 +17,7 @@
 
 #include "outrider/core/outcome.hpp"
 #include "outrider/log/encoding/message_type.hpp"
-#include "outrider/nodes/delivery.hpp"
+#include "outrider/nodes/messages/delivery.hpp"
 #include "outrider/ros2/names.hpp"
 
 namespace outrider {
