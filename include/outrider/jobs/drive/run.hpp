@@ -7,7 +7,7 @@
 
 #include "outrider/control/calibrate.hpp"
 #include "outrider/job/watch.hpp"
-#include "outrider/jobs/drive/mission.hpp"
+#include "outrider/jobs/drive/mission/mission.hpp"
 #include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/sim/faults/drive_sim_params.hpp"
 #include "outrider/sim/simulated_robot.hpp"

@@ -1,4 +1,5 @@
-// DriveMissionNode: the mission of the job drive (jobs/drive/mission.hpp) with its robot behind topics.
+// DriveMissionNode: the mission of the job drive (jobs/drive/mission/mission.hpp) with its robot behind
+// topics.
 //
 //   camera/camera_info                 ->   cmd_vel; sideways too for mecanum and holonomic robots
 //   camera/image_raw, or detections         drive/status  what it does, and which stops are confirmed
@@ -22,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-#include "outrider/jobs/drive/mission.hpp"
+#include "outrider/jobs/drive/mission/mission.hpp"
 #include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/nodes/missions/mission_node.hpp"
 #include "outrider/nodes/missions/slowed_clock.hpp"

@@ -1,4 +1,4 @@
-#include "look.hpp"
+#include "mission/look.hpp"
 
 #include <fmt/format.h>
 

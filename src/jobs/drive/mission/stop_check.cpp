@@ -1,4 +1,4 @@
-#include "outrider/jobs/drive/stop_check.hpp"
+#include "outrider/jobs/drive/mission/stop_check.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "outrider/jobs/drive/relocaliser.hpp"
+#include "outrider/jobs/drive/localisation/relocaliser.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "keep_clear.hpp"
+#include "mission/keep_clear.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "outrider/jobs/drive/tag_votes.hpp"
+#include "outrider/jobs/drive/localisation/tag_votes.hpp"
 
 #include <gtest/gtest.h>
 

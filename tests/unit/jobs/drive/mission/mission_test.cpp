@@ -1,4 +1,4 @@
-#include "outrider/jobs/drive/mission.hpp"
+#include "outrider/jobs/drive/mission/mission.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "outrider/jobs/drive/mission.hpp"
+#include "outrider/jobs/drive/mission/mission.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "keep_clear.hpp"
-#include "look.hpp"
-#include "look_round.hpp"
+#include "mission/keep_clear.hpp"
+#include "mission/look.hpp"
+#include "mission/look_round.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/world/collision_map.hpp"
 #include "room.hpp"

@@ -1,5 +1,5 @@
 // Drives by laser: around what stands there, true claims, reasons.
-#include "outrider/jobs/drive/laser_drive.hpp"
+#include "outrider/jobs/drive/mission/laser_drive.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

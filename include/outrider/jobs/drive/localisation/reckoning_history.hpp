@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "outrider/jobs/drive/dead_reckoning.hpp"
+#include "outrider/jobs/drive/localisation/dead_reckoning.hpp"
 
 namespace outrider {
 

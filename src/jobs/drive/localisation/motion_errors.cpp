@@ -1,4 +1,4 @@
-#include "outrider/jobs/drive/motion_errors.hpp"
+#include "outrider/jobs/drive/localisation/motion_errors.hpp"
 
 namespace outrider {
 namespace {

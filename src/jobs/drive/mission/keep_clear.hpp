@@ -7,7 +7,7 @@
 // at corners.
 #pragma once
 
-#include "outrider/jobs/drive/mission.hpp"
+#include "outrider/jobs/drive/mission/mission.hpp"
 
 namespace outrider {
 

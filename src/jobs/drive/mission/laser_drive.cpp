@@ -1,4 +1,4 @@
-#include "outrider/jobs/drive/laser_drive.hpp"
+#include "outrider/jobs/drive/mission/laser_drive.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "outrider/jobs/drive/dead_reckoning.hpp"
+#include "outrider/jobs/drive/localisation/dead_reckoning.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "outrider/jobs/drive/reckoning_history.hpp"
+#include "outrider/jobs/drive/localisation/reckoning_history.hpp"
 
 #include <gtest/gtest.h>
 

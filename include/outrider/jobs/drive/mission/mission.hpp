@@ -30,10 +30,10 @@
 #include <vector>
 
 #include "outrider/control/timed_drive.hpp"
-#include "outrider/jobs/drive/reckoning_history.hpp"
-#include "outrider/jobs/drive/relocaliser.hpp"
-#include "outrider/jobs/drive/stop_check.hpp"
-#include "outrider/jobs/drive/tag_votes.hpp"
+#include "outrider/jobs/drive/localisation/reckoning_history.hpp"
+#include "outrider/jobs/drive/localisation/relocaliser.hpp"
+#include "outrider/jobs/drive/localisation/tag_votes.hpp"
+#include "outrider/jobs/drive/mission/stop_check.hpp"
 #include "outrider/jobs/drive/task.hpp"
 #include "outrider/robot/mission.hpp"
 #include "outrider/world/collision_map.hpp"

@@ -1,10 +1,10 @@
-#include "look_round.hpp"
+#include "mission/look_round.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "look.hpp"
+#include "mission/look.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/sim/sensors/simulated_tag_camera.hpp"
 #include "outrider/sim/sensors/tag_model.hpp"

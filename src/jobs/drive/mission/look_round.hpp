@@ -6,7 +6,7 @@
 // agrees.
 #pragma once
 
-#include "outrider/jobs/drive/mission.hpp"
+#include "outrider/jobs/drive/mission/mission.hpp"
 
 namespace outrider {
 

@@ -1,7 +1,7 @@
 // A look: a drive reads the tags in its newest image.
 #pragma once
 
-#include "outrider/jobs/drive/mission.hpp"
+#include "outrider/jobs/drive/mission/mission.hpp"
 
 namespace outrider {
 

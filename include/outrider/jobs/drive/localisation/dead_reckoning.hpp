@@ -19,7 +19,7 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/estimate/belief.hpp"
-#include "outrider/jobs/drive/motion_errors.hpp"
+#include "outrider/jobs/drive/localisation/motion_errors.hpp"
 #include "outrider/motion/twist.hpp"
 
 namespace outrider {
