@@ -5,7 +5,7 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/estimate/localise.hpp"
-#include "outrider/sim/tag_camera.hpp"
+#include "outrider/sim/sensors/tag_camera.hpp"
 
 namespace outrider {
 namespace {

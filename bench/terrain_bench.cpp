@@ -14,7 +14,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/io/map/movingai.hpp"
-#include "outrider/path/grid/terrain_a_star.hpp"
+#include "outrider/path/grid/terrain/terrain_a_star.hpp"
 #include "outrider/path/hubs/terrain_labels.hpp"
 
 namespace outrider {

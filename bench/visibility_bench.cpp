@@ -13,7 +13,7 @@
 #include "outrider/io/map/movingai.hpp"
 #include "outrider/io/map/polygons.hpp"
 #include "outrider/path/from_polygons.hpp"
-#include "outrider/path/mesh/polyanya.hpp"
+#include "outrider/path/mesh/polyanya/polyanya.hpp"
 #include "outrider/path/visibility/visibility_graph.hpp"
 
 namespace outrider {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "outrider/jobs/guard/run/run.hpp"
-#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 
 using namespace outrider;

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "output.hpp"
+#include "output/output.hpp"
 #include "outrider/core/options.hpp"
 #include "outrider/core/overload.hpp"
 #include "outrider/core/text.hpp"

@@ -12,13 +12,13 @@
 #include <optional>
 #include <string_view>
 
-#include "commands.hpp"
-#include "job_command.hpp"
-#include "output.hpp"
+#include "commands/commands.hpp"
+#include "commands/job_command.hpp"
+#include "commands/research.hpp"
+#include "output/output.hpp"
+#include "output/terminal.hpp"
 #include "outrider/io/files/confinement.hpp"
-#include "research.hpp"
 #include "stop_on_signal.hpp"
-#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {

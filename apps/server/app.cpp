@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "compression.hpp"
-#include "foxglove.hpp"
-#include "gunzip.hpp"
+#include "files/temporary_folder.hpp"
+#include "http/compression.hpp"
+#include "http/gunzip.hpp"
+#include "live/foxglove.hpp"
 #include "outrider/core/base64.hpp"
-#include "scenarios.hpp"
-#include "temporary_folder.hpp"
+#include "scenarios/scenarios.hpp"
 
 namespace outrider::server {
 namespace {

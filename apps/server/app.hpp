@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "catalogue.hpp"
-#include "file_list.hpp"
-#include "folder.hpp"
-#include "guard.hpp"
-#include "live.hpp"
-#include "message.hpp"
+#include "files/file_list.hpp"
+#include "files/folder.hpp"
+#include "files/reading.hpp"
+#include "http/guard.hpp"
+#include "http/message.hpp"
+#include "live/live.hpp"
 #include "page.hpp"
-#include "planning.hpp"
-#include "reading.hpp"
-#include "runs.hpp"
+#include "planning/planning.hpp"
+#include "runs/runs.hpp"
 
 namespace outrider::server {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "message.hpp"
+#include "http/message.hpp"
 #include "outrider/core/options.hpp"
 
 namespace outrider::server {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "../../tests/unit/tour/random_tour.hpp"
-#include "../../tests/unit/tour/supply_programme.hpp"
+#include "../../tests/unit/tour/supply/supply_programme.hpp"
 #include "outrider/tour/solve.hpp"
 #include "peers.hpp"
 

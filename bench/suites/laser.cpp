@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "outrider/io/files/files.hpp"
-#include "outrider/jobs/slam/laser_run.hpp"
+#include "outrider/jobs/slam/laser/laser_run.hpp"
 #include "outrider/jobs/slam/scenario.hpp"
 
 namespace outrider::bench {

@@ -9,7 +9,7 @@
 #include "laser.hpp"
 #include "outrider/io/files/files.hpp"
 #include "outrider/io/log/g2o.hpp"
-#include "outrider/slam/pose_graph_bound.hpp"
+#include "outrider/slam/bounds/pose_graph_bound.hpp"
 #include "rows.hpp"
 #include "slam_peer.hpp"
 #include "stopwatch.hpp"

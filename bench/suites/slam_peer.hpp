@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "outrider/slam/pose_graph.hpp"
+#include "outrider/slam/graph/pose_graph.hpp"
 
 namespace outrider::bench {
 

@@ -11,7 +11,7 @@
 #include "faults.hpp"
 #include "options.hpp"
 #include "outrider/io/log/log_file.hpp"
-#include "outrider/log/known_messages.hpp"
+#include "outrider/log/messages/known_messages.hpp"
 #include "outrider/log/numpy.hpp"
 
 namespace outrider::python {

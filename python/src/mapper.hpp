@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "occupancy.hpp"
-#include "outrider/slam/landmark_slam.hpp"
-#include "outrider/slam/laser_slam.hpp"
+#include "outrider/slam/landmark/landmark_slam.hpp"
+#include "outrider/slam/laser/laser_slam.hpp"
 #include "turn.hpp"
 
 namespace outrider::python {

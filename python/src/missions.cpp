@@ -19,7 +19,7 @@
 #include "outrider/jobs/cover/mission/mission.hpp"
 #include "outrider/jobs/cover/strokes/plan.hpp"
 #include "outrider/jobs/drive/job.hpp"
-#include "outrider/jobs/drive/mission.hpp"
+#include "outrider/jobs/drive/mission/mission.hpp"
 #include "outrider/jobs/explore/mission/mission.hpp"
 #include "outrider/jobs/pursue/scenario.hpp"
 #include "outrider/jobs/pursue/wall_watch.hpp"

@@ -18,7 +18,7 @@
 #include "options.hpp"
 #include "outrider/io/files/files.hpp"
 #include "outrider/io/log/g2o.hpp"
-#include "outrider/slam/pose_graph_bound.hpp"
+#include "outrider/slam/bounds/pose_graph_bound.hpp"
 
 namespace outrider::python {
 

@@ -1,10 +1,10 @@
 // Temporal: the decision problem of a guard mission with durative actions, and a validator of plans for it.
 //
 // A plan chooses the stops, their order, the shots from each stop and, with limited supplies, the stations.
-// Times are those of tour/problem.hpp and tour/supply.hpp. The state space is finite: a pose is a stop with a
-// heading with which some drive arrives there, so each drive between two poses, including the turn before it,
-// has a fixed duration. The state of the gun is its yaw relative to the body and its pitch after the last
-// shot. The actions:
+// Times are those of tour/problem.hpp and tour/supply/supply.hpp. The state space is finite: a pose is a stop
+// with a heading with which some drive arrives there, so each drive between two poses, including the turn
+// before it, has a fixed duration. The state of the gun is its yaw relative to the body and its pitch after
+// the last shot. The actions:
 //  - drive: go to another pose;
 //  - shoot: aim at a target, then wait for the flight. Yaw angles that differ by a full turn are equal, so
 //  the plan
@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/tour/supply.hpp"
+#include "outrider/tour/supply/supply.hpp"
 
 namespace outrider {
 
@@ -85,7 +85,7 @@ Outcome<TemporalProblem> temporal_problem(SupplyProblem supplies, std::size_t mo
 
 /// Converts the steps of a tour to actions. There is a gap between consecutive actions, because PDDL requires
 /// time between an effect and an action that depends on it. The sum of all gaps is 1e-7 of the time of the
-/// steps. Faults: those of levels() (tour/supply.hpp).
+/// steps. Faults: those of levels() (tour/supply/supply.hpp).
 Outcome<std::vector<TemporalAction>> temporal_actions(const TemporalProblem& problem,
                                                       const std::vector<SupplyStep>& steps);
 

@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "support/random_cases.hpp"
-#include "unit/tour/random_supply.hpp"
+#include "unit/tour/supply/random_supply.hpp"
 
 namespace outrider {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "outrider/tour/solve.hpp"
 #include "support/random_cases.hpp"
-#include "unit/tour/random_supply.hpp"
+#include "unit/tour/supply/random_supply.hpp"
 
 namespace outrider {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "outrider/log/ros_messages.hpp"
+#include "outrider/log/messages/ros_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/world/occupancy.hpp"
 

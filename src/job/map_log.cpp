@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/world/occupancy.hpp"
 

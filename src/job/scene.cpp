@@ -3,7 +3,7 @@
 #include <utility>
 #include <variant>
 
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

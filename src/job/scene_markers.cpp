@@ -6,10 +6,10 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/geometry/convex.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/gun_messages.hpp"
-#include "outrider/log/motion_messages.hpp"
-#include "outrider/log/ros_marker_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
+#include "outrider/log/messages/ros_marker_messages.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

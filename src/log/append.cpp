@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

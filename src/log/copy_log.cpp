@@ -3,8 +3,8 @@
 #include <map>
 #include <optional>
 
-#include "definition.hpp"
-#include "ros1_to_cdr.hpp"
+#include "encoding/definition.hpp"
+#include "encoding/ros1_to_cdr.hpp"
 
 namespace outrider {
 namespace {

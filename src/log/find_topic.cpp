@@ -6,7 +6,7 @@
 #include <set>
 
 #include "outrider/core/text.hpp"
-#include "outrider/log/channel_decoder.hpp"
+#include "outrider/log/encoding/channel_decoder.hpp"
 
 namespace outrider {
 namespace {

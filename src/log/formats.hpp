@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "byte_source.hpp"
+#include "bytes/byte_source.hpp"
 #include "outrider/log/log_reader.hpp"
 
 namespace outrider {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/log/message_type.hpp"
+#include "outrider/log/encoding/message_type.hpp"
 
 namespace outrider {
 

@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "bag_records.hpp"
-#include "byte_source.hpp"
+#include "bag/bag_records.hpp"
+#include "bytes/byte_source.hpp"
 #include "formats.hpp"
 #include "outrider/log/log_reader.hpp"
 

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "messages/run_messages.hpp"
 #include "outrider/core/text.hpp"
-#include "outrider/log/channel_decoder.hpp"
-#include "run_messages.hpp"
+#include "outrider/log/encoding/channel_decoder.hpp"
 
 namespace outrider {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "outrider/core/text.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 
 namespace outrider {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "outrider/core/text.hpp"
 #include "outrider/io/scenario/values.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 
 namespace outrider {
 namespace {

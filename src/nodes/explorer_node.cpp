@@ -8,8 +8,8 @@
 #include "outrider/core/text.hpp"
 #include "outrider/io/scenario/values.hpp"
 #include "outrider/jobs/explore/mission/task.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/ros_marker_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/ros_marker_messages.hpp"
 
 namespace outrider {
 namespace {

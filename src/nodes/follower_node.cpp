@@ -7,7 +7,7 @@
 
 #include "outrider/core/text.hpp"
 #include "outrider/jobs/explore/mission/task.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 
 namespace outrider {
 namespace {

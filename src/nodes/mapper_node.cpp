@@ -9,7 +9,7 @@
 #include "outrider/io/log/scan_mount.hpp"
 #include "outrider/jobs/explore/map/map_doubt.hpp"
 #include "outrider/jobs/explore/mission/task.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 
 namespace outrider {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "outrider/core/text.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/nodes/robot_frames.hpp"
 
 namespace outrider {

@@ -7,7 +7,7 @@
 
 #include "outrider/core/text.hpp"
 #include "outrider/io/files/text.hpp"
-#include "outrider/log/codecs.hpp"
+#include "outrider/log/encoding/codecs.hpp"
 
 namespace outrider {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "outrider/core/text.hpp"
 #include "outrider/jobs/explore/mission/task.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
 #include "outrider/world/nearest_cell.hpp"

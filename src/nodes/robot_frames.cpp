@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "outrider/log/log.hpp"
-#include "outrider/nodes/checked.hpp"
+#include "outrider/nodes/messages/checked.hpp"
 
 namespace outrider {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "outrider/core/text.hpp"
 #include "outrider/io/log/scan_mount.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/slam/laser_scan.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/slam/scan/laser_scan.hpp"
 
 namespace outrider {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "grid/cell_costs_check.hpp"
+#include "grid/terrain/cell_costs_check.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/path/pieces.hpp"
 #include "outrider/path/safety.hpp"

@@ -7,9 +7,9 @@
 #include "outrider/core/units.hpp"
 #include "outrider/geometry/convex.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/gun_messages.hpp"
-#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "sheet.hpp"
 

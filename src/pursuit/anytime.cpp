@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "box_sweep.hpp"
+#include "bounds/price_search.hpp"
+#include "bounds/reach.hpp"
 #include "detour.hpp"
 #include "label_search.hpp"
 #include "outrider/pursuit/miss.hpp"
-#include "price_search.hpp"
-#include "reach.hpp"
-#include "tube_search.hpp"
+#include "sweeps/box_sweep.hpp"
+#include "sweeps/tube_search.hpp"
 
 namespace outrider {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <optional>
 
-#include "forward_bound.hpp"
-#include "relaxation.hpp"
+#include "bounds/forward_bound.hpp"
+#include "bounds/relaxation.hpp"
 
 namespace outrider {
 

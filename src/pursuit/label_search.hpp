@@ -18,10 +18,10 @@
 #include <optional>
 #include <vector>
 
+#include "bounds/relaxation.hpp"
 #include "field.hpp"
 #include "outrider/core/budget.hpp"
 #include "radix_queue.hpp"
-#include "relaxation.hpp"
 
 namespace outrider {
 

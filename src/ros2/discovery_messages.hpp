@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "outrider/log/message_fields.hpp"
+#include "outrider/log/encoding/message_fields.hpp"
 
 namespace outrider {
 

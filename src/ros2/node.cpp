@@ -12,7 +12,7 @@
 #include "cdr_type.hpp"
 #include "discovery_messages.hpp"
 #include "outrider/core/text.hpp"
-#include "outrider/log/codecs.hpp"
+#include "outrider/log/encoding/codecs.hpp"
 #include "outrider/ros2/names.hpp"
 
 namespace outrider {

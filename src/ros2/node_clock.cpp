@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "outrider/job/clock.hpp"
-#include "outrider/nodes/checked.hpp"
+#include "outrider/nodes/messages/checked.hpp"
 
 namespace outrider {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "outrider/core/overload.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/sim/simulated_robot.hpp"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "outrider/ballistics/contact.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/sim/profile.hpp"
 
 namespace outrider {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 
 namespace outrider {
 namespace {

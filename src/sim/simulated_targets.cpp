@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
-#include "outrider/sim/execution_errors.hpp"
+#include "outrider/sim/faults/execution_errors.hpp"
 
 namespace outrider {
 

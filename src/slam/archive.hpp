@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "outrider/slam/landmark_log.hpp"
+#include "outrider/slam/landmark/landmark_log.hpp"
 
 namespace outrider {
 

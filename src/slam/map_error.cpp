@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "graph_edges.hpp"
+#include "graph/graph_edges.hpp"
 
 namespace outrider {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "outrider/geometry/pose.hpp"
-#include "outrider/slam/laser_slam.hpp"
+#include "outrider/slam/laser/laser_slam.hpp"
 
 namespace outrider {
 

@@ -7,7 +7,7 @@
 #include "outrider/core/sha256.hpp"
 #include "outrider/io/files/file_lock.hpp"
 #include "outrider/io/files/files.hpp"
-#include "outrider/log/byte_sink.hpp"
+#include "outrider/log/bytes/byte_sink.hpp"
 
 namespace outrider {
 namespace {

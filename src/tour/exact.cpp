@@ -3,7 +3,7 @@
 #include <queue>
 
 #include "dominance.hpp"
-#include "relaxation.hpp"
+#include "proof/relaxation.hpp"
 
 namespace outrider::tour {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "local_search/route.hpp"
 #include "outrider/core/budget.hpp"
 #include "outrider/tour/solve.hpp"
-#include "route.hpp"
 
 namespace outrider::tour {
 

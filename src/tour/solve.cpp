@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "construct.hpp"
 #include "exact.hpp"
-#include "improve.hpp"
-#include "proof.hpp"
+#include "local_search/construct.hpp"
+#include "local_search/improve.hpp"
+#include "proof/proof.hpp"
 
 namespace outrider {
 namespace {

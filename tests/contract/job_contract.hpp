@@ -17,7 +17,7 @@
 
 #include "outrider/io/scenario/scenario.hpp"
 #include "outrider/job/run_job.hpp"
-#include "outrider/log/scene_messages.hpp"
+#include "outrider/log/messages/scene_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/data.hpp"
 #include "support/run_bytes.hpp"

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "outrider/io/log/carmen_log.hpp"
-#include "outrider/slam/laser_slam.hpp"
+#include "outrider/slam/laser/laser_slam.hpp"
 
 namespace {
 

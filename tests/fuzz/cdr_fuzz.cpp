@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "outrider/log/codecs.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
-#include "outrider/nodes/node_messages.hpp"
-#include "outrider/nodes/parameter_messages.hpp"
-#include "outrider/nodes/tag_messages.hpp"
+#include "outrider/log/encoding/codecs.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
+#include "outrider/nodes/messages/node_messages.hpp"
+#include "outrider/nodes/messages/parameter_messages.hpp"
+#include "outrider/nodes/messages/tag_messages.hpp"
 #include "read_fuzzed_log.hpp"
 
 namespace {

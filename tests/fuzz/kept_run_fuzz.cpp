@@ -1,13 +1,13 @@
 // The state of a kept run: what is read comes back the same when it is written and read again.
-#include "kept_runs.hpp"
+#include "runs/kept_runs.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
-#include "head_comment.hpp"
-#include "message.hpp"
+#include "files/head_comment.hpp"
+#include "http/message.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   namespace server = outrider::server;

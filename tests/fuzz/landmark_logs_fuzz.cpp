@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "outrider/io/log/landmark_logs.hpp"
-#include "outrider/slam/landmark_slam.hpp"
+#include "outrider/slam/landmark/landmark_slam.hpp"
 
 namespace {
 

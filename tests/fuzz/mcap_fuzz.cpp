@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "mcap_attachments.hpp"
-#include "mcap_reader.hpp"
+#include "mcap/mcap_attachments.hpp"
+#include "mcap/read/mcap_reader.hpp"
 
 namespace {
 

@@ -12,17 +12,17 @@
 #include <memory>
 #include <string>
 
-#include "outrider/nodes/cover_mission_node.hpp"
 #include "outrider/nodes/coverage_node.hpp"
-#include "outrider/nodes/drive_mission_node.hpp"
-#include "outrider/nodes/explore_mission_node.hpp"
 #include "outrider/nodes/explorer_node.hpp"
 #include "outrider/nodes/follower_node.hpp"
-#include "outrider/nodes/guard_mission_node.hpp"
-#include "outrider/nodes/guard_sim_node.hpp"
 #include "outrider/nodes/mapper_node.hpp"
+#include "outrider/nodes/missions/cover_mission_node.hpp"
+#include "outrider/nodes/missions/drive_mission_node.hpp"
+#include "outrider/nodes/missions/explore_mission_node.hpp"
+#include "outrider/nodes/missions/guard_mission_node.hpp"
+#include "outrider/nodes/missions/pursue_mission_node.hpp"
 #include "outrider/nodes/planner_node.hpp"
-#include "outrider/nodes/pursue_mission_node.hpp"
+#include "outrider/nodes/sim/guard_sim_node.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "outrider/io/log/g2o.hpp"
 #include "outrider/io/log/pyfg.hpp"
-#include "outrider/slam/pose_graph_bound.hpp"
+#include "outrider/slam/bounds/pose_graph_bound.hpp"
 
 namespace {
 

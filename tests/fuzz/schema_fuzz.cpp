@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "outrider/log/channel_decoder.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "encoding/ros1_to_cdr.hpp"
+#include "outrider/log/encoding/channel_decoder.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "read_fuzzed_log.hpp"
-#include "ros1_to_cdr.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);

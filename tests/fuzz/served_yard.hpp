@@ -9,9 +9,9 @@
 #include <string>
 
 #include "app.hpp"
+#include "files/temporary_folder.hpp"
 #include "outrider/io/files/confinement.hpp"
 #include "outrider/jobs/catalog.hpp"
-#include "temporary_folder.hpp"
 
 namespace outrider::fuzzing {
 

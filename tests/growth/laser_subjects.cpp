@@ -1,8 +1,8 @@
 // Mapping with a laser, as scans grow in number: a robot that goes to and fro in a room of known walls.
 #include <stdexcept>
 
-#include "outrider/slam/laser_slam.hpp"
-#include "outrider/slam/map_check.hpp"
+#include "outrider/slam/laser/laser_slam.hpp"
+#include "outrider/slam/map/map_check.hpp"
 #include "subject.hpp"
 #include "unit/slam/laser_room.hpp"
 #include "work.hpp"
@@ -73,21 +73,21 @@ std::vector<Subject> laser_subjects() {
   const std::vector<int> sizes{64, 128, 256, 512};
   return {{"occupancy map",
            "scans",
-           "slam/occupancy_map.hpp",
+           "slam/map/occupancy_map.hpp",
            sizes,
            {{"blocks", "O(cells crossed) a scan", linear},
             {"peak bytes", "none is stated; held to the room", constant}},
            drawn_map},
           {"check_map",
            "scans",
-           "slam/map_check.hpp",
+           "slam/map/map_check.hpp",
            sizes,
            {{"blocks", "O(scans^2) distances and O(beams) for ten pairs per scan", squared},
             {"peak bytes", "none is stated; held to the scans", linear}},
            checked_map},
           {"laser SLAM without loops, all steps",
            "scans",
-           "slam/laser_slam.hpp",
+           "slam/laser/laser_slam.hpp",
            {256, 512, 1024, 2048},
            {{"blocks", "the points of a scan, and for a keyframe the poses of those before",
              scans_and_some_pairs},

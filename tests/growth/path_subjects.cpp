@@ -4,9 +4,9 @@
 
 #include "outrider/path/grid/a_star.hpp"
 #include "outrider/path/grid/dijkstra.hpp"
-#include "outrider/path/grid/jps.hpp"
+#include "outrider/path/grid/jps/jps.hpp"
 #include "outrider/path/grid/theta_star.hpp"
-#include "outrider/path/mesh/polyanya.hpp"
+#include "outrider/path/mesh/polyanya/polyanya.hpp"
 #include "subject.hpp"
 #include "support/random_grid.hpp"
 #include "work.hpp"

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "outrider/core/units.hpp"
-#include "outrider/slam/landmark_slam.hpp"
+#include "outrider/slam/landmark/landmark_slam.hpp"
 #include "subject.hpp"
 #include "work.hpp"
 
@@ -71,7 +71,7 @@ std::vector<double> along_a_corridor(int steps) {
 }  // namespace
 
 std::vector<Subject> slam_subjects() {
-  const std::string header = "slam/landmark_slam.hpp";
+  const std::string header = "slam/landmark/landmark_slam.hpp";
   const std::vector<int> counts{16, 32, 64, 128, 256};
   return {{"ekf, one step",
            "landmarks",

@@ -15,14 +15,14 @@
 #include <utility>
 #include <vector>
 
-#include "outrider/log/codecs.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/ros_marker_messages.hpp"
-#include "outrider/log/ros_messages.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
-#include "outrider/nodes/node_messages.hpp"
+#include "outrider/log/encoding/codecs.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/ros_marker_messages.hpp"
+#include "outrider/log/messages/ros_messages.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
+#include "outrider/nodes/messages/node_messages.hpp"
+#include "outrider/nodes/messages/tag_messages.hpp"
 #include "outrider/nodes/planner_node.hpp"
-#include "outrider/nodes/tag_messages.hpp"
 #include "outrider/ros2/node.hpp"
 #include "outrider/ros2/run_node.hpp"
 #include "support/eventually.hpp"

@@ -1,7 +1,7 @@
 // The faults that a real robot on mecanum wheels has, for tests of drives.
 #pragma once
 
-#include "outrider/sim/drive_sim_params.hpp"
+#include "outrider/sim/faults/drive_sim_params.hpp"
 
 namespace outrider::testing {
 

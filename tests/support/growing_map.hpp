@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "outrider/core/rng.hpp"
-#include "outrider/slam/occupancy_map.hpp"
+#include "outrider/slam/map/occupancy_map.hpp"
 
 namespace outrider::testing {
 

@@ -11,8 +11,8 @@
 #include "outrider/job/job.hpp"
 #include "outrider/job/watch.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "outrider/nodes/message_faults.hpp"
+#include "outrider/nodes/messages/message_faults.hpp"
 #include "outrider/nodes/node.hpp"
 
 namespace outrider::testing {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "outrider/log/log.hpp"
-#include "outrider/nodes/mission_node.hpp"
+#include "outrider/nodes/missions/mission_node.hpp"
 #include "support/node_bus.hpp"
 
 namespace outrider::testing {

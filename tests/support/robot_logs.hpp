@@ -10,9 +10,9 @@
 
 #include "bag_writer.hpp"
 #include "db3_writer.hpp"
-#include "outrider/log/codecs.hpp"
+#include "outrider/log/encoding/codecs.hpp"
 #include "outrider/log/log.hpp"
-#include "outrider/log/mcap_writer.hpp"
+#include "outrider/log/mcap/mcap_writer.hpp"
 
 namespace outrider::test {
 

@@ -8,8 +8,8 @@
 
 #include "outrider/io/map/map_server.hpp"
 #include "outrider/jobs/explore/scenario.hpp"
-#include "outrider/nodes/cover_mission_node.hpp"
-#include "outrider/nodes/sim_node.hpp"
+#include "outrider/nodes/missions/cover_mission_node.hpp"
+#include "outrider/nodes/sim/sim_node.hpp"
 #include "outrider/world/occupancy.hpp"
 #include "support/data.hpp"
 #include "support/node_bus.hpp"

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "outrider/job/job.hpp"
-#include "outrider/log/known_messages.hpp"
-#include "outrider/log/mcap_sink.hpp"
+#include "outrider/log/mcap/mcap_sink.hpp"
+#include "outrider/log/messages/known_messages.hpp"
 #include "outrider/report/run_json.hpp"
 
 namespace outrider::test {

@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "outrider/io/files/file_lock.hpp"
-#include "outrider/log/mcap_sink.hpp"
+#include "outrider/log/mcap/mcap_sink.hpp"
 
 namespace outrider {
 

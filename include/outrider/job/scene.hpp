@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "outrider/log/log.hpp"
-#include "outrider/log/scene_messages.hpp"
+#include "outrider/log/messages/scene_messages.hpp"
 #include "outrider/world/world.hpp"
 
 namespace outrider {

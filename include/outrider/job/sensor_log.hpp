@@ -6,8 +6,8 @@
 #include "outrider/estimate/camera.hpp"
 #include "outrider/geometry/pose.hpp"
 #include "outrider/log/log.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
-#include "outrider/slam/laser_scan.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
+#include "outrider/slam/scan/laser_scan.hpp"
 
 namespace outrider {
 

@@ -7,7 +7,7 @@
 
 #include "outrider/geometry/pose.hpp"
 #include "outrider/log/log.hpp"
-#include "outrider/log/ros_messages.hpp"
+#include "outrider/log/messages/ros_messages.hpp"
 
 namespace outrider {
 

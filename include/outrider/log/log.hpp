@@ -25,9 +25,9 @@
 #include <utility>
 #include <vector>
 
-#include "outrider/log/codecs.hpp"
+#include "outrider/log/encoding/codecs.hpp"
+#include "outrider/log/encoding/message_type.hpp"
 #include "outrider/log/log_reader.hpp"
-#include "outrider/log/message_type.hpp"
 
 namespace outrider {
 

@@ -22,7 +22,7 @@
 
 #include "outrider/core/outcome.hpp"
 #include "outrider/geometry/pose.hpp"
-#include "outrider/log/ros_messages.hpp"
+#include "outrider/log/messages/ros_messages.hpp"
 
 namespace outrider {
 

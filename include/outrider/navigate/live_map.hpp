@@ -15,7 +15,7 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/geometry/pose.hpp"
-#include "outrider/slam/laser_scan.hpp"
+#include "outrider/slam/scan/laser_scan.hpp"
 #include "outrider/world/grid.hpp"
 
 namespace outrider {

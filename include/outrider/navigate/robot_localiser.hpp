@@ -15,7 +15,7 @@
 
 #include "outrider/core/outcome.hpp"
 #include "outrider/geometry/pose.hpp"
-#include "outrider/slam/laser_scan.hpp"
+#include "outrider/slam/scan/laser_scan.hpp"
 
 namespace outrider {
 

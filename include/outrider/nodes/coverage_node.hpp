@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "outrider/jobs/cover/scenario.hpp"
-#include "outrider/nodes/checked.hpp"
+#include "outrider/nodes/messages/checked.hpp"
 #include "outrider/nodes/node.hpp"
 #include "outrider/nodes/robot_frames.hpp"
 

@@ -25,8 +25,8 @@
 
 #include "outrider/jobs/explore/choose/decide.hpp"
 #include "outrider/jobs/explore/choose/left_over.hpp"
-#include "outrider/nodes/checked.hpp"
 #include "outrider/nodes/gap_measure.hpp"
+#include "outrider/nodes/messages/checked.hpp"
 #include "outrider/nodes/node.hpp"
 #include "outrider/nodes/robot_frames.hpp"
 

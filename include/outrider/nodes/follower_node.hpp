@@ -21,7 +21,7 @@
 #include <optional>
 
 #include "outrider/control/steer.hpp"
-#include "outrider/nodes/checked.hpp"
+#include "outrider/nodes/messages/checked.hpp"
 #include "outrider/nodes/node.hpp"
 #include "outrider/nodes/robot_frames.hpp"
 #include "outrider/nodes/scan_points.hpp"

@@ -12,7 +12,7 @@
 
 #include "outrider/core/outcome.hpp"
 #include "outrider/geometry/pose.hpp"
-#include "outrider/slam/laser_slam.hpp"
+#include "outrider/slam/laser/laser_slam.hpp"
 #include "outrider/world/grid.hpp"
 
 namespace outrider {

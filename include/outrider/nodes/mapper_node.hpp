@@ -1,4 +1,4 @@
-// MapperNode: makes a map of laser scans and says where the robot is on it (slam/laser_slam.hpp).
+// MapperNode: makes a map of laser scans and says where the robot is on it (slam/laser/laser_slam.hpp).
 //
 //   scan   sensor_msgs/LaserScan    ->   map   nav_msgs/OccupancyGrid, latched, once in map_period
 //   odom   nav_msgs/Odometry             pose  geometry_msgs/PoseWithCovarianceStamped, at each scan
@@ -26,12 +26,12 @@
 #include <utility>
 #include <vector>
 
-#include "outrider/log/ros_sensor_messages.hpp"
-#include "outrider/nodes/checked.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/nodes/kept_map.hpp"
+#include "outrider/nodes/messages/checked.hpp"
 #include "outrider/nodes/node.hpp"
 #include "outrider/nodes/robot_frames.hpp"
-#include "outrider/slam/laser_slam.hpp"
+#include "outrider/slam/laser/laser_slam.hpp"
 
 namespace outrider {
 

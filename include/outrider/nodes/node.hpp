@@ -23,10 +23,10 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/log/codecs.hpp"
-#include "outrider/log/message_type.hpp"
-#include "outrider/nodes/delivery.hpp"
-#include "outrider/nodes/node_messages.hpp"
+#include "outrider/log/encoding/codecs.hpp"
+#include "outrider/log/encoding/message_type.hpp"
+#include "outrider/nodes/messages/delivery.hpp"
+#include "outrider/nodes/messages/node_messages.hpp"
 
 namespace outrider {
 

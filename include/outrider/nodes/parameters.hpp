@@ -12,8 +12,8 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/core/outcome.hpp"
-#include "outrider/log/message_type.hpp"
-#include "outrider/nodes/parameter_messages.hpp"
+#include "outrider/log/encoding/message_type.hpp"
+#include "outrider/nodes/messages/parameter_messages.hpp"
 
 namespace outrider {
 

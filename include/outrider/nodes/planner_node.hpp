@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "outrider/jobs/explore/map/traversability_grid.hpp"
-#include "outrider/nodes/checked.hpp"
+#include "outrider/nodes/messages/checked.hpp"
 #include "outrider/nodes/node.hpp"
 #include "outrider/nodes/robot_frames.hpp"
 #include "outrider/path/plan.hpp"

@@ -6,8 +6,8 @@
 
 #include "outrider/core/outcome.hpp"
 #include "outrider/geometry/vec.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
-#include "outrider/nodes/checked.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
+#include "outrider/nodes/messages/checked.hpp"
 #include "outrider/nodes/robot_frames.hpp"
 
 namespace outrider {

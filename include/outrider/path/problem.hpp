@@ -7,8 +7,8 @@
 #include <memory>
 #include <optional>
 
-#include "outrider/path/grid/cell_costs.hpp"
 #include "outrider/path/grid/grid_map.hpp"
+#include "outrider/path/grid/terrain/cell_costs.hpp"
 #include "outrider/path/visibility/polygon_ground.hpp"
 
 namespace outrider {

@@ -14,8 +14,8 @@
 #include <memory>
 #include <span>
 
-#include "outrider/path/grid/cell_costs.hpp"
 #include "outrider/path/grid/grid_map.hpp"
+#include "outrider/path/grid/terrain/cell_costs.hpp"
 
 namespace outrider {
 

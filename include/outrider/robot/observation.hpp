@@ -12,8 +12,8 @@
 
 #include "outrider/estimate/tag.hpp"
 #include "outrider/geometry/pose.hpp"
-#include "outrider/slam/landmark_log.hpp"
-#include "outrider/slam/laser_scan.hpp"
+#include "outrider/slam/landmark/landmark_log.hpp"
+#include "outrider/slam/scan/laser_scan.hpp"
 #include "outrider/world/grid.hpp"
 
 namespace outrider {

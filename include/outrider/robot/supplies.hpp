@@ -1,7 +1,7 @@
 // Supplies: the water tank and the battery of a guard robot, and the stations that fill them.
 //
-// Both stores are full at the start. tour/supply.hpp defines how they are used and filled. Plans never use
-// the fraction `reserve` of the battery; it is left for deviations from the plan.
+// Both stores are full at the start. tour/supply/supply.hpp defines how they are used and filled. Plans never
+// use the fraction `reserve` of the battery; it is left for deviations from the plan.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/geometry/vec.hpp"
-#include "outrider/tour/supply.hpp"
+#include "outrider/tour/supply/supply.hpp"
 
 namespace outrider {
 

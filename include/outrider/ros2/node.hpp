@@ -16,8 +16,8 @@
 #include <string>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/log/message_type.hpp"
-#include "outrider/nodes/delivery.hpp"
+#include "outrider/log/encoding/message_type.hpp"
+#include "outrider/nodes/messages/delivery.hpp"
 #include "outrider/ros2/names.hpp"
 
 namespace outrider {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
-#include "outrider/nodes/message_faults.hpp"
+#include "outrider/nodes/messages/message_faults.hpp"
 #include "outrider/nodes/node.hpp"
 #include "outrider/ros2/node.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "outrider/motion/footprint.hpp"
 #include "outrider/motion/robot_model.hpp"
-#include "outrider/sim/explorer_sim_params.hpp"
+#include "outrider/sim/faults/explorer_sim_params.hpp"
 #include "outrider/world/collision_map.hpp"
 
 namespace outrider {

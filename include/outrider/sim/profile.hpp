@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "outrider/ballistics/shot.hpp"
-#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
 
 namespace outrider {
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "outrider/ballistics/moving_target.hpp"
-#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/robot/observation.hpp"
-#include "outrider/sim/execution_errors.hpp"
-#include "outrider/sim/guard_sim_params.hpp"
+#include "outrider/sim/faults/execution_errors.hpp"
+#include "outrider/sim/faults/guard_sim_params.hpp"
 
 namespace outrider {
 

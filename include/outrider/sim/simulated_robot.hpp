@@ -14,17 +14,17 @@
 #include <variant>
 
 #include "outrider/robot/robot.hpp"
-#include "outrider/sim/clock_faults.hpp"
-#include "outrider/sim/piece_body.hpp"
+#include "outrider/sim/bodies/piece_body.hpp"
+#include "outrider/sim/bodies/twist_body.hpp"
+#include "outrider/sim/bodies/waypoint_body.hpp"
+#include "outrider/sim/bodies/wheel_body.hpp"
+#include "outrider/sim/faults/clock_faults.hpp"
 #include "outrider/sim/record.hpp"
+#include "outrider/sim/sensors/simulated_laser.hpp"
+#include "outrider/sim/sensors/simulated_tag_camera.hpp"
 #include "outrider/sim/simulated_gun.hpp"
-#include "outrider/sim/simulated_laser.hpp"
 #include "outrider/sim/simulated_stores.hpp"
-#include "outrider/sim/simulated_tag_camera.hpp"
 #include "outrider/sim/simulated_targets.hpp"
-#include "outrider/sim/twist_body.hpp"
-#include "outrider/sim/waypoint_body.hpp"
-#include "outrider/sim/wheel_body.hpp"
 
 namespace outrider {
 

@@ -8,7 +8,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/robot/robot.hpp"
-#include "outrider/sim/team_faults.hpp"
+#include "outrider/sim/faults/team_faults.hpp"
 
 namespace outrider {
 

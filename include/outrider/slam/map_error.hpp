@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "outrider/slam/landmark_slam.hpp"
+#include "outrider/slam/landmark/landmark_slam.hpp"
 
 namespace outrider {
 

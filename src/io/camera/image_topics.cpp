@@ -7,9 +7,9 @@
 #include "outrider/core/text.hpp"
 #include "outrider/io/camera/photo.hpp"
 #include "outrider/io/log/log_file.hpp"
-#include "outrider/log/conversions.hpp"
 #include "outrider/log/find_topic.hpp"
 #include "outrider/log/log.hpp"
+#include "outrider/log/messages/conversions.hpp"
 
 namespace outrider {
 namespace {

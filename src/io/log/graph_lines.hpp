@@ -11,7 +11,7 @@
 
 #include "outrider/io/files/text.hpp"
 #include "outrider/io/log/g2o.hpp"
-#include "outrider/slam/pose_graph.hpp"
+#include "outrider/slam/graph/pose_graph.hpp"
 
 namespace outrider {
 

@@ -12,8 +12,8 @@
 #include "outrider/geometry/spatial_pose.hpp"
 #include "outrider/io/log/log_file.hpp"
 #include "outrider/io/log/scan_mount.hpp"
-#include "outrider/log/conversions.hpp"
 #include "outrider/log/log.hpp"
+#include "outrider/log/messages/conversions.hpp"
 
 namespace outrider {
 namespace {

@@ -8,8 +8,8 @@
 #include "files/zip.hpp"
 #include "outrider/io/files/files.hpp"
 #include "outrider/io/log/log_file.hpp"
-#include "outrider/log/byte_sink.hpp"
-#include "outrider/log/known_messages.hpp"
+#include "outrider/log/bytes/byte_sink.hpp"
+#include "outrider/log/messages/known_messages.hpp"
 #include "outrider/log/numpy.hpp"
 
 namespace outrider {

@@ -6,9 +6,9 @@
 #include <map>
 
 #include "outrider/io/log/log_file.hpp"
-#include "outrider/log/channel_decoder.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/encoding/channel_decoder.hpp"
 #include "outrider/log/find_topic.hpp"
+#include "outrider/log/messages/conversions.hpp"
 
 namespace outrider {
 namespace {

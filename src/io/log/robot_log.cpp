@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "outrider/io/log/log_file.hpp"
-#include "outrider/log/conversions.hpp"
 #include "outrider/log/find_topic.hpp"
+#include "outrider/log/messages/conversions.hpp"
 
 namespace outrider {
 namespace {

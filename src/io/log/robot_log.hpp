@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "outrider/io/log/laser_topics.hpp"
-#include "outrider/log/channel_decoder.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/encoding/channel_decoder.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/log/transform_buffer.hpp"
 
 namespace outrider {

@@ -9,7 +9,7 @@
 
 #include "log/log_lines.hpp"
 #include "outrider/core/text.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 
 namespace outrider {
 namespace {

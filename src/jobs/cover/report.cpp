@@ -10,8 +10,8 @@
 #include "outrider/core/units.hpp"
 #include "outrider/job/scene_markers.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

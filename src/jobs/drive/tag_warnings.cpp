@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "outrider/sim/simulated_tag_camera.hpp"
-#include "outrider/sim/tag_model.hpp"
+#include "outrider/sim/sensors/simulated_tag_camera.hpp"
+#include "outrider/sim/sensors/tag_model.hpp"
 
 namespace outrider {
 

@@ -10,8 +10,8 @@
 #include "outrider/job/scene_markers.hpp"
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/jobs/explore/mission/explore_log.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/robot/steady_time.hpp"
 

@@ -9,7 +9,7 @@
 #include "outrider/io/files/text.hpp"
 #include "outrider/io/log/scan_mount.hpp"
 #include "outrider/io/scenario/values.hpp"
-#include "outrider/sim/post_place.hpp"
+#include "outrider/sim/faults/post_place.hpp"
 
 namespace outrider {
 namespace {

@@ -18,7 +18,7 @@
 #include "outrider/jobs/guard/yard/sightings_file.hpp"
 #include "outrider/jobs/guard/yard/stations_file.hpp"
 #include "outrider/jobs/guard/yard/team_starts.hpp"
-#include "outrider/sim/post_place.hpp"
+#include "outrider/sim/faults/post_place.hpp"
 
 namespace outrider {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

@@ -1,12 +1,12 @@
 #include "outrider/jobs/slam/job.hpp"
 
+#include "faults/spoil.hpp"
+#include "faults/truth.hpp"
 #include "input.hpp"
 #include "outrider/io/log/log_file.hpp"
 #include "recordings.hpp"
 #include "slam_log.hpp"
-#include "spoil.hpp"
 #include "summary.hpp"
-#include "truth.hpp"
 
 namespace outrider {
 namespace {

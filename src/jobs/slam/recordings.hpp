@@ -11,7 +11,7 @@
 #include "outrider/io/log/laser_topics.hpp"
 #include "outrider/job/job.hpp"
 #include "outrider/jobs/slam/job.hpp"
-#include "outrider/slam/map_localiser.hpp"
+#include "outrider/slam/map/map_localiser.hpp"
 
 namespace outrider {
 

@@ -7,7 +7,7 @@
 
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

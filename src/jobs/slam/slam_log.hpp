@@ -12,7 +12,7 @@
 #include "outrider/geometry/box.hpp"
 #include "outrider/jobs/slam/scenario.hpp"
 #include "outrider/log/log.hpp"
-#include "outrider/log/mapping_messages.hpp"
+#include "outrider/log/messages/mapping_messages.hpp"
 
 namespace outrider {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "cell_at.hpp"
-#include "cost_over_parent.hpp"
+#include "grid/terrain/cost_over_parent.hpp"
 #include "outrider/path/grid/line_of_sight.hpp"
 #include "outrider/search/best_first.hpp"
 #include "outrider/search/compact_labels.hpp"

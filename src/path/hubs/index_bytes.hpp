@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/path/grid/cell_costs.hpp"
 #include "outrider/path/grid/grid_map.hpp"
+#include "outrider/path/grid/terrain/cell_costs.hpp"
 #include "outrider/path/stored_index.hpp"
 #include "stored_array.hpp"
 

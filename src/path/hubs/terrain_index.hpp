@@ -9,8 +9,8 @@
 
 #include "hub_index.hpp"
 #include "index_bytes.hpp"
-#include "outrider/path/grid/cell_costs.hpp"
 #include "outrider/path/grid/grid_map.hpp"
+#include "outrider/path/grid/terrain/cell_costs.hpp"
 
 namespace outrider::hub_labelling {
 

@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "grid/terrain_query.hpp"
-#include "grid/terrain_refine.hpp"
-#include "outrider/path/grid/terrain_a_star.hpp"
+#include "grid/terrain/terrain_query.hpp"
+#include "grid/terrain/terrain_refine.hpp"
+#include "outrider/path/grid/terrain/terrain_a_star.hpp"
 #include "terrain_index.hpp"
 
 namespace outrider {

@@ -17,7 +17,7 @@
 #include <tuple>
 #include <vector>
 
-#include "hub_trees.hpp"
+#include "hubs/any_angle/hub_trees.hpp"
 #include "outrider/core/parallel.hpp"
 
 namespace outrider::hub_labelling {

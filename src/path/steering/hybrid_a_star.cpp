@@ -7,14 +7,14 @@
 #include <limits>
 
 #include "../placed_trace.hpp"
-#include "analytic_end.hpp"
 #include "corner_distances.hpp"
 #include "free_lengths.hpp"
-#include "hybrid_motions.hpp"
 #include "outrider/search/best_first.hpp"
 #include "state_table.hpp"
+#include "steering/motions/analytic_end.hpp"
+#include "steering/motions/hybrid_motions.hpp"
+#include "steering/motions/turning_pieces.hpp"
 #include "steering_plan.hpp"
-#include "turning_pieces.hpp"
 
 namespace outrider {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "../placed_trace.hpp"
 #include "corner_distances.hpp"
-#include "lattice_motions.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/motion/turning_path.hpp"
 #include "outrider/search/best_first.hpp"
 #include "state_table.hpp"
+#include "steering/motions/lattice_motions.hpp"
 #include "steering_plan.hpp"
 
 namespace outrider {

@@ -5,7 +5,7 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/path/pieces.hpp"
-#include "turning_pieces.hpp"
+#include "steering/motions/turning_pieces.hpp"
 
 namespace outrider {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cell_sweep.hpp"
 #include "outrider/core/text.hpp"
-#include "turning_pieces.hpp"
+#include "steering/motions/cell_sweep.hpp"
+#include "steering/motions/turning_pieces.hpp"
 
 namespace outrider {
 namespace {

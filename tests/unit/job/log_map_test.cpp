@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/world/occupancy.hpp"
 

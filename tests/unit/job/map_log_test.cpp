@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "outrider/job/log_map.hpp"
-#include "outrider/log/ros_messages.hpp"
+#include "outrider/log/messages/ros_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/world/occupancy.hpp"
 #include "support/growing_map.hpp"

@@ -5,9 +5,9 @@
 #include <limits>
 #include <set>
 
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/motion_messages.hpp"
-#include "outrider/log/ros_marker_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
+#include "outrider/log/messages/ros_marker_messages.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

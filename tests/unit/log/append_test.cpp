@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "outrider/core/units.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/random_cases.hpp"
 

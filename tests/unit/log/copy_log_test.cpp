@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "encoding/ros1_to_cdr.hpp"
 #include "formats.hpp"
 #include "outrider/core/rng.hpp"
-#include "outrider/log/channel_decoder.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
-#include "ros1_to_cdr.hpp"
+#include "outrider/log/encoding/channel_decoder.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "support/bag_writer.hpp"
 #include "support/read_log.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "outrider/log/scene_messages.hpp"
+#include "outrider/log/messages/scene_messages.hpp"
 
 namespace outrider {
 namespace {

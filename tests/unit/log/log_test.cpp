@@ -4,9 +4,9 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/ros_messages.hpp"
-#include "outrider/log/scene_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/ros_messages.hpp"
+#include "outrider/log/messages/scene_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/random_cases.hpp"
 

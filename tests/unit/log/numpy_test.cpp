@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 
 namespace outrider {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "outrider/log/append.hpp"
-#include "outrider/log/mcap_writer.hpp"
+#include "outrider/log/mcap/mcap_writer.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/data.hpp"
 

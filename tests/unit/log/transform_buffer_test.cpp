@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 
 namespace outrider {
 namespace {

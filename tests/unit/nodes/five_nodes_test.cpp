@@ -6,13 +6,13 @@
 
 #include "outrider/jobs/explore/map/reference.hpp"
 #include "outrider/jobs/explore/scenario.hpp"
-#include "outrider/nodes/checked.hpp"
-#include "outrider/nodes/explore_mission_node.hpp"
 #include "outrider/nodes/explorer_node.hpp"
 #include "outrider/nodes/follower_node.hpp"
 #include "outrider/nodes/mapper_node.hpp"
+#include "outrider/nodes/messages/checked.hpp"
+#include "outrider/nodes/missions/explore_mission_node.hpp"
 #include "outrider/nodes/planner_node.hpp"
-#include "outrider/nodes/sim_node.hpp"
+#include "outrider/nodes/sim/sim_node.hpp"
 #include "support/data.hpp"
 #include "support/node_bus.hpp"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "outrider/core/rng.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 
 namespace outrider {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <memory>
 
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/nodes/coverage_node.hpp"
 #include "outrider/nodes/explorer_node.hpp"
 #include "outrider/nodes/follower_node.hpp"

@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "outrider/jobs/explore/scenario.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/nodes/mapper_node.hpp"
-#include "outrider/nodes/sim_node.hpp"
+#include "outrider/nodes/sim/sim_node.hpp"
 #include "support/data.hpp"
 #include "support/node_bus.hpp"
 

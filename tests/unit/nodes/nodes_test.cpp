@@ -5,11 +5,11 @@
 #include <memory>
 #include <optional>
 
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/nodes/coverage_node.hpp"
 #include "outrider/nodes/follower_node.hpp"
-#include "outrider/nodes/message_faults.hpp"
+#include "outrider/nodes/messages/message_faults.hpp"
 #include "outrider/nodes/planner_node.hpp"
 
 namespace outrider {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "outrider/log/codecs.hpp"
+#include "outrider/log/encoding/codecs.hpp"
 #include "outrider/nodes/follower_node.hpp"
 
 namespace outrider {

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <limits>
 
-#include "grid/jps_index.hpp"
-#include "grid/jps_map.hpp"
+#include "grid/jps/jps_index.hpp"
+#include "grid/jps/jps_map.hpp"
 #include "hubs/hub_kept.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
 #include "outrider/path/grid/dijkstra.hpp"
-#include "outrider/path/hubs/hub_labels.hpp"
-#include "outrider/path/hubs/octile_labels.hpp"
-#include "outrider/path/mesh/polyanya.hpp"
+#include "outrider/path/hubs/any_angle/hub_labels.hpp"
+#include "outrider/path/hubs/octile/octile_labels.hpp"
+#include "outrider/path/mesh/polyanya/polyanya.hpp"
 #include "support/costly_cases.hpp"
 #include "support/grid_oracle.hpp"
 #include "support/random_cases.hpp"

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/landmark.hpp"
 #include "mesh/mesh_blocks.hpp"
 #include "mesh/mesh_change.hpp"
+#include "mesh/polyanya/landmark.hpp"
 #include "mesh_oracle.hpp"
 #include "outrider/path/check.hpp"
-#include "outrider/path/mesh/polyanya.hpp"
+#include "outrider/path/mesh/polyanya/polyanya.hpp"
 #include "support/costly_cases.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_grid.hpp"

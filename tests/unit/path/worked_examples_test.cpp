@@ -10,10 +10,10 @@
 #include <numbers>
 #include <sstream>
 
-#include "grid/cost_over_parent.hpp"
+#include "grid/terrain/cost_over_parent.hpp"
 #include "outrider/path/grid/a_star.hpp"
 #include "outrider/path/grid/theta_star.hpp"
-#include "outrider/path/mesh/polyanya.hpp"
+#include "outrider/path/mesh/polyanya/polyanya.hpp"
 #include "outrider/search/best_first.hpp"
 #include "outrider/search/compact_labels.hpp"
 #include "support/costly_cases.hpp"

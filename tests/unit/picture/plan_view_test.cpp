@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "outrider/log/append.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/gun_messages.hpp"
-#include "outrider/log/mapping_messages.hpp"
-#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
+#include "outrider/log/messages/mapping_messages.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

@@ -3,11 +3,11 @@
 
 #include <array>
 
-#include "backward_sweep.hpp"
+#include "bounds/reach.hpp"
 #include "label_search.hpp"
-#include "reach.hpp"
 #include "support/pursuit_oracle.hpp"
 #include "support/random_cases.hpp"
+#include "sweeps/backward_sweep.hpp"
 
 namespace outrider {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <cstdlib>
 
-#include "outrider/log/codecs.hpp"
-#include "outrider/log/ros_messages.hpp"
+#include "outrider/log/encoding/codecs.hpp"
+#include "outrider/log/messages/ros_messages.hpp"
 #include "outrider/ros2/service.hpp"
 #include "support/eventually.hpp"
 

@@ -11,9 +11,9 @@
 #include <thread>
 
 #include "app.hpp"
+#include "files/temporary_folder.hpp"
 #include "outrider/jobs/catalog.hpp"
 #include "support/eventually.hpp"
-#include "temporary_folder.hpp"
 
 namespace outrider::server {
 

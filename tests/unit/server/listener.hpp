@@ -4,7 +4,7 @@
 #include <mutex>
 
 #include "app_fixture.hpp"
-#include "outrider/log/mcap_writer.hpp"
+#include "outrider/log/mcap/mcap_writer.hpp"
 
 namespace outrider::server {
 

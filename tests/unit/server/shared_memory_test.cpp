@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "byte_budget.hpp"
-#include "workspace_pool.hpp"
+#include "planning/workspace_pool.hpp"
 
 namespace outrider::server {
 namespace {

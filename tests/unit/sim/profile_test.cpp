@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "support/fine_flight.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_yard.hpp"

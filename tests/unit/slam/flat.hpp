@@ -6,7 +6,7 @@
 
 #include "laser_room.hpp"
 #include "outrider/core/units.hpp"
-#include "outrider/slam/map_localiser.hpp"
+#include "outrider/slam/map/map_localiser.hpp"
 
 namespace outrider::testing {
 

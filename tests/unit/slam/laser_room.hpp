@@ -10,7 +10,7 @@
 #include "outrider/core/rng.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/geometry/pose.hpp"
-#include "outrider/slam/laser_scan.hpp"
+#include "outrider/slam/scan/laser_scan.hpp"
 
 namespace outrider::testing {
 

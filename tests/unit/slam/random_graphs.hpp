@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graph_edges.hpp"
-#include "graph_starts.hpp"
+#include "graph/graph_edges.hpp"
+#include "graph/graph_starts.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider::testing {

@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "outrider/core/rng.hpp"
-#include "outrider/slam/landmark_log.hpp"
-#include "outrider/slam/landmark_slam.hpp"
+#include "outrider/slam/landmark/landmark_log.hpp"
+#include "outrider/slam/landmark/landmark_slam.hpp"
 
 namespace outrider {
 

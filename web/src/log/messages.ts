@@ -1,4 +1,4 @@
-// The messages of a run that the page reads, with the fields that it uses (include/outrider/log/*.hpp lists all).
+// The messages of a run that the page reads, with the fields that it uses (include/outrider/log/messages/*.hpp lists all).
 // Units are SI; an unknown number is NaN.
 
 export interface Point2 { x: number; y: number }

@@ -18,9 +18,9 @@
 #include "outrider/core/outcome.hpp"
 #include "outrider/estimate/camera.hpp"
 #include "outrider/estimate/camera_image.hpp"
-#include "outrider/log/channel_decoder.hpp"
+#include "outrider/log/encoding/channel_decoder.hpp"
 #include "outrider/log/log_reader.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 
 namespace outrider {
 

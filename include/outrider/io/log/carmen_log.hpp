@@ -27,7 +27,7 @@
 #include <vector>
 
 #include "outrider/io/log/landmark_logs.hpp"
-#include "outrider/slam/laser_scan.hpp"
+#include "outrider/slam/scan/laser_scan.hpp"
 
 namespace outrider {
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "outrider/slam/landmark_log.hpp"
+#include "outrider/slam/landmark/landmark_log.hpp"
 
 namespace outrider {
 

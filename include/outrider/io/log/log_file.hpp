@@ -7,7 +7,7 @@
 #include <string>
 
 #include "outrider/log/log_reader.hpp"
-#include "outrider/log/mcap_writer.hpp"
+#include "outrider/log/mcap/mcap_writer.hpp"
 
 namespace outrider {
 

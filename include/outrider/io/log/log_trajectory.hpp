@@ -4,7 +4,7 @@
 #include <string>
 
 #include "outrider/io/log/trajectory.hpp"
-#include "outrider/log/mcap_writer.hpp"
+#include "outrider/log/mcap/mcap_writer.hpp"
 
 namespace outrider {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "outrider/slam/pose_graph.hpp"
+#include "outrider/slam/graph/pose_graph.hpp"
 
 namespace outrider {
 

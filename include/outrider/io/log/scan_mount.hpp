@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "outrider/geometry/pose.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
-#include "outrider/slam/laser_scan.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
+#include "outrider/slam/scan/laser_scan.hpp"
 
 namespace outrider {
 

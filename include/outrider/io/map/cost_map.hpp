@@ -8,7 +8,7 @@
 // place.
 //
 // Both may be gzip-compressed. Faults: bad_input with the file, and the line or cell if there is one; costs
-// outside 0.001 to 1e6 (path/grid/cell_costs.hpp). Bounds: those of the readers.
+// outside 0.001 to 1e6 (path/grid/terrain/cell_costs.hpp). Bounds: those of the readers.
 #pragma once
 
 #include <optional>

@@ -13,9 +13,9 @@
 #include "outrider/jobs/cover/strokes/plan.hpp"
 #include "outrider/log/log.hpp"
 #include "outrider/log/log_queue.hpp"
-#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/report/report.hpp"
-#include "outrider/sim/piece_body.hpp"
+#include "outrider/sim/bodies/piece_body.hpp"
 
 namespace outrider {
 

@@ -8,7 +8,7 @@
 #include "outrider/core/options.hpp"
 #include "outrider/jobs/cover/ground/saved_map.hpp"
 #include "outrider/jobs/cover/strokes/plan.hpp"
-#include "outrider/sim/track_faults.hpp"
+#include "outrider/sim/faults/track_faults.hpp"
 
 namespace outrider {
 

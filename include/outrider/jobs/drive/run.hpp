@@ -7,16 +7,16 @@
 
 #include "outrider/control/calibrate.hpp"
 #include "outrider/job/watch.hpp"
-#include "outrider/jobs/drive/mission.hpp"
-#include "outrider/log/motion_messages.hpp"
-#include "outrider/sim/drive_sim_params.hpp"
+#include "outrider/jobs/drive/mission/mission.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
+#include "outrider/sim/faults/drive_sim_params.hpp"
 #include "outrider/sim/simulated_robot.hpp"
 
 namespace outrider {
 
 /// Drives the task with a simulated robot, and logs the drive. If `rendered` is true, images are rendered and
-/// tags are detected in them (sim/tag_camera.hpp); otherwise a model gives the observations of tags
-/// (sim/tag_model.hpp). The status is "done" if the robot reached every stop, passed the other
+/// tags are detected in them (sim/sensors/tag_camera.hpp); otherwise a model gives the observations of tags
+/// (sim/sensors/tag_model.hpp). The status is "done" if the robot reached every stop, passed the other
 /// waypoints and touched nothing,
 /// "unconfirmed" if it believes so but the tags do not confirm every stop, "doubtful" if a tag often
 /// contradicted the others, and "not_done" otherwise. A pure function of its arguments. `watch` receives the

@@ -24,10 +24,10 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/io/sdf/robot_file.hpp"
-#include "outrider/jobs/drive/laser_drive.hpp"
+#include "outrider/jobs/drive/mission/laser_drive.hpp"
 #include "outrider/jobs/drive/route.hpp"
 #include "outrider/jobs/drive/task.hpp"
-#include "outrider/sim/drive_sim_params.hpp"
+#include "outrider/sim/faults/drive_sim_params.hpp"
 
 namespace outrider {
 

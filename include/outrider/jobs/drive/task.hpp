@@ -10,7 +10,7 @@
 #include "outrider/control/follow_waypoints.hpp"
 #include "outrider/estimate/camera.hpp"
 #include "outrider/estimate/localise.hpp"
-#include "outrider/jobs/drive/dead_reckoning.hpp"
+#include "outrider/jobs/drive/localisation/dead_reckoning.hpp"
 #include "outrider/world/world.hpp"
 
 namespace outrider {

@@ -17,7 +17,7 @@
 #include "outrider/io/map/world_file.hpp"
 #include "outrider/io/sdf/robot_file.hpp"
 #include "outrider/jobs/explore/mission/task.hpp"
-#include "outrider/sim/explorer_sim_params.hpp"
+#include "outrider/sim/faults/explorer_sim_params.hpp"
 
 namespace outrider {
 

@@ -9,7 +9,7 @@
 #include "outrider/geometry/pose.hpp"
 #include "outrider/motion/robot_model.hpp"
 #include "outrider/robot/supplies.hpp"
-#include "outrider/sim/execution_errors.hpp"
+#include "outrider/sim/faults/execution_errors.hpp"
 #include "outrider/world/world.hpp"
 
 namespace outrider {

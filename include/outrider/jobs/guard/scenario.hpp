@@ -11,8 +11,8 @@
 #include "outrider/jobs/guard/run/scout.hpp"
 #include "outrider/jobs/guard/yard/arrivals.hpp"
 #include "outrider/jobs/guard/yard/wander.hpp"
-#include "outrider/sim/explorer_sim_params.hpp"
-#include "outrider/sim/guard_sim_params.hpp"
+#include "outrider/sim/faults/explorer_sim_params.hpp"
+#include "outrider/sim/faults/guard_sim_params.hpp"
 
 namespace outrider {
 

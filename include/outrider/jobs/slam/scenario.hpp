@@ -14,10 +14,10 @@
 #include "outrider/io/log/carmen_log.hpp"
 #include "outrider/io/log/landmark_logs.hpp"
 #include "outrider/io/log/laser_topics.hpp"
-#include "outrider/jobs/slam/recording_faults.hpp"
-#include "outrider/slam/landmark_slam.hpp"
-#include "outrider/slam/laser_slam.hpp"
-#include "outrider/slam/pose_graph.hpp"
+#include "outrider/jobs/slam/faults/recording_faults.hpp"
+#include "outrider/slam/graph/pose_graph.hpp"
+#include "outrider/slam/landmark/landmark_slam.hpp"
+#include "outrider/slam/laser/laser_slam.hpp"
 
 namespace outrider {
 

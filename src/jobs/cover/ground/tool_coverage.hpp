@@ -4,7 +4,7 @@
 #include <stop_token>
 
 #include "outrider/jobs/cover/ground/problem.hpp"
-#include "outrider/sim/piece_body.hpp"
+#include "outrider/sim/bodies/piece_body.hpp"
 
 namespace outrider::cover {
 

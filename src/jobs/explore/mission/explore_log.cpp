@@ -2,8 +2,8 @@
 
 #include "outrider/jobs/explore/choose/catalog.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

@@ -8,7 +8,7 @@
 
 #include "mission/near_robot.hpp"
 #include "outrider/jobs/explore/map/map_doubt.hpp"
-#include "outrider/slam/scan_contradiction.hpp"
+#include "outrider/slam/scan/scan_contradiction.hpp"
 
 namespace outrider {
 namespace {

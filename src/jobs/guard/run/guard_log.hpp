@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "outrider/jobs/guard/run/run.hpp"
-#include "outrider/log/gun_messages.hpp"
 #include "outrider/log/log_queue.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
 
 namespace outrider {
 

@@ -6,7 +6,7 @@
 
 #include "outrider/jobs/guard/run/physics_robot.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/sim/simulated_gun.hpp"
 

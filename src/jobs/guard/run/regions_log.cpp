@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/sim/simulated_gun.hpp"
 

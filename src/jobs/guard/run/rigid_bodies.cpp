@@ -16,7 +16,7 @@
 
 #include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
-#include "outrider/sim/wheels.hpp"
+#include "outrider/sim/bodies/wheels.hpp"
 
 namespace outrider {
 namespace {

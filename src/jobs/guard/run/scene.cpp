@@ -1,6 +1,6 @@
 #include "outrider/job/scene.hpp"
 #include "outrider/job/scene_markers.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "run/guard_log.hpp"
 

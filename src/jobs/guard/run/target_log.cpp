@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "run/guard_log.hpp"
 

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "outrider/log/gun_messages.hpp"
-#include "outrider/log/ros_messages.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
+#include "outrider/log/messages/ros_messages.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

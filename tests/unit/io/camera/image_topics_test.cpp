@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "outrider/io/camera/photo.hpp"
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "support/data.hpp"
 #include "support/robot_logs.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "outrider/io/files/files.hpp"
-#include "outrider/slam/pose_graph_bound.hpp"
+#include "outrider/slam/bounds/pose_graph_bound.hpp"
 #include "support/costly_cases.hpp"
 #include "support/data.hpp"
 #include "support/random_cases.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "outrider/log/conversions.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/conversions.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "support/data.hpp"
 #include "support/robot_logs.hpp"
 

@@ -12,7 +12,7 @@
 #include "outrider/jobs/cover/mission/mission.hpp"
 #include "outrider/jobs/cover/strokes/plan.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/cover_areas.hpp"
 #include "support/data.hpp"

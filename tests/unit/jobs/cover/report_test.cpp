@@ -4,7 +4,7 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/jobs/cover/mission/mission.hpp"
-#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
 #include "support/cover_areas.hpp"
 #include "support/logged_run.hpp"
 #include "support/random_cases.hpp"

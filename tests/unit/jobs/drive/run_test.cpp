@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "outrider/core/units.hpp"
-#include "outrider/log/motion_messages.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "support/costly_cases.hpp"
 #include "support/drive_faults.hpp"
 #include "support/logged_run.hpp"

@@ -7,7 +7,7 @@
 #include "box_solid.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/jobs/explore/run.hpp"
-#include "outrider/slam/scan_contradiction.hpp"
+#include "outrider/slam/scan/scan_contradiction.hpp"
 
 namespace outrider {
 namespace {

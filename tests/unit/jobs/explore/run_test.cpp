@@ -6,8 +6,8 @@
 
 #include "box_solid.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/log/motion_messages.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/run_bytes.hpp"
 

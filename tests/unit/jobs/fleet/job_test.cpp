@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "outrider/job/run_job.hpp"
-#include "outrider/log/ros_messages.hpp"
+#include "outrider/log/messages/ros_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/data.hpp"
 

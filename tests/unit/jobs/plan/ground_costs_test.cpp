@@ -1,7 +1,7 @@
 // The job plan on ground that costs more in some places.
 #include <cmath>
 
-#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "plan_case.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "outrider/log/ros_messages.hpp"
+#include "outrider/log/messages/ros_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "plan_case.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "outrider/log/conversions.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

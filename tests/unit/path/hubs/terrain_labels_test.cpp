@@ -7,7 +7,7 @@
 
 #include "hubs/dissection_order.hpp"
 #include "outrider/path/check.hpp"
-#include "outrider/path/grid/terrain_a_star.hpp"
+#include "outrider/path/grid/terrain/terrain_a_star.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_costs.hpp"
 #include "support/random_grid.hpp"

@@ -14,7 +14,7 @@
 #include "outrider/path/check.hpp"
 #include "outrider/path/pieces.hpp"
 #include "outrider/path/steering/hybrid_a_star.hpp"
-#include "steering/lattice_motions.hpp"
+#include "steering/motions/lattice_motions.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_grid.hpp"
 #include "visibility/polygon_ground_check.hpp"

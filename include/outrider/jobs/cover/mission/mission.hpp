@@ -9,7 +9,7 @@
 #include "outrider/jobs/cover/mission/recovery.hpp"
 #include "outrider/jobs/cover/strokes/track.hpp"
 #include "outrider/robot/mission.hpp"
-#include "outrider/sim/piece_body.hpp"
+#include "outrider/sim/bodies/piece_body.hpp"
 
 namespace outrider {
 

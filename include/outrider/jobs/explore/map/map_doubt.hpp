@@ -4,13 +4,13 @@
 // right; if it is not, parts of the map lie beside or over each other, and neither the map nor the pose of
 // the robot can be believed. So the robot asks, before it calls its map complete, what the map of `slam` is
 // asked: is there a gap that odometry alone joins, or a jump that neither odometry nor scans confirm, and do
-// the scans agree on what is free (slam/map_check.hpp)? A range finder that is off, or whose beams end
-// anywhere, makes a wrong map too (slam/range_check.hpp).
+// the scans agree on what is free (slam/map/map_check.hpp)? A range finder that is off, or whose beams end
+// anywhere, makes a wrong map too (slam/map/range_check.hpp).
 #pragma once
 
 #include <string>
 
-#include "outrider/slam/laser_slam.hpp"
+#include "outrider/slam/laser/laser_slam.hpp"
 
 namespace outrider {
 

@@ -16,7 +16,7 @@
 #include "outrider/core/outcome.hpp"
 #include "outrider/motion/robot_model.hpp"
 #include "outrider/sim/open_ground.hpp"
-#include "outrider/sim/range_finder.hpp"
+#include "outrider/sim/sensors/range_finder.hpp"
 #include "outrider/world/grid.hpp"
 
 namespace outrider {

@@ -22,7 +22,7 @@
 #include "outrider/core/options.hpp"
 #include "outrider/geometry/convex.hpp"
 #include "outrider/path/grid/grid_map.hpp"
-#include "outrider/slam/occupancy_map.hpp"
+#include "outrider/slam/map/occupancy_map.hpp"
 
 namespace outrider {
 

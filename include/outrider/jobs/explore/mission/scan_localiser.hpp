@@ -13,8 +13,8 @@
 
 #include "outrider/jobs/explore/map/close_range.hpp"
 #include "outrider/robot/mission.hpp"
-#include "outrider/slam/laser_slam.hpp"
-#include "outrider/slam/repeated_scans.hpp"
+#include "outrider/slam/laser/laser_slam.hpp"
+#include "outrider/slam/scan/repeated_scans.hpp"
 
 namespace outrider {
 

@@ -7,7 +7,7 @@
 #include "outrider/control/steer.hpp"
 #include "outrider/jobs/explore/choose/decide.hpp"
 #include "outrider/motion/robot_model.hpp"
-#include "outrider/slam/laser_slam.hpp"
+#include "outrider/slam/laser/laser_slam.hpp"
 
 namespace outrider {
 

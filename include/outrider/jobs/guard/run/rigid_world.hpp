@@ -23,7 +23,7 @@
 #include "outrider/ballistics/flight.hpp"
 #include "outrider/core/outcome.hpp"
 #include "outrider/jobs/guard/problem.hpp"
-#include "outrider/sim/wheels.hpp"
+#include "outrider/sim/bodies/wheels.hpp"
 
 namespace outrider {
 

@@ -22,7 +22,7 @@
 #include "outrider/jobs/guard/team/closest_approach.hpp"
 #include "outrider/jobs/guard/team/team_plan.hpp"
 #include "outrider/log/log.hpp"
-#include "outrider/sim/guard_sim_params.hpp"
+#include "outrider/sim/faults/guard_sim_params.hpp"
 #include "outrider/sim/record.hpp"
 
 namespace outrider {

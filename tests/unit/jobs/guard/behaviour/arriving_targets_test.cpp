@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "outrider/jobs/guard/run/robot.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "support/guard_runs.hpp"
 #include "support/logged_targets.hpp"
 #include "support/planned_yard.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "outrider/jobs/guard/run/robot.hpp"
-#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/guard_runs.hpp"
 #include "support/logged_targets.hpp"

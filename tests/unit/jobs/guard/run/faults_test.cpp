@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "outrider/jobs/guard/plan/passing_plan.hpp"
-#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "outrider/log/append.hpp"
-#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/costly_cases.hpp"
 #include "support/planned_yard.hpp"

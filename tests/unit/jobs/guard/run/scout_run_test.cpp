@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/log/ros_messages.hpp"
+#include "outrider/log/messages/ros_messages.hpp"
 #include "support/logged_targets.hpp"
 #include "support/run_bytes.hpp"
 

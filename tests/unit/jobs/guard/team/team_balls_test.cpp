@@ -7,7 +7,7 @@
 
 #include "outrider/jobs/guard/team/team_plan.hpp"
 #include "outrider/jobs/guard/team/team_run.hpp"
-#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"

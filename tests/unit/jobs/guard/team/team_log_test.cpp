@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "outrider/log/append.hpp"
-#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 
 namespace outrider {

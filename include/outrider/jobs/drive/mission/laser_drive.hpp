@@ -1,0 +1,45 @@
+// A drive by laser: the navigator (navigate/navigator.hpp) takes a robot with a range finder from waypoint to
+// waypoint, around what stands there. The robot has no map.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "outrider/job/watch.hpp"
+#include "outrider/jobs/drive/task.hpp"
+#include "outrider/log/log.hpp"
+#include "outrider/navigate/navigator.hpp"
+#include "outrider/report/report.hpp"
+#include "outrider/sim/faults/explorer_sim_params.hpp"
+
+namespace outrider {
+
+/// Options of a drive by laser.
+struct LaserDriveOptions {
+  std::string footprint;             ///< corners or radius (parse_footprint()); empty: the disk of the robot
+  double within_m = 0.15;            ///< distance from a waypoint at which the robot has arrived
+  double within_rad = radians(5.0);  ///< the same of the heading at a stop
+  RangeFinderModel laser;
+  ExplorerWheels wheels;
+  NavigatorOptions navigator;
+  LiveMapOptions live_map;
+  LocalMotionOptions motion;
+};
+/// Describes the options, by section of a scenario.
+std::vector<OptionGroup> describe(LaserDriveOptions& options);
+
+/// Drives the task, of which it uses world, start, waypoints, radius and the limits of `follow`, with a
+/// simulated robot on two wheels, and logs the drive. The status is "done" if the robot arrived at every
+/// waypoint, was truly there within twice the tolerance, and touched nothing. A pure function of its
+/// arguments, but for the watch. Faults: those of parse_footprint() and Navigator::make(). Metrics:
+///   driven_m, ideal_m, turned_rad, ideal_rad   of the true robot; along straight legs through the waypoints
+///   time_s, contacts
+///   recoveries              most ways out of a place where nothing went on, in a row
+///   belief_error_m          largest error of the believed position
+///   false_arrivals          waypoints called reached where the robot was not
+/// and the table "waypoints" as run_drive() has it.
+Outcome<Report> run_laser_drive(const DriveTask& task, double height_m, const LaserDriveOptions& options,
+                                std::uint64_t seed, Log& log, const RunWatch& watch = {});
+
+}  // namespace outrider

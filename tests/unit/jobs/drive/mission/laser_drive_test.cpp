@@ -1,0 +1,125 @@
+// Drives by laser: around what stands there, true claims, reasons.
+#include "outrider/jobs/drive/mission/laser_drive.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "outrider/jobs/drive/job.hpp"
+#include "outrider/log/messages/motion_messages.hpp"
+#include "outrider/log/topics.hpp"
+#include "support/run_bytes.hpp"
+
+namespace outrider {
+namespace {
+
+Solid crate(Vec2 middle, Vec2 size) {
+  return {"crate", {{middle.x, middle.y, 0.5}, {}}, BoxShape{{0.5 * size.x, 0.5 * size.y, 0.5}}};
+}
+
+/// A hall with a crate between the start and the first waypoint.
+DriveTask hall() {
+  DriveTask task;
+  task.world.name = "hall";
+  task.world.bounds = {{-3, -3}, {7, 3}};
+  task.world.solids = {crate({2, 3}, {10, 0.2}), crate({2, -3}, {10, 0.2}), crate({-3, 0}, {0.2, 6}),
+                       crate({7, 0}, {0.2, 6}), crate({2, 0.2}, {0.6, 2.0})};
+  task.waypoints = {{{{4, 0}, 0.0}, false}, {{{4, 1.5}, 1.5}}, {{{0, 0}, 3.0}}};
+  task.follow.speed_mps = 0.8;
+  task.follow.acceleration_mps2 = 1.5;
+  task.follow.turn_rate_radps = 1.5;
+  return task;
+}
+
+LaserDriveOptions options() {
+  LaserDriveOptions options;
+  options.laser.rate_hz = 10.0;
+  options.laser.most_m = 8.0;
+  return options;
+}
+
+Report driven(const DriveTask& task, const LaserDriveOptions& how, Log& log, std::uint64_t seed = 1) {
+  auto report = run_laser_drive(task, 0.3, how, seed, log);
+  EXPECT_TRUE(report);
+  return report ? *report : Report{};
+}
+
+TEST(LaserDrive, GoesAroundWhatStandsInTheWay) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Log log;
+    const Report report = driven(hall(), options(), log, seed);
+    EXPECT_EQ(report.status, "done") << report.reason;
+    EXPECT_EQ(metric(report, "contacts"), 0.0);
+    EXPECT_EQ(metric(report, "false_arrivals"), 0.0);
+    EXPECT_LT(metric(report, "time_s"), 60.0);
+    const Table& waypoints = table_named(report, "waypoints");
+    ASSERT_EQ(waypoints.rows.size(), 3U);
+    for (const auto& row : waypoints.rows)
+      EXPECT_LT(std::hypot(TableRow{waypoints, row}.number("dx"), TableRow{waypoints, row}.number("dy")),
+                0.3);
+    EXPECT_NE(log.latest<nav_msgs::OccupancyGrid>(topic::map), nullptr);
+  }
+}
+
+TEST(LaserDrive, SaysWhatItCouldNotReach) {
+  DriveTask task = hall();
+  task.world.solids.push_back(crate({3.5, 0}, {0.2, 6}));  // a wall from side to side
+  task.waypoints = {{{{5.5, 0}, 0.0}}};
+  LaserDriveOptions how = options();
+  how.navigator.most_recoveries = 3;
+  Log log;
+  const Report report = driven(task, how, log);
+  EXPECT_EQ(report.status, "not_done");
+  EXPECT_NE(report.reason.find("waypoint 1 was not reached: no way to (5.50, 0.00)"), std::string::npos)
+      << report.reason;
+  EXPECT_EQ(metric(report, "contacts"), 0.0);
+}
+
+TEST(LaserDrive, DoesNotClaimPlacesWhereItIsNot) {
+  LaserDriveOptions how = options();
+  how.navigator.localiser = "odometry";
+  how.wheels.scale_error = 0.1;
+  int off = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Log log;
+    const Report report = driven(hall(), how, log, seed);
+    if (metric(report, "false_arrivals") > 0.0) {
+      ++off;
+      EXPECT_EQ(report.status, "not_done");
+    }
+  }
+  EXPECT_GT(off, 0);
+}
+
+TEST(LaserDrive, GivesTheSameBytesAgain) {
+  const auto bytes = [] {
+    Log log;
+    const Report report = driven(hall(), options(), log);
+    return test::bytes_of_log(log) + fmt::format("{}", metric(report, "time_s"));
+  };
+  EXPECT_EQ(bytes(), bytes());
+}
+
+TEST(LaserDrive, IsAskedForByItsLoop) {
+  DriveJob job;
+  job.scenario.loop = "laser";
+  job.scenario.bounds = "-5,-5,5,5";
+  job.scenario.waypoints = "1,0,0";
+  job.scenario.laser.footprint = "0.1,0.1 0.2,0.2";
+  const auto bad = job.load();
+  ASSERT_FALSE(bad);
+  EXPECT_EQ(bad.error().where, "navigator.footprint");
+  job.scenario.laser.footprint = "0.2";
+  job.scenario.planner = "visibility_graph";
+  job.scenario.goal = "1,0,0";
+  job.scenario.waypoints.clear();
+  const auto planned = job.load();
+  ASSERT_FALSE(planned);
+  EXPECT_EQ(planned.error().where, "planner");
+  job.given = {"faults.wheel_1"};
+  const auto faulty = job.load();
+  ASSERT_FALSE(faulty);
+  EXPECT_EQ(faulty.error().where, "faults.wheel_1");
+}
+
+}  // namespace
+}  // namespace outrider
