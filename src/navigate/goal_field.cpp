@@ -22,11 +22,12 @@ constexpr std::array<Cell, 8> neighbours = {
 
 }  // namespace
 
-void GoalField::compute(const LiveMap& map, const Footprint& footprint, const RobotModel& robot,
-                        const GoalQuery& query, Vec2 place) {
-  frame_ = map.frame();
+void GoalField::compute(const GoalGround& ground, const Footprint& footprint, const RobotModel& robot,
+                        const GoalQuery& query, std::optional<Vec2> place) {
+  frame_ = ground.frame;
   unit_s_ = frame_.resolution_m / robot.speed_mps / fast_units;
-  find_room(map, footprint, query, place);
+  find_room(ground, footprint, query);
+  if (place) let_out(*place);
   time_.assign(frame_.size(), unknown);
   buckets_.resize(ring);
   for (auto& bucket : buckets_) bucket.clear();
@@ -37,25 +38,25 @@ void GoalField::compute(const LiveMap& map, const Footprint& footprint, const Ro
 }
 
 /// Finds how fast the robot goes in each cell.
-void GoalField::find_room(const LiveMap& map, const Footprint& footprint, const GoalQuery& query,
-                          Vec2 place) {
-  std::vector<Vec2> places;
-  places.reserve(map.marks().size());
-  for (const Mark& mark : map.marks()) places.push_back(mark.place);
+void GoalField::find_room(const GoalGround& ground, const Footprint& footprint, const GoalQuery& query) {
   const double least = footprint.inner_m() + query.margin_m, aligned = footprint.outer_m() + query.margin_m;
-  spread_distances(frame_, places, aligned + query.wide_m, distance_m_);
+  spread_distances(frame_, ground.obstacles, aligned + query.wide_m, distance_m_);
   pace_.resize(frame_.size());
   for (std::size_t i = 0; i < frame_.size(); ++i) {
     const auto room_m = static_cast<double>(distance_m_[i]);
     const double part =
         slowest_part + (1.0 - slowest_part) * std::clamp((room_m - aligned) / query.wide_m, 0.0, 1.0);
-    pace_[i] = room_m < least ? 0 : static_cast<std::uint8_t>(std::lround(fast_units / part));
+    const bool closed = ground.closed != nullptr && (*ground.closed)[i] != 0;
+    pace_[i] = closed || room_m < least ? 0 : static_cast<std::uint8_t>(std::lround(fast_units / part));
   }
   for (int x = 0; x < frame_.width; ++x)
     pace_[frame_.index({x, 0})] = pace_[frame_.index({x, frame_.height - 1})] = 0;
   for (int y = 0; y < frame_.height; ++y)
     pace_[frame_.index({0, y})] = pace_[frame_.index({frame_.width - 1, y})] = 0;
-  // A robot that stands too near to something can leave.
+}
+
+/// A robot that stands too near to something can leave.
+void GoalField::let_out(Vec2 place) {
   const Cell low = frame_.cell_at(place - Vec2{beside_m, beside_m}),
              high = frame_.cell_at(place + Vec2{beside_m, beside_m});
   for (int y = std::max(low.y, 1); y <= std::min(high.y, frame_.height - 2); ++y) {
@@ -73,8 +74,8 @@ void GoalField::reach(std::size_t cell, Units time) {
   ++waiting_;
 }
 
-/// Reaches the cells around the goal, or if it lies outside those at the edge of the window: the times of
-/// these differ by what is left from there.
+/// Reaches the cells around the goal, and those at the edge of the grid from which a way outside is known, or
+/// must be, since the goal is there.
 void GoalField::seed(const GoalQuery& query) {
   const Cell goal = frame_.cell_at(query.goal);
   if (frame_.contains(goal)) {
@@ -88,22 +89,32 @@ void GoalField::seed(const GoalQuery& query) {
         reach(frame_.index(cell), 0);
       }
     }
-    return;
   }
+  if (query.beyond || !frame_.contains(goal)) seed_edge(query);
+}
+
+/// The times of these cells differ by what is left from there.
+void GoalField::seed_edge(const GoalQuery& query) {
   for (int y = 1; y + 1 < frame_.height; ++y) {
     const bool whole_row = y == 1 || y + 2 == frame_.height;
     for (int x = 1; x + 1 < frame_.width; x += whole_row ? 1 : std::max(1, frame_.width - 3)) {
-      const double away_m = distance(frame_.centre({x, y}), query.goal);
-      const double units = std::min(away_m / frame_.resolution_m * fast_units, most_units);
-      edge_.emplace_back(static_cast<Units>(units), static_cast<std::uint32_t>(frame_.index({x, y})));
+      const Vec2 place = frame_.centre({x, y});
+      double units = distance(place, query.goal) / frame_.resolution_m * fast_units;
+      if (query.beyond) {
+        const auto left_s = query.beyond(place);
+        if (!left_s) continue;
+        units = *left_s / unit_s_;
+      }
+      edge_.emplace_back(static_cast<Units>(std::min(units, most_units)),
+                         static_cast<std::uint32_t>(frame_.index({x, y})));
     }
   }
   std::ranges::sort(edge_, std::greater{});
 }
 
-void GoalField::spread(Vec2 place) {
-  const Cell cell = frame_.cell_at(place);
-  const std::size_t robot = frame_.contains(cell) ? frame_.index(cell) : frame_.size();
+void GoalField::spread(std::optional<Vec2> place) {
+  const bool inside = place && frame_.contains(frame_.cell_at(*place));
+  const std::size_t robot = inside ? frame_.index(frame_.cell_at(*place)) : frame_.size();
   // Nothing leads over the edge of the window, so every cell that is reached has eight neighbours.
   std::array<std::size_t, 8> to{};
   for (std::size_t n = 0; n < to.size(); ++n) {
@@ -111,8 +122,8 @@ void GoalField::spread(Vec2 place) {
     to[n] = static_cast<std::size_t>(neighbours[n].y * width + neighbours[n].x);  // wraps: added modulo 2^64
   }
   Units last = unknown;
-  for (Units now = edge_.empty() ? 0 : edge_.back().first; (waiting_ > 0 || !edge_.empty()) && now <= last;
-       ++now) {
+  const Units first = waiting_ > 0 || edge_.empty() ? 0 : edge_.back().first;
+  for (Units now = first; (waiting_ > 0 || !edge_.empty()) && now <= last; ++now) {
     for (; !edge_.empty() && edge_.back().first < now + ring / 2; edge_.pop_back())
       reach(edge_.back().second, edge_.back().first);
     auto& bucket = buckets_[now % ring];

@@ -14,6 +14,8 @@ constexpr int most_weight = 8;
 constexpr double newest_part = 0.3;       // of a reading in the mean of its mark
 constexpr double beyond_cells = 1.5;      // a beam that ends so far behind a mark has passed it
 constexpr std::int64_t beams_beside = 1;  // those next to the beam through a mark have to pass it as well
+constexpr double never_s = -1e9;          // when a wall was seen that was not seen yet
+constexpr std::size_t most_behind = 20'000;
 
 GridFrame window(const LiveMapOptions& options, Vec2 middle) {
   const Vec2 reach{options.reach_m, options.reach_m};
@@ -52,19 +54,55 @@ std::vector<Option> describe(LiveMapOptions& options) {
        &options.reach_m},
       {"forget", "s", 0.1, 1e6, "time after which what is out of sight is forgotten", &options.forget_s},
       {"touch", "s", 0.1, 1e6, "time after which what was touched is forgotten", &options.touch_s},
+      {"remember", "s", 0.0, 1e6, "time for which ways on a known map go around what was seen far from here",
+       &options.remember_s},
   };
 }
 
 LiveMap::LiveMap(const LiveMapOptions& options, Vec2 middle)
     : options_(options), cells_(window(options, middle)) {}
 
+std::vector<Vec2> LiveMap::places() const {
+  std::vector<Vec2> places;
+  places.reserve(marks_.size());
+  for (const Mark& mark : marks_) places.push_back(mark.place);
+  return places;
+}
+
+void LiveMap::know(Walls walls) {
+  erase_marks([](const Mark& mark) { return mark.mapped; });
+  walls_ = std::move(walls);
+  mark_walls(nullptr);
+}
+
+/// Marks the walls in the window, but for those in the frame that it had before.
+void LiveMap::mark_walls(const GridFrame* known) {
+  if (walls_ == nullptr) return;
+  for (const Vec2 place : *walls_) {
+    const Cell cell = frame().cell_at(place);
+    if (!cells_.contains(cell) || cells_[cell] != 0) continue;
+    if (known != nullptr && known->contains(known->cell_at(place))) continue;
+    marks_.push_back({place, never_s, most_weight, false, true});
+    cells_[cell] = static_cast<std::uint32_t>(marks_.size());
+    ++changes_;
+  }
+}
+
+void LiveMap::leave_behind(const Mark& mark) {
+  if (mark.weight < most_weight || mark.mapped || mark.touched) return;
+  if (behind_.size() == most_behind) behind_.erase(behind_.begin(), behind_.begin() + most_behind / 2);
+  behind_.push_back(mark);
+}
+
 template <class Gone>
 void LiveMap::erase_marks(Gone gone) {
   std::size_t kept = 0;
   for (const Mark& mark : marks_) {
     const Cell cell = cells_.frame.cell_at(mark.place);
-    if (!cells_.contains(cell) || gone(mark)) {
-      if (cells_.contains(cell)) cells_[cell] = 0;
+    const bool inside = cells_.contains(cell);
+    if (!inside || gone(mark)) {
+      if (inside) cells_[cell] = 0;
+      if (!inside) leave_behind(mark);
       ++changes_;
       continue;
     }
@@ -74,22 +112,31 @@ void LiveMap::erase_marks(Gone gone) {
   marks_.resize(kept);
 }
 
+/// Moves the window by so much, in whole cells.
+void LiveMap::move_window(Vec2 off) {
+  const double cell_m = options_.resolution_m;
+  cells_.frame.origin =
+      frame().origin + cell_m * Vec2{std::round(off.x / cell_m), std::round(off.y / cell_m)};
+}
+
 void LiveMap::follow(Vec2 robot) {
   const Vec2 middle = 0.5 * (frame().bounds().low + frame().bounds().high);
   const Vec2 off = robot - middle;
   if (std::max(std::abs(off.x), std::abs(off.y)) < 0.25 * options_.reach_m) return;
-  const double cell_m = options_.resolution_m;
-  cells_.frame.origin =
-      frame().origin + cell_m * Vec2{std::round(off.x / cell_m), std::round(off.y / cell_m)};
+  const GridFrame before = frame();
+  move_window(off);
   std::ranges::fill(cells_.cells, 0U);
   erase_marks([](const Mark&) { return false; });
+  mark_walls(&before);
 }
 
 void LiveMap::correct(const Pose2& correction) {
+  const Vec2 middle = 0.5 * (frame().bounds().low + frame().bounds().high);
+  move_window(correction * middle - middle);
   const std::vector<Mark> before = std::exchange(marks_, {});
   std::ranges::fill(cells_.cells, 0U);
   for (const Mark& known : before) {
-    const Vec2 place = correction * known.place;
+    const Vec2 place = known.mapped ? known.place : correction * known.place;
     const Cell cell = frame().cell_at(place);
     if (!cells_.contains(cell) || cells_[cell] != 0) continue;
     marks_.push_back(known);
@@ -104,17 +151,35 @@ void LiveMap::mark(Vec2 place, double time_s, int weight, bool touched) {
   if (!cells_.contains(cell)) return;
   std::uint32_t& number = cells_[cell];
   if (number == 0) {
-    marks_.push_back({place, time_s, weight, touched});
+    const bool mapped = !touched && take_wall_beside(cell);
+    marks_.push_back({place, time_s, mapped ? most_weight : weight, touched, mapped});
     number = static_cast<std::uint32_t>(marks_.size());
     ++changes_;
     return;
   }
   Mark& known = marks_[number - 1];
+  if (known.seen_s == never_s) known.place = place;
   // The mean of places in one cell is in that cell.
   if (!known.touched) known.place = (1.0 - newest_part) * known.place + newest_part * place;
   known.weight = std::min(known.weight + weight, most_weight);
   known.seen_s = time_s;
   known.touched |= touched;
+}
+
+/// Returns true if walls beside a cell have not been seen yet: what is seen there are they. They go at the
+/// end of the scan.
+bool LiveMap::take_wall_beside(Cell cell) {
+  bool any = false;
+  for (int y = cell.y - 1; y <= cell.y + 1; ++y) {
+    for (int x = cell.x - 1; x <= cell.x + 1; ++x) {
+      if (!cells_.contains({x, y}) || cells_[{x, y}] == 0) continue;
+      Mark& beside = marks_[cells_[{x, y}] - 1];
+      if (!beside.mapped || beside.seen_s != never_s) continue;
+      beside.weight = 0;
+      any = true;
+    }
+  }
+  return any;
 }
 
 void LiveMap::clear_seen_through(const LaserScan& scan, const Pose2& world_T_laser) {
@@ -138,6 +203,7 @@ void LiveMap::note(const LaserScan& scan, const Pose2& world_T_laser) {
     const double bearing_rad = scan.first_rad + static_cast<double>(beam) * scan.step_rad;
     mark(world_T_laser * (range_m * direction(bearing_rad)), scan.time_s, weight_of_reading, false);
   }
+  erase_marks([](const Mark& mark) { return mark.weight <= 0; });
 }
 
 void LiveMap::note_touch(Vec2 place, double time_s) {
@@ -150,12 +216,18 @@ void LiveMap::keep_open(Vec2 place, double radius_m) {
 
 void LiveMap::forget(double time_s) {
   erase_marks([&](const Mark& mark) {
-    return time_s - mark.seen_s > (mark.touched ? options_.touch_s : options_.forget_s);
+    if (mark.mapped || time_s - mark.seen_s <= (mark.touched ? options_.touch_s : options_.forget_s))
+      return false;
+    leave_behind(mark);
+    return true;
   });
+  std::size_t old = 0;
+  while (old < behind_.size() && time_s - behind_[old].seen_s > options_.remember_s) ++old;
+  behind_.erase(behind_.begin(), behind_.begin() + static_cast<std::ptrdiff_t>(old));
 }
 
 void LiveMap::forget_but(double time_s, double lately_s) {
-  erase_marks([&](const Mark& mark) { return time_s - mark.seen_s > lately_s; });
+  erase_marks([&](const Mark& mark) { return !mark.mapped && time_s - mark.seen_s > lately_s; });
 }
 
 }  // namespace outrider

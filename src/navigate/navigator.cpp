@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace outrider {
@@ -24,39 +25,58 @@ constexpr double lost_after = 20.0;   // times that without a scan after which t
 constexpr double plan_again_m = 1.0;  // from where it was planned
 constexpr double around_m = 0.5;      // that is looked at beyond where a motion may lead
 constexpr double back_off_s = 1.5;
+constexpr double map_again_s = 2.0;                   // least time between two plans on the known map
+constexpr double longer_part = 1.15, longer_s = 1.5;  // than on the known map, which is planned on again then
+constexpr double look_within_m = 0.3;                 // of a place to look from
+constexpr double look_turn_rad = 2.0;                 // where there is none
+
+std::vector<std::string> names_of_localisers() {
+  auto names = names_of(robot_localisers());
+  names.insert(names.begin(), "auto");
+  return names;
+}
 
 }  // namespace
 
 std::vector<Option> describe(NavigatorOptions& options) {
   return {
       choice_option("localiser", "how the robot knows where it is", &options.localiser,
-                    names_of(robot_localisers())),
+                    names_of_localisers()),
       {"period", "s", 0.005, 1.0, "time between two commands", &options.period_s},
       {"plan_again", "s", 0.0, 60.0, "least time between two plans", &options.plan_again_s},
       {"patience", "s", 0.1, 1e4, "time without progress after which it recovers", &options.patience_s},
       {"blind", "s", 0.05, 1e4, "time without a scan after which the robot stands", &options.blind_s},
       {"most_recoveries", "", 0, 1000, "recoveries in a row after which it gives up",
        &options.most_recoveries},
+      {"most_search", "m", 0.0, 1e6, "way after which a robot that does not recognise where it is gives up",
+       &options.most_search_m},
   };
 }
 
-Outcome<Navigator> Navigator::make(NavigatorSetup setup, const Pose2& start) {
+Outcome<Navigator> Navigator::make(NavigatorSetup setup, const std::optional<Pose2>& start) {
   auto row = find_row(local_motions(), "rule of motion", setup.motion.rule, "rule");
   if (!row) return pass_on(row);
-  auto known = find_row(robot_localisers(), "localiser", setup.options.localiser, "localiser");
+  std::string& name = setup.options.localiser;
+  if (name == "auto") name = setup.known ? "laser_on_map" : "laser_mapping";
+  auto known = find_row(robot_localisers(), "localiser", name, "localiser");
   if (!known) return pass_on(known);
-  auto localiser = known->make(start, setup.robot_T_laser);
+  auto localiser = known->make({start, setup.robot_T_laser, setup.known});
   if (!localiser) return pass_on(localiser);
   auto rule = row->make(setup.motion);
-  return Navigator(std::move(setup), start, std::move(*localiser), std::move(rule));
+  return Navigator(std::move(setup), std::move(*localiser), std::move(rule));
 }
 
-Navigator::Navigator(NavigatorSetup setup, const Pose2& start, std::unique_ptr<RobotLocaliser> localiser,
+Navigator::Navigator(NavigatorSetup setup, std::unique_ptr<RobotLocaliser> localiser,
                      std::unique_ptr<LocalMotion> motion)
     : setup_(std::move(setup)),
       localiser_(std::move(localiser)),
       rule_(std::move(motion)),
-      map_(setup_.map, start.position) {}
+      map_(setup_.map, localiser_->world_T_odometry().position) {
+  if (!setup_.known) return;
+  far_.emplace(*setup_.known);
+  setup_.known.reset();
+  if (localiser_->is_located()) map_.know(far_->walls());
+}
 
 // ---- Perceiving ----------------------------------------------------------------------------------
 
@@ -93,11 +113,21 @@ Pose2 Navigator::odometry_at(double time_s) const {
 void Navigator::take(const LaserScan& scan) {
   const Pose2 then = odometry_at(scan.time_s);
   const Pose2 before = localiser_->world_T_odometry();
+  const bool was_located = localiser_->is_located();
   const bool corrected = localiser_->take(scan, then);
   const Pose2 after = localiser_->world_T_odometry();
   if (corrected) map_.correct(compose(after, inverse(before)));
-  map_.note(scan, compose(compose(after, then), setup_.robot_T_laser));
+  if (localiser_->is_located() != was_located) {
+    order_.reset();
+    progress_ = {};
+    search_.begin();
+    map_.follow(pose().position);
+    map_.know(was_located || !far_ ? nullptr : far_->walls());
+  }
+  const Pose2 world_T_laser = compose(compose(after, then), setup_.robot_T_laser);
+  map_.note(scan, world_T_laser);
   scan_s_ = scan.time_s;
+  if (!localiser_->is_located()) search_.look(scan, world_T_laser);
 }
 
 Situation Navigator::perceive(const Observation& seen) {
@@ -114,7 +144,8 @@ Situation Navigator::perceive(const Observation& seen) {
   }
   map_.forget(time_s_);
   if (order_) judge(*order_);
-  return {time_s_, here, localiser_->covariance(), twist_, progress_};
+  const bool looks = !localiser_->is_located() && progress_.state != Progress::State::lost;
+  return {time_s_, here, localiser_->covariance(), twist_, looks ? Progress{} : progress_};
 }
 
 /// Judges how far the order is.
@@ -153,20 +184,39 @@ Command Navigator::act(const Order& order) {
   const auto* const go = std::get_if<GoTo>(&order);
   if (go == nullptr) nearer_s_ = time_s_;
   if (go == nullptr || track_.empty()) return DriveTwist{{}, until_s};
-  if (!order_ || *order_ != *go) begin(*go);
-  if (progress_.state != Progress::State::underway || is_blind()) return DriveTwist{{}, until_s};
-  plan(*go);
-  note_progress(*go);
-  if (progress_.state != Progress::State::underway) return DriveTwist{{}, until_s};
-  const MotionState state = state_of(*go);
-  if (recovery_ == Recovery::turn || recovery_ == Recovery::back_off) {
-    commanded_ = recovery_twist(state);
-  } else if (at_place_) {
-    commanded_ = turn_at_place(state, *go->heading_rad);
-  } else {
-    commanded_ = rule_->choose(state);
-  }
+  commanded_ = localiser_->is_located() ? this->go(*go) : look_for_itself();
   return DriveTwist{commanded_, until_s};
+}
+
+/// Returns the next twist on the way to a place.
+Twist2 Navigator::go(const GoTo& order) {
+  if (!order_ || *order_ != order) begin(order);
+  if (progress_.state != Progress::State::underway || is_blind()) return {};
+  plan(order);
+  note_progress(order);
+  if (progress_.state != Progress::State::underway) return {};
+  const MotionState state = state_of(order);
+  if (recovery_ == Recovery::turn || recovery_ == Recovery::back_off) return recovery_twist(state);
+  return at_place_ ? turn_at_place(state, *order.heading_rad) : rule_->choose(state);
+}
+
+/// Goes from place to place until the robot recognises where it is, or gives up.
+Twist2 Navigator::look_for_itself() {
+  search_.advance(twist_.ahead_mps, setup_.options.period_s);
+  if (search_.length_m() > setup_.options.most_search_m) {
+    progress_ = {Progress::State::lost,
+                 {},
+                 fmt::format("it has not recognised where it is on its map, on a way of {:.0f} m",
+                             search_.length_m())};
+  }
+  if (progress_.state == Progress::State::lost || is_blind() || !search_.looks()) return {};
+  if (!order_ || progress_.state != Progress::State::underway) {
+    const Pose2 here = pose();
+    const auto place = search_.next(here.position, setup_.footprint.outer_m() + setup_.motion.wide_m);
+    begin(place ? GoTo{*place, look_within_m}
+                : GoTo{here.position, look_within_m, here.heading_rad + look_turn_rad, 0.5 * look_turn_rad});
+  }
+  return go(GoTo{*order_});
 }
 
 /// Returns true if no scan has come for too long; after a while the robot is lost.
@@ -184,6 +234,7 @@ void Navigator::begin(const GoTo& order) {
   order_ = order;
   progress_ = {};
   planned_s_.reset();
+  planned_far_s_.reset();
   recovery_ = Recovery::none;
   recoveries_ = 0;
   at_place_ = false;
@@ -199,16 +250,51 @@ void Navigator::plan(const GoTo& order) {
   const bool due = !planned_s_ || time_s_ - *planned_s_ >= setup_.options.plan_again_s - instant_s;
   const bool far = distance(planned_at_, here) > plan_again_m || !field_.time_s(here);
   if (due && (!planned_s_ || far || map_.changes() != planned_changes_)) {
-    field_.compute(map_, setup_.footprint, setup_.robot,
-                   {order.place, order.within_m, setup_.motion.wide_m, setup_.motion.margin_m}, here);
-    planned_s_ = time_s_;
-    planned_changes_ = map_.changes();
-    planned_at_ = here;
+    const bool is_new = plan_on_map(order, false);
+    plan_window(order);
+    if (!is_new && plan_on_map(order, true)) plan_window(order);
   }
   const double reach_m =
       setup_.robot.speed_mps * setup_.motion.horizon_s + setup_.footprint.outer_m() + around_m;
   near_.look(map_, here, std::min(reach_m, setup_.map.reach_m));
   left_s_ = field_.time_s(here);
+}
+
+GoalQuery Navigator::query_of(const GoTo& order) const {
+  return {order.place, order.within_m, setup_.motion.wide_m, setup_.motion.margin_m};
+}
+
+void Navigator::plan_window(const GoTo& order) {
+  const Vec2 here = pose().position;
+  GoalQuery query = query_of(order);
+  if (planned_far_s_) query.beyond = [this](Vec2 place) { return far_->time_s(place); };
+  field_.compute({map_.frame(), map_.places()}, setup_.footprint, setup_.robot, query, here);
+  planned_s_ = time_s_;
+  planned_changes_ = map_.changes();
+  planned_at_ = here;
+}
+
+/// Plans on the known map for a new order; or anew where the way in the window is longer than it should be,
+/// for what stands there, which counts as a recovery. Returns true if it did.
+bool Navigator::plan_on_map(const GoTo& order, bool anew) {
+  if (!far_ || !localiser_->is_located()) return false;
+  const Vec2 here = pose().position;
+  if (anew) {
+    const auto left_s = field_.time_s(here), expected_s = far_->time_s(here);
+    const bool is_longer = !left_s || (expected_s && *left_s > longer_part * *expected_s + longer_s);
+    if (!is_longer || time_s_ - *planned_far_s_ < map_again_s) return false;
+    if (recoveries_ >= setup_.options.most_recoveries) return false;
+  } else if (planned_far_s_) {
+    return false;
+  }
+  far_->compute(map_, setup_.footprint, setup_.robot, query_of(order), true);
+  if (!far_->time_s(here)) far_->compute(map_, setup_.footprint, setup_.robot, query_of(order), false);
+  planned_far_s_ = time_s_;
+  if (!anew || !far_->time_s(here)) return true;
+  ++recoveries_;  // this way out takes as long as it takes
+  nearer_s_ = time_s_;
+  least_left_s_ = std::numeric_limits<double>::infinity();
+  return true;
 }
 
 /// Notes whether the robot gets nearer in time, in the end by turning, and recovers if it does not.

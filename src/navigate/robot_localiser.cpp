@@ -58,19 +58,65 @@ class LaserMapping final : public RobotLocaliser {
   std::string lost_;
 };
 
-Outcome<std::unique_ptr<RobotLocaliser>> make_odometry(const Pose2& start, const Pose2&) {
-  if (!finite(start)) return bad_input("the start must be finite");
-  return std::make_unique<BelievedOdometry>(start);
+class LaserOnMap final : public RobotLocaliser {
+ public:
+  LaserOnMap(MapLocaliser localiser, const Pose2& start)
+      : localiser_(std::move(localiser)), world_T_odometry_(start) {}
+
+  bool take(const LaserScan& scan, const Pose2& odometry_T_robot) override {
+    if (taken_s_ && scan.time_s - *taken_s_ < match_s - 1e-9) return false;
+    const auto step = localiser_.advance(wrap_heading(relative_pose(odometry_, odometry_T_robot)), scan);
+    if (!step) return false;
+    taken_s_ = scan.time_s;
+    odometry_ = odometry_T_robot;
+    if (step->located) world_T_odometry_ = compose(step->pose, inverse(odometry_T_robot));
+    return step->found;
+  }
+  [[nodiscard]] Pose2 world_T_odometry() const override { return world_T_odometry_; }
+  [[nodiscard]] Eigen::Matrix3d covariance() const override { return localiser_.pose_covariance(); }
+  [[nodiscard]] bool is_located() const override { return localiser_.is_located(); }
+
+ private:
+  MapLocaliser localiser_;
+  Pose2 world_T_odometry_;
+  Pose2 odometry_;  // of the scan that was taken last
+  std::optional<double> taken_s_;
+};
+
+using Made = Outcome<std::unique_ptr<RobotLocaliser>>;
+
+Status needs_start(const LocaliserStart& start) {
+  if (start.pose && finite(*start.pose)) return {};
+  return bad_input("this localiser has to be told where the robot starts; only laser_on_map finds that",
+                   "start");
 }
 
-Outcome<std::unique_ptr<RobotLocaliser>> make_laser_mapping(const Pose2& start, const Pose2& robot_T_laser) {
+LaserSlamOptions slam_options(const LocaliserStart& start) {
   LaserSlamOptions options;
-  options.robot_T_laser = robot_T_laser;
+  options.robot_T_laser = start.robot_T_laser;
   options.draw_late = true;
   options.odometry_turn_per_distance_rad = 0.1;
-  auto slam = LaserSlam::begin(options, start);
+  return options;
+}
+
+Made make_odometry(LocaliserStart start) {
+  if (auto ok = needs_start(start); !ok) return pass_on(ok);
+  return std::make_unique<BelievedOdometry>(*start.pose);
+}
+
+Made make_laser_mapping(LocaliserStart start) {
+  if (auto ok = needs_start(start); !ok) return pass_on(ok);
+  auto slam = LaserSlam::begin(slam_options(start), *start.pose);
   if (!slam) return pass_on(slam);
-  return std::make_unique<LaserMapping>(std::move(*slam), start);
+  return std::make_unique<LaserMapping>(std::move(*slam), *start.pose);
+}
+
+Made make_laser_on_map(LocaliserStart start) {
+  if (!start.map) return bad_input("there is no map; give one, or take laser_mapping", "localiser");
+  const LaserSlamOptions options = slam_options(start);
+  auto localiser = MapLocaliser::begin(std::move(*start.map), options, start.pose);
+  if (!localiser) return pass_on(localiser);
+  return std::make_unique<LaserOnMap>(std::move(*localiser), start.pose.value_or(Pose2{}));
 }
 
 }  // namespace
@@ -79,6 +125,7 @@ const std::vector<RobotLocaliserRow>& robot_localisers() {
   static const std::vector<RobotLocaliserRow> rows = {
       {"odometry", "the odometry is believed", make_odometry},
       {"laser_mapping", "scans are matched with each other on a map that grows", make_laser_mapping},
+      {"laser_on_map", "scans are matched with a known map, from anywhere", make_laser_on_map},
   };
   return rows;
 }

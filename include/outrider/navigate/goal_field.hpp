@@ -1,24 +1,33 @@
-// GoalField: how long a robot needs from each cell of the live map to its goal, around all that is marked.
+// GoalField: how long a robot needs from each cell of a grid to its goal, around all that stands there.
 //
 // The robot is a point that goes from cell to cell, more slowly where less room is beside it: nowhere nearer
-// to a mark than the largest disk in its footprint, at a quarter of its speed where it may have to align, and
-// at full speed where nothing is within `wide_m` of its footprint. A goal outside the window is reached in a
-// straight line from the edge of the window. What nobody has seen counts as open.
+// to an obstacle than the largest disk in its footprint, at a quarter of its speed where it may have to
+// align, and at full speed where nothing is within `wide_m` of its footprint. What nobody has seen counts as
+// open. A goal outside the grid is reached from its edge: in the time that is told for places out there
+// (map_field.hpp), or else in a straight line.
 //
 // Dijkstra from the goal over eight neighbours, with times in small units in a ring of buckets (Dial, 1969);
-// it ends once the surroundings of the robot are reached. O(cells + marks * cells within most room).
+// it ends once the surroundings of the robot are reached. O(cells + obstacles * cells within most room).
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "outrider/motion/footprint.hpp"
 #include "outrider/motion/robot_model.hpp"
-#include "outrider/navigate/live_map.hpp"
+#include "outrider/world/grid.hpp"
 
 namespace outrider {
+
+/// What a robot goes around.
+struct GoalGround {
+  GridFrame frame;
+  std::vector<Vec2> obstacles;                        ///< points that it keeps clear of
+  const std::vector<std::uint8_t>* closed = nullptr;  ///< by cell, not 0: it may not go there; null: nowhere
+};
 
 /// The goal of a GoalField, and the room that a robot wants.
 struct GoalQuery {
@@ -26,13 +35,16 @@ struct GoalQuery {
   double within_m = 0.1;  ///< distance from the goal at which the robot has arrived
   double wide_m = 0.35;   ///< room beside its footprint at which a robot goes at full speed
   double margin_m = 0.0;  ///< room that it keeps at least
+  /// Returns the time to the goal from a place at the edge of the grid, s; nothing where there is no way.
+  /// Empty: what lies beyond is not known.
+  std::function<std::optional<double>(Vec2)> beyond = {};
 };
 
 class GoalField {
  public:
-  /// Computes the times for a robot that is somewhere now.
-  void compute(const LiveMap& map, const Footprint& footprint, const RobotModel& robot,
-               const GoalQuery& query, Vec2 place);
+  /// Computes the times, at least those around `place` and those that are less; all if there is no place.
+  void compute(const GoalGround& ground, const Footprint& footprint, const RobotModel& robot,
+               const GoalQuery& query, std::optional<Vec2> place);
 
   /// Returns the time from a place to the goal, s; nothing if no way is known. Interpolated.
   [[nodiscard]] std::optional<double> time_s(Vec2 place) const;
@@ -45,9 +57,11 @@ class GoalField {
   using Units = std::uint32_t;  // of time: a sixteenth of that to cross a cell at full speed
   static constexpr Units unknown = 0xffffffff;
 
-  void find_room(const LiveMap& map, const Footprint& footprint, const GoalQuery& query, Vec2 place);
+  void find_room(const GoalGround& ground, const Footprint& footprint, const GoalQuery& query);
+  void let_out(Vec2 place);
   void seed(const GoalQuery& query);
-  void spread(Vec2 place);
+  void seed_edge(const GoalQuery& query);
+  void spread(std::optional<Vec2> place);
   void reach(std::size_t cell, Units time);
   [[nodiscard]] Units units_at(Cell cell) const {
     return frame_.contains(cell) ? time_[frame_.index(cell)] : unknown;
@@ -55,7 +69,7 @@ class GoalField {
 
   GridFrame frame_;
   double unit_s_ = 1.0;
-  std::vector<float> distance_m_;   // to the nearest mark, by cell
+  std::vector<float> distance_m_;   // to the nearest obstacle, by cell
   std::vector<std::uint8_t> pace_;  // to cross a cell, by cell; 0: no room
   std::vector<Units> time_;         // to the goal, by cell
   std::vector<std::vector<std::uint32_t>> buckets_;

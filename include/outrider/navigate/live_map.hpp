@@ -6,11 +6,15 @@
 // sight stays until it is `forget_s` old. What was touched stays longer, since the laser may not see it.
 // Nothing stands where the robot has driven, whatever noise does.
 //
+// Walls of a known map are marks as well, and stay however old. A reading beside one moves it to where it is
+// seen; beams that pass it take it away until the window has left it, as a door that stands open.
+//
 // Frames: the world of the localiser. Small corrections of the pose smear marks; later beams clear them.
 // Thread rule: one at a time. O(beams + marks in range) per scan.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "outrider/core/options.hpp"
@@ -26,6 +30,7 @@ struct LiveMapOptions {
   double reach_m = 10.0;       ///< half the side of the window
   double forget_s = 30.0;      ///< time after which a mark out of sight is forgotten
   double touch_s = 120.0;      ///< time after which what was touched is forgotten
+  double remember_s = 300.0;   ///< time for which ways on a known map go around what was seen far from here
 };
 std::vector<Option> describe(LiveMapOptions& options);
 
@@ -35,16 +40,22 @@ struct Mark {
   double seen_s = 0.0;   ///< time of the newest reading
   int weight = 0;        ///< 0: nothing stands there
   bool touched = false;  ///< the bumper found it
+  bool mapped = false;   ///< it is a wall of the known map
 };
 
 class LiveMap {
  public:
+  using Walls = std::shared_ptr<const std::vector<Vec2>>;
+
   /// Makes an empty map around a place.
   LiveMap(const LiveMapOptions& options, Vec2 middle);
 
+  /// Takes the walls of a known map, or with nothing forgets them.
+  void know(Walls walls);
   /// Moves the window, in whole cells, once the robot is a quarter of the reach from its middle.
   void follow(Vec2 robot);
-  /// Moves all marks because the pose was corrected: from where they were to `correction` times that.
+  /// Moves all marks but walls because the pose was corrected: from where they were to `correction` times
+  /// that.
   void correct(const Pose2& correction);
   /// Notes a scan that was taken from there. Readings that are no numbers or out of range say nothing.
   void note(const LaserScan& scan, const Pose2& world_T_laser);
@@ -54,7 +65,7 @@ class LiveMap {
   void keep_open(Vec2 place, double radius_m);
   /// Forgets marks that are too old at that time.
   void forget(double time_s);
-  /// Forgets all marks but those seen within the last `lately_s`.
+  /// Forgets all marks but walls and those seen within the last `lately_s`.
   void forget_but(double time_s, double lately_s);
 
   [[nodiscard]] const GridFrame& frame() const { return cells_.frame; }
@@ -62,11 +73,19 @@ class LiveMap {
   [[nodiscard]] bool marked(Cell cell) const { return cells_.contains(cell) && cells_[cell] != 0; }
   /// Returns all marks, in the order in which they were made.
   [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
+  /// Returns the places of all marks.
+  [[nodiscard]] std::vector<Vec2> places() const;
+  /// Returns what was seen for sure and is now out of the window or forgotten in it, oldest first.
+  [[nodiscard]] const std::vector<Mark>& behind() const { return behind_; }
   /// Counts changes: marks that came or went.
   [[nodiscard]] std::uint64_t changes() const { return changes_; }
 
  private:
   void mark(Vec2 place, double time_s, int weight, bool touched);
+  bool take_wall_beside(Cell cell);
+  void move_window(Vec2 off);
+  void mark_walls(const GridFrame* known);
+  void leave_behind(const Mark& mark);
   template <class Gone>
   void erase_marks(Gone gone);
   void clear_seen_through(const LaserScan& scan, const Pose2& world_T_laser);
@@ -75,6 +94,8 @@ class LiveMap {
   Grid<std::uint32_t> cells_;  // 0: no mark, else its index in marks_ plus one
   std::vector<Mark> marks_;
   std::uint64_t changes_ = 0;
+  Walls walls_;
+  std::vector<Mark> behind_;
 };
 
 }  // namespace outrider

@@ -6,7 +6,9 @@
 //     robot.act(navigator->act(GoTo{goal}));
 //   }
 //
-// perceive() localises the robot, brings the live map up to date (live_map.hpp) and judges the progress.
+// perceive() localises the robot, brings the live map up to date (live_map.hpp) and judges the progress. On a
+// known map a robot need not know where it starts: it looks around until it recognises the place, and again
+// after it was carried away.
 // act() plans anew when the map has changed (goal_field.hpp), finds the next motion (local_motion.hpp) and
 // recovers when nothing goes on: it forgets what it has not seen lately, turns to where the way leads, backs
 // off, and after all of that several times in vain gives up with a reason. Every
@@ -25,6 +27,8 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/navigate/local_motion.hpp"
+#include "outrider/navigate/map_field.hpp"
+#include "outrider/navigate/place_search.hpp"
 #include "outrider/navigate/robot_localiser.hpp"
 #include "outrider/robot/command.hpp"
 #include "outrider/robot/observation.hpp"
@@ -63,12 +67,13 @@ struct Situation {
 
 /// Options of the navigator besides those of its parts.
 struct NavigatorOptions {
-  std::string localiser = "laser_mapping";  ///< row of robot_localisers()
-  double period_s = 0.05;                   ///< time between two commands
-  double plan_again_s = 0.2;                ///< least time between two plans
-  double patience_s = 3.0;                  ///< time without progress after which it recovers
+  std::string localiser = "auto";  ///< row of robot_localisers(); auto: by laser, on the map if there is one
+  double period_s = 0.05;          ///< time between two commands
+  double plan_again_s = 0.2;       ///< least time between two plans
+  double patience_s = 3.0;         ///< time without progress after which it recovers
   double blind_s = 0.5;  ///< time without a scan after which it stands; after 20 times that it is lost
   std::int64_t most_recoveries = 12;  ///< number of recoveries in a row after which it gives up
+  double most_search_m = 60.0;  ///< way after which a robot that does not recognise where it is gives up
 };
 std::vector<Option> describe(NavigatorOptions& options);
 
@@ -80,22 +85,26 @@ struct NavigatorSetup {
   NavigatorOptions options;
   LiveMapOptions map;
   LocalMotionOptions motion;
+  std::optional<KnownMap> known = {};  ///< the map that the robot is given
 };
 
 class Navigator {
  public:
-  /// Faults: bad_input if there is no such rule of motion or localiser.
-  static Outcome<Navigator> make(NavigatorSetup setup, const Pose2& start);
+  /// Without a start the robot is anywhere on its map. Faults: bad_input if there is no such rule of motion
+  /// or localiser; those of the localiser.
+  static Outcome<Navigator> make(NavigatorSetup setup, const std::optional<Pose2>& start);
 
   Situation perceive(const Observation& seen);
   Command act(const Order& order);
 
   [[nodiscard]] const LiveMap& map() const { return map_; }
   [[nodiscard]] const GoalField& field() const { return field_; }
+  /// Returns true if the robot knows where it is; until then its poses have no meaning.
+  [[nodiscard]] bool is_located() const { return localiser_->is_located(); }
   [[nodiscard]] std::int64_t recoveries() const { return recoveries_; }
 
  private:
-  Navigator(NavigatorSetup setup, const Pose2& start, std::unique_ptr<RobotLocaliser> localiser,
+  Navigator(NavigatorSetup setup, std::unique_ptr<RobotLocaliser> localiser,
             std::unique_ptr<LocalMotion> motion);
 
   /// The ways out of a place where nothing goes on, in the order in which they are tried.
@@ -109,8 +118,13 @@ class Navigator {
   void recover(const GoTo& order);
   [[nodiscard]] Twist2 recovery_twist(const MotionState& state) const;
   [[nodiscard]] Twist2 turn_at_place(const MotionState& state, double heading_rad) const;
+  Twist2 go(const GoTo& order);
+  Twist2 look_for_itself();
   void begin(const GoTo& order);
   void plan(const GoTo& order);
+  void plan_window(const GoTo& order);
+  bool plan_on_map(const GoTo& order, bool anew);
+  [[nodiscard]] GoalQuery query_of(const GoTo& order) const;
   void note_progress(const GoTo& order);
   [[nodiscard]] bool is_blind();
   [[nodiscard]] MotionState state_of(const GoTo& order) const;
@@ -126,6 +140,7 @@ class Navigator {
   LiveMap map_;
   Surroundings near_;
   GoalField field_;
+  std::optional<MapField> far_;  // on the known map
   Twist2 commanded_;
 
   double time_s_ = 0.0;
@@ -135,6 +150,7 @@ class Navigator {
 
   std::optional<GoTo> order_;
   std::optional<double> planned_s_;
+  std::optional<double> planned_far_s_;
   Vec2 planned_at_;
   std::uint64_t planned_changes_ = 0;
   std::optional<double> left_s_;
@@ -145,6 +161,7 @@ class Navigator {
   Recovery recovery_ = Recovery::none;
   double recovers_until_s_ = 0.0;
   std::int64_t recoveries_ = 0;  // in a row
+  PlaceSearch search_;           // of a robot that does not know where it is
   Progress progress_;
 };
 

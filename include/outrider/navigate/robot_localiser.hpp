@@ -3,21 +3,32 @@
 // Rows of robot_localisers():
 //   odometry       the odometry is believed
 //   laser_mapping  scans are matched with each other on a map that grows (laser_slam.hpp)
+//   laser_on_map   scans are matched with a known map, from anywhere (map_localiser.hpp)
 //
-// Frames: the world begins at the start that the robot is given. Thread rule: one at a time.
+// Frames: the world is that of the known map, or begins at the start that the robot is given. Thread rule:
+// one at a time.
 #pragma once
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
 #include "outrider/geometry/pose.hpp"
+#include "outrider/slam/map/map_localiser.hpp"
 #include "outrider/slam/scan/laser_scan.hpp"
 
 namespace outrider {
+
+/// What a robot is told of its place at the beginning.
+struct LocaliserStart {
+  std::optional<Pose2> pose;         ///< where the odometry begins; none: anywhere on the map
+  Pose2 robot_T_laser;               ///< the mount of its laser
+  std::optional<KnownMap> map = {};  ///< of the world
+};
 
 class RobotLocaliser {
  public:
@@ -30,6 +41,9 @@ class RobotLocaliser {
   /// Returns the covariance of x, y and heading in the world, m^2, m rad, rad^2; zero if odometry is
   /// believed.
   [[nodiscard]] virtual Eigen::Matrix3d covariance() const { return Eigen::Matrix3d::Zero(); }
+  /// Returns true if it knows where the robot is. Until then the world is another one, that of the odometry,
+  /// and the robot has to look around.
+  [[nodiscard]] virtual bool is_located() const { return true; }
   /// Returns why the pose is not known any more; empty if it is.
   [[nodiscard]] virtual std::string lost() const { return {}; }
 
@@ -42,9 +56,9 @@ class RobotLocaliser {
 struct RobotLocaliserRow {
   std::string_view name;
   std::string_view sentence;
-  /// `start` is the pose of the robot where its odometry begins. Fault: bad_input for a start that is not
-  /// finite.
-  Outcome<std::unique_ptr<RobotLocaliser>> (*make)(const Pose2& start, const Pose2& robot_T_laser);
+  /// Faults: bad_input for a start that is not finite, or that is missing; for a map that cannot be used, or
+  /// that is missing.
+  Outcome<std::unique_ptr<RobotLocaliser>> (*make)(LocaliserStart start);
 };
 const std::vector<RobotLocaliserRow>& robot_localisers();
 

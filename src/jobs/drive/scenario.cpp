@@ -6,9 +6,10 @@
 #include <iterator>
 
 #include "outrider/io/files/text.hpp"
+#include "outrider/io/map/map.hpp"
+#include "outrider/io/map/world_file.hpp"
 #include "outrider/io/scenario/scenario.hpp"
 #include "outrider/io/scenario/values.hpp"
-#include "outrider/io/sdf/sdf.hpp"
 #include "outrider/path/catalog.hpp"
 #include "tag_warnings.hpp"
 
@@ -28,7 +29,7 @@ Outcome<std::vector<Waypoint>> waypoints_from(const std::string& text) {
     waypoints.push_back({*pose, stop});
   }
   if (waypoints.empty()) {
-    return bad_input("there are none; give waypoints, or a goal and a planner", "waypoints");
+    return bad_input("there are none; give waypoints, or a goal", "waypoints");
   }
   if (waypoints.size() > most_waypoints) {
     return bad_input(fmt::format("there are {}; at most {} are taken", waypoints.size(), most_waypoints),
@@ -82,10 +83,35 @@ Box2 around(const DriveTask& task, const std::optional<Pose2>& goal) {
   return box.grown(open_ground_m + task.radius_m);
 }
 
+/// Puts the things into the world that no map has.
+Status add_things(const DriveScenario& scenario, World& world) {
+  constexpr const char* key = "things";
+  for (const std::string_view word : words(scenario.things)) {
+    const bool round = std::ranges::count(word, ',') == 2;
+    auto n = parse_numbers(std::string(word), round ? 3 : 4, key,
+                           "x,y,length,width of a box or x,y,radius of a post, in m, such as 3,2,0.5,0.4");
+    if (!n) return pass_on(n);
+    for (std::size_t i = 2; i < n->size(); ++i) {
+      if ((*n)[i] < 0.01 || (*n)[i] > 100.0)
+        return bad_input(fmt::format("'{}' is not valid; sizes are from 0.01 to 100 m", excerpt(word)), key);
+    }
+    const double half_m = 0.5 * std::max(1.0, scenario.height_m);
+    const Pose3 pose{{(*n)[0], (*n)[1], world.floor_z_m + half_m}, {}};
+    const std::string name = fmt::format("thing {}", world.solids.size());
+    if (round) {
+      world.solids.push_back({name, pose, CylinderShape{(*n)[2], half_m}});
+    } else {
+      world.solids.push_back({name, pose, BoxShape{{0.5 * (*n)[2], 0.5 * (*n)[3], half_m}}});
+    }
+  }
+  return {};
+}
+
 Status load_ground(const DriveScenario& scenario, const std::optional<Pose2>& goal, DriveSetup& setup) {
   World& world = setup.task.world;
-  if (!scenario.world.empty()) {
-    auto loaded = load_sdf(scenario.world, scenario.sdf);
+  const std::string& file = scenario.world.empty() ? scenario.map : scenario.world;
+  if (!file.empty()) {
+    auto loaded = load_world(file, {.sdf = scenario.sdf});
     if (!loaded) return pass_on(loaded);
     world = std::move(loaded->world);
     setup.warnings.insert(setup.warnings.end(), loaded->warnings.begin(), loaded->warnings.end());
@@ -96,10 +122,23 @@ Status load_ground(const DriveScenario& scenario, const std::optional<Pose2>& go
     auto bounds = parse_box(scenario.bounds, "bounds");
     if (!bounds) return pass_on(bounds);
     world.bounds = *bounds;
-  } else if (scenario.world.empty()) {
+  } else if (file.empty()) {
     world.bounds = around(setup.task, goal);
   }
-  return {};
+  return add_things(scenario, world);
+}
+
+/// Loads the map that the robot has.
+Outcome<KnownMap> known_map(const DriveScenario& scenario) {
+  auto loaded = load_map(scenario.map, {.sdf = scenario.sdf});
+  if (!loaded) return pass_on(loaded);
+  auto* const cells = std::get_if<MapCells>(&loaded->shape);
+  if (cells == nullptr)
+    return bad_input(fmt::format("{} has no cells; a robot with a laser takes a map of cells: a YAML file of "
+                                 "map_server, or an image",
+                                 excerpt(scenario.map)),
+                     "map");
+  return KnownMap{std::move(cells->occupancy), cells->yaw_rad};
 }
 
 Status check_argument(const std::string& value, const char* key, const std::vector<std::string>& names) {
@@ -127,6 +166,9 @@ Status check_laser(const DriveScenario& scenario) {
   if (!scenario.planner.empty())
     return bad_input("a drive by laser finds its way itself; leave the planner out and give waypoints",
                      "planner");
+  if (scenario.laser.start_unknown && scenario.map.empty())
+    return bad_input("a robot that is not told where it starts needs a map; give one",
+                     "navigator.start_unknown");
   if (auto ok = check(scenario.laser.laser); !ok) return ok;
   if (scenario.laser.footprint.empty()) return {};
   if (auto shape = parse_footprint(scenario.laser.footprint); !shape)
@@ -141,12 +183,16 @@ Status check_arguments(const DriveScenario& scenario) {
       !ok)
     return ok;
   if (auto ok = check_argument(scenario.sight, "sight", {"rendered", "modelled"}); !ok) return ok;
-  if (scenario.goal.empty() != scenario.planner.empty()) {
+  for (const auto& [value, key] : {std::pair(&scenario.map, "map"), {&scenario.things, "things"}}) {
+    if (!by_laser && !value->empty())
+      return bad_input("it goes with a drive by laser; give loop: laser, or leave it out", key);
+  }
+  if (!by_laser && scenario.goal.empty() != scenario.planner.empty()) {
     return bad_input("a goal and a planner go together; give both, or waypoints",
                      scenario.goal.empty() ? "goal" : "planner");
   }
   if (!scenario.goal.empty() && !scenario.waypoints.empty()) {
-    return bad_input("there are waypoints as well; give a goal and a planner, or waypoints", "goal");
+    return bad_input("there are waypoints as well; give a goal, or waypoints", "goal");
   }
   if (auto ok = check_outage(scenario); !ok) return ok;
   return check(scenario.task.follow);
@@ -215,14 +261,23 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
   std::vector<OptionGroup> groups = {
       {"",
        "the drive",
-       {file_option("world", "SDF file of the world; empty: open ground", &scenario.world),
+       {file_option("world", "file of the world (SDF, or a map of walls); empty: the map, or open ground",
+                    &scenario.world),
+        file_option("map",
+                    "map of cells that a robot with a laser has: YAML of map_server, PGM, PNG; empty: none",
+                    &scenario.map),
+        {"things", "", 0, 0,
+         "x,y,length,width of each box and x,y,radius of each post that stands there and is on no map, m, "
+         "with "
+         "blanks between",
+         &scenario.things},
         describe(scenario.sdf).front(),
         {"bounds", "", 0, 0, "low x,low y,high x,high y of the ground, m; empty: the box of its walls",
          &scenario.bounds},
         {"start", "", 0, 0, "x,y,heading in m and degrees", &scenario.start},
         {"waypoints", "", 0, 0, "x,y,heading of each, with blanks between; a ! behind one: pass by it",
          &scenario.waypoints},
-        {"goal", "", 0, 0, "x,y,heading, in place of waypoints", &scenario.goal},
+        {"goal", "", 0, 0, "x,y,heading, in place of waypoints; by tags with a planner", &scenario.goal},
         choice_option("planner", "a path planner of 'outrider list', for the way to the goal",
                       &scenario.planner, names_of_planners_in_place()),
         {"tags", "", 0, 0, "id=x,y,facing[,height] of each tag, with blanks between", &scenario.tags},
@@ -285,10 +340,16 @@ Outcome<DriveSetup> load_drive(const DriveScenario& given) {
     auto pose = parse_pose(scenario.goal, "goal");
     if (!pose) return pass_on(pose);
     goal = *pose;
+    if (scenario.planner.empty()) setup.task.waypoints = {{*pose}};
+  }
+  if (!scenario.map.empty()) {
+    auto known = known_map(scenario);
+    if (!known) return pass_on(known);
+    setup.task.known = std::move(*known);
   }
   if (auto ok = load_ground(scenario, goal, setup); !ok) return pass_on(ok);
   const CollisionMap ground = CollisionMap::of(setup.task.world, scenario.height_m);
-  if (goal) {
+  if (goal && !scenario.planner.empty()) {
     auto route = plan_route(setup.task, ground, *goal, scenario.planner, scenario.route,
                             scenario.sim.planner.budget(0.0));
     if (!route) return pass_on(route);

@@ -34,6 +34,7 @@ constexpr double recognised_share = 0.6;     // of the beams that agree with the
 constexpr double fitting_share = 0.5;        // of one scan
 constexpr double lost_share = 0.4;           // mean of the last scans
 constexpr double averaged_scans = 8.0;
+constexpr Driven told_start{3.0, 4.0};  // a start that was told is as uncertain as odometry is after that
 
 MatchWindow window_of(const KnownMap& map, const Pose2& world_T_grid) {
   const GridFrame& frame = map.occupancy.frame;
@@ -89,7 +90,8 @@ struct MapLocaliser::State {
   double mean_share = 1.0;                                ///< of the beams that agree, over the last scans
 };
 
-Outcome<MapLocaliser> MapLocaliser::begin(KnownMap map, const LaserSlamOptions& options) {
+Outcome<MapLocaliser> MapLocaliser::begin(KnownMap map, const LaserSlamOptions& options,
+                                          const std::optional<Pose2>& start) {
   if (auto begun = LaserSlam::begin(options, {}); !begun) return pass_on(begun);  // checks the options
   Surface surface = surface_of(map.occupancy);
   if (surface.empty()) return bad_input("the map has no occupied cell beside a free one", "map");
@@ -101,7 +103,14 @@ Outcome<MapLocaliser> MapLocaliser::begin(KnownMap map, const LaserSlamOptions& 
                     box.size().x, box.size().y, most_side_m, most_side_m),
         "map");
   }
-  return MapLocaliser(std::make_unique<State>(std::move(map), std::move(surface), options));
+  if (start && !finite(*start)) return bad_input("the start must be finite", "start");
+  auto state = std::make_unique<State>(std::move(map), std::move(surface), options);
+  if (start) {
+    state->pose = wrap_heading(*start);
+    state->is_located = true;
+    state->unmatched = told_start;
+  }
+  return MapLocaliser(std::move(state));
 }
 
 MapLocaliser::MapLocaliser(std::unique_ptr<State> state) : state_(std::move(state)) {}

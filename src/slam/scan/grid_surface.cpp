@@ -10,6 +10,7 @@ namespace {
 constexpr double line_m = 0.15;       // half side of the square whose occupied cells make a line
 constexpr int least_cells = 3;        // in a line
 constexpr double most_breadth = 0.5;  // of the cells across the line, relative to along it
+constexpr double thick_m = 0.2;       // a wall of that thickness is filled, and its face is that of its cells
 
 /// The occupied and the free cells around one, as sums of their offsets.
 struct Around {
@@ -67,6 +68,16 @@ bool is_free_towards(const Grid<std::uint8_t>& grid, Vec2 centre, Vec2 normal) {
   return false;
 }
 
+/// Returns true if the cells on the other side of that of a face are occupied as deep as a filled wall.
+bool is_filled_behind(const Grid<std::uint8_t>& grid, Vec2 centre, Vec2 face) {
+  const double cell_m = grid.frame.resolution_m;
+  const int deep = std::max(2, static_cast<int>(std::ceil(thick_m / cell_m - 1e-9)));
+  for (int cells = 1; cells < deep; ++cells) {
+    if (!is_value(grid, grid.frame.cell_at(centre - cells * cell_m * face), occupied_cell)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Surface surface_of(const Grid<std::uint8_t>& occupancy) {
@@ -85,7 +96,8 @@ Surface surface_of(const Grid<std::uint8_t>& occupancy) {
       bool faces = false;
       for (const Vec2 side : {normal, -normal}) {
         if (!is_line || !is_free_towards(occupancy, centre, side)) continue;
-        surface.push_back({place, side});
+        const bool filled = is_filled_behind(occupancy, centre, side);
+        surface.push_back({filled ? centre + 0.5 * frame.resolution_m * side : place, side});
         faces = true;
       }
       if (!faces) surface.push_back({centre, {}});

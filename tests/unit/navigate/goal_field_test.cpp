@@ -1,4 +1,5 @@
 #include "outrider/navigate/goal_field.hpp"
+#include "outrider/navigate/live_map.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ void wall(LiveMap& map, double gap_y, double half) {
 
 TEST(GoalField, IsTheStraightWayOnOpenGround) {
   GoalField field;
-  field.compute(LiveMap({}, {}), disk, fast(), {{4.0, 0.0}}, {});
+  field.compute({LiveMap({}, {}).frame(), {}}, disk, fast(), {{4.0, 0.0}}, Vec2{});
   EXPECT_NEAR(field.time_s({}).value_or(0.0), 4.0, 0.15);
   const auto down = field.downhill({});
   ASSERT_TRUE(down);
@@ -33,7 +34,7 @@ TEST(GoalField, LeadsThroughTheDoor) {
   LiveMap map({}, {});
   wall(map, 3.0, 0.6);
   GoalField field;
-  field.compute(map, disk, fast(), {{2.0, 0.0}}, {});
+  field.compute({map.frame(), map.places()}, disk, fast(), {{2.0, 0.0}}, Vec2{});
   const auto time_s = field.time_s({});
   ASSERT_TRUE(time_s);
   EXPECT_GT(*time_s, distance(Vec2{}, Vec2{1.0, 3.0}) + distance(Vec2{1.0, 3.0}, Vec2{2.0, 0.0}) - 0.5);
@@ -48,7 +49,7 @@ TEST(GoalField, KnowsNoWayThroughADoorThatIsTooNarrow) {
   LiveMap map({}, {});
   wall(map, 3.0, 0.15);
   GoalField field;
-  field.compute(map, disk, fast(), {{2.0, 0.0}}, {});
+  field.compute({map.frame(), map.places()}, disk, fast(), {{2.0, 0.0}}, Vec2{});
   EXPECT_FALSE(field.time_s({}));
   EXPECT_FALSE(field.downhill({}));
 }
@@ -57,7 +58,7 @@ TEST(GoalField, GoesToTheEdgeOfTheWindowForAGoalBeyond) {
   LiveMap map({}, {});
   wall(map, -2.0, 0.6);
   GoalField field;
-  field.compute(map, disk, fast(), {{60.0, 0.0}}, {});
+  field.compute({map.frame(), map.places()}, disk, fast(), {{60.0, 0.0}}, Vec2{});
   const auto time_s = field.time_s({});
   ASSERT_TRUE(time_s);
   EXPECT_GT(*time_s, 59.0);
@@ -69,7 +70,7 @@ TEST(GoalField, ARobotThatStandsTooNearToSomethingCanLeave) {
   LiveMap map({}, {});
   map.note_touch({0.05, 0.0}, 0.0);
   GoalField field;
-  field.compute(map, disk, fast(), {{4.0, 0.0}}, {});
+  field.compute({map.frame(), map.places()}, disk, fast(), {{4.0, 0.0}}, Vec2{});
   EXPECT_TRUE(field.time_s({}));
 }
 

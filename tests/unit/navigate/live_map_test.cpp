@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <vector>
 
 #include "outrider/core/units.hpp"
 
@@ -96,6 +98,62 @@ TEST(LiveMap, MovesItsMarksWithACorrection) {
   ASSERT_EQ(map.marks().size(), 1U);
   EXPECT_NEAR(distance(map.marks().front().place, Vec2{0.5, 1.0}), 0.0, 1e-12);
   EXPECT_TRUE(stands_at(map, {0.5, 1.0}));
+}
+
+LiveMap::Walls wall_at(double x) {
+  std::vector<Vec2> places;
+  for (double y = -1.0; y <= 1.0; y += 0.05) places.push_back({x, y});
+  return std::make_shared<const std::vector<Vec2>>(places);
+}
+
+TEST(LiveMap, KeepsTheWallsOfAMap) {
+  LiveMap map({}, {});
+  map.know(wall_at(3.0));
+  ASSERT_TRUE(stands_at(map, {3.0, 0.0}));
+  map.forget(1e5);
+  map.forget_but(1e5, 0.1);
+  EXPECT_TRUE(stands_at(map, {3.0, 0.0}));
+  map.know(nullptr);
+  EXPECT_FALSE(stands_at(map, {3.0, 0.0}));
+}
+
+TEST(LiveMap, MovesAWallToWhereItIsSeen) {
+  LiveMap map({}, {});
+  map.know(wall_at(2.06));
+  map.note(all_around(2.0), {});
+  EXPECT_TRUE(stands_at(map, {2.0, 0.0}));
+  EXPECT_FALSE(stands_at(map, {2.06, 0.0}));
+  map.forget(1e5);  // it is still a wall
+  EXPECT_TRUE(stands_at(map, {2.0, 0.0}));
+  EXPECT_FALSE(stands_at(map, {-2.0, 0.0}));
+}
+
+TEST(LiveMap, WallsThatBeamsPassAreGoneUntilTheWindowHasLeft) {
+  LiveMap map({}, {});
+  map.know(wall_at(3.0));
+  for (int i = 0; i < 10; ++i) map.note(all_around(6.0), {});
+  EXPECT_FALSE(stands_at(map, {3.0, 0.0}));
+  map.follow({4.0, 0.0});
+  EXPECT_FALSE(stands_at(map, {3.0, 0.0}));
+  map.follow({40.0, 0.0});
+  map.follow({0.0, 0.0});
+  EXPECT_TRUE(stands_at(map, {3.0, 0.0}));
+}
+
+TEST(LiveMap, RemembersForAWhileWhatItHasLeftBehind) {
+  LiveMapOptions options;
+  LiveMap map(options, {});
+  map.note(all_around(2.0, 0.0), {});
+  map.follow({40.0, 0.0});
+  EXPECT_TRUE(map.behind().empty());  // seen once
+  map.follow({});
+  for (int i = 0; i < 10; ++i) map.note(all_around(2.0, 1.0), {});
+  map.follow({40.0, 0.0});
+  EXPECT_GT(map.behind().size(), 100U);
+  map.forget(options.remember_s);
+  EXPECT_GT(map.behind().size(), 100U);
+  map.forget(options.remember_s + 1.5);
+  EXPECT_TRUE(map.behind().empty());
 }
 
 }  // namespace

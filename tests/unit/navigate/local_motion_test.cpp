@@ -30,7 +30,7 @@ struct ObedientRobot {
   /// Drives until it arrives or the time is over; returns whether it arrived.
   bool to(Vec2 goal, LocalMotion& rule, double limit_s) {
     GoalField field;
-    field.compute(map, body, robot, {goal}, pose.position);
+    field.compute({map.frame(), map.places()}, body, robot, {goal}, pose.position);
     Surroundings near;
     for (double t = 0.0; t < limit_s; t += 0.05) {
       near.look(map, pose.position, 4.0);

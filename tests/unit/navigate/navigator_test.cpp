@@ -42,7 +42,7 @@ struct Result {
 Result drive(const World& world, const NavigatorSetup& setup, Vec2 goal, double limit_s,
              const ExplorerSimParams& params) {
   SimulatedRobot robot = simulated_explorer(world, {}, setup.robot, params, 5);
-  auto navigator = Navigator::make(setup, {});
+  auto navigator = Navigator::make(setup, Pose2{});
   Result result;
   while (robot.time_s() < limit_s) {
     result.progress = navigator->perceive(robot.sense()).progress;
@@ -89,7 +89,7 @@ TEST(Navigator, GivesUpAHeadingThatItCannotTurnTo) {
   NavigatorSetup setup = small_robot();
   setup.options.most_recoveries = 3;
   SimulatedRobot robot = simulated_explorer(world, {{-1.5, 0.0}, 0.0}, setup.robot, devices(setup), 5);
-  auto navigator = Navigator::make(setup, {{-1.5, 0.0}, 0.0});
+  auto navigator = Navigator::make(setup, Pose2{{-1.5, 0.0}, 0.0});
   Progress progress;
   while (robot.time_s() < 300.0 && progress.state == Progress::State::underway) {
     progress = navigator->perceive(robot.sense()).progress;
@@ -123,7 +123,7 @@ TEST(Navigator, StandsWithoutScans) {
 }
 
 TEST(Navigator, BearsObservationsThatMakeNoSense) {
-  auto navigator = Navigator::make(small_robot(), {});
+  auto navigator = Navigator::make(small_robot(), Pose2{});
   Observation seen;
   const double nan = std::nan("");
   for (int i = 0; i < 50; ++i) {
@@ -141,12 +141,12 @@ TEST(Navigator, BearsObservationsThatMakeNoSense) {
 TEST(Navigator, RefusesUnknownRows) {
   NavigatorSetup setup = small_robot();
   setup.motion.rule = "sample";
-  const auto refused = Navigator::make(setup, {});
+  const auto refused = Navigator::make(setup, Pose2{});
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().sentence.find("sampled"), std::string::npos) << refused.error().sentence;
   setup.motion.rule = "dwa";
   setup.options.localiser = "gps";
-  EXPECT_FALSE(Navigator::make(setup, {}));
+  EXPECT_FALSE(Navigator::make(setup, Pose2{}));
 }
 
 }  // namespace

@@ -9,7 +9,11 @@
 //   goal: "2.5,2.5,45"
 //   planner: visibility_graph               # a path planner of 'outrider list'
 //
-// With `loop: laser` the navigator drives there by a range finder, around what stands in the way.
+// With `loop: laser` the navigator drives there by a range finder, around what stands in the way:
+//   loop: laser
+//   map: office.yaml                        # what it knows; none: nothing. Without a world, that is the map,
+//   too things: "3,2,0.5,0.4 5,1,0.2"           # boxes (x,y,length,width) and posts (x,y,radius) that no map
+//   has goal: "6.5,4.6,90"                      # or waypoints
 //
 // describe() has the other keys: the robot, its loop (open or closed), the source of images (rendered or
 // modelled), and the sections follow, pid, reckoning, localise, camera, rules, route, laser, wheels,
@@ -33,7 +37,9 @@ namespace outrider {
 
 /// The settings of the job.
 struct DriveScenario {
-  std::string world;            ///< path of an SDF file; empty: open ground around waypoints and tags
+  std::string world;            ///< path of a world; empty: the map, or open ground around waypoints and tags
+  std::string map;              ///< path of the map of cells that a robot with a laser has; empty: none
+  std::string things;           ///< as above
   SdfOptions sdf;               ///< where it finds models
   std::string bounds;           ///< low x, low y, high x, high y in m; empty: the box of the walls
   std::string start = "0,0,0";  ///< x, y in m, heading in degrees

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "outrider/estimate/camera.hpp"
 #include "outrider/estimate/localise.hpp"
 #include "outrider/jobs/drive/localisation/dead_reckoning.hpp"
+#include "outrider/slam/map/map_localiser.hpp"
 #include "outrider/world/world.hpp"
 
 namespace outrider {
@@ -51,8 +53,9 @@ std::vector<Option> describe(DriveRules& rules);
 
 /// The settings.
 struct DriveTask {
-  World world;  ///< obstacles
-  TagMap tags;  ///< poses of the tags
+  World world;                         ///< obstacles
+  TagMap tags;                         ///< poses of the tags
+  std::optional<KnownMap> known = {};  ///< the map that a robot with a laser has
   Chassis chassis = mecanum_chassis(0.03, 0.1225);
   double radius_m = 0.15;           ///< of a disk that contains the robot
   Pose2 start;                      ///< exact

@@ -18,6 +18,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 
 #include "outrider/slam/laser/laser_slam.hpp"
 
@@ -41,9 +42,11 @@ struct MapLocaliserStep {
 
 class MapLocaliser {
  public:
-  /// Begins anywhere. Of the options it uses `reach_m`, `robot_T_laser` and those of the odometry. Faults:
-  /// bad_input for options out of range, and for a map without a surface or of more than 500 m by 500 m.
-  static Outcome<MapLocaliser> begin(KnownMap map, const LaserSlamOptions& options);
+  /// Begins anywhere, or where the robot is told to be, give or take 0.5 m and 15 degrees. Of the options it
+  /// uses `reach_m`, `robot_T_laser` and those of the odometry. Faults: bad_input for options out of range, a
+  /// start that is not finite, and a map without a surface or of more than 500 m by 500 m.
+  static Outcome<MapLocaliser> begin(KnownMap map, const LaserSlamOptions& options,
+                                     const std::optional<Pose2>& start = {});
 
   MapLocaliser(MapLocaliser&&) noexcept;
   MapLocaliser& operator=(MapLocaliser&&) noexcept;

@@ -39,6 +39,7 @@ NavigatorSetup setup_of(const DriveTask& task, double height_m, const LaserDrive
   setup.options = options.navigator;
   setup.map = options.live_map;
   setup.motion = options.motion;
+  setup.known = task.known;
   return setup;
 }
 
@@ -47,6 +48,7 @@ ExplorerSimParams devices_of(const LaserDriveOptions& options, const Footprint& 
   params.laser = options.laser;
   params.wheels = options.wheels;
   params.footprint = footprint;
+  params.faults.walk_ins = options.walk_ins;
   return params;
 }
 
@@ -77,7 +79,7 @@ class LaserDrive {
     while (next_ < task_.waypoints.size() && reason_.empty()) {
       const Observation seen = robot_.sense();
       const Situation now = navigator_.perceive(seen);
-      belief_error_m_ = std::max(belief_error_m_, distance(now.pose.position, robot_.pose().position));
+      if (navigator_.is_located()) note_belief(now);
       note(seen, now);
       if (answered_) judge(now);
       if (watch.stopped()) return false;
@@ -102,6 +104,11 @@ class LaserDrive {
     if (to.stop) order.heading_rad = to.pose.heading_rad;
     order.within_rad = options_.within_rad;
     return order;
+  }
+
+  void note_belief(const Situation& now) {
+    if (located_m_ < 0.0) located_m_ = robot_.body<TwistBody>().driven_m();
+    belief_error_m_ = std::max(belief_error_m_, distance(now.pose.position, robot_.pose().position));
   }
 
   void judge(const Situation& now) {
@@ -147,6 +154,7 @@ class LaserDrive {
     next_log_s_ = now.time_s + log_every_s - 1e-9;
     log_pose(log_, now.time_s, robot_.pose());
     log_odometry(log_, now.time_s, seen.odometry);
+    if (!navigator_.is_located()) return;
     log_belief(log_, now.time_s, now.pose, now.covariance, false);
     if (answered_) log_plan(log_, now.time_s, navigator_.field().way(now.pose.position, most_way_m));
   }
@@ -174,6 +182,7 @@ class LaserDrive {
   std::size_t next_ = 0;
   bool answered_ = false;  // the navigator has had the order to the next waypoint
   std::string reason_;
+  double located_m_ = -1.0;
   double belief_error_m_ = 0.0;
   std::int64_t false_arrivals_ = 0;
   std::int64_t recoveries_ = 0;
@@ -203,6 +212,7 @@ Report LaserDrive::report() const {
                     {"time_s", robot_.time_s()},
                     {"contacts", static_cast<double>(body.contacts())},
                     {"recoveries", static_cast<double>(recoveries_)},
+                    {"located_m", located_m_},
                     {"belief_error_m", belief_error_m_},
                     {"false_arrivals", static_cast<double>(false_arrivals_)}};
   report.tables = {table()};
@@ -220,9 +230,13 @@ std::vector<OptionGroup> describe(LaserDriveOptions& options) {
         "its disk",
         &options.footprint},
        {"within", "m", 0.01, 10.0, "distance from a waypoint within which it is reached", &options.within_m},
-       {"within_heading", "deg", 0.1, 180.0, "the same of the heading at a stop", &options.within_rad}});
+       {"within_heading", "deg", 0.1, 180.0, "the same of the heading at a stop", &options.within_rad},
+       {"start_unknown", "", 0, 0, "the robot is not told where on its map it starts",
+        &options.start_unknown}});
   return {{"laser", "its range finder, of a drive by laser", describe(options.laser)},
           {"wheels", "its wheels and how they count wrong, of a drive by laser", describe(options.wheels)},
+          {"walk_ins", "who walks there, and what is put in the way of a drive by laser",
+           describe(options.walk_ins)},
           {"navigator", "how it gets there by laser", navigator},
           {"live_map", "what it remembers of what it sees", describe(options.live_map)},
           {"motion", "how the next motion is found", describe(options.motion)}};
@@ -237,7 +251,7 @@ Outcome<Report> run_laser_drive(const DriveTask& task, double height_m, const La
     footprint = Footprint(std::move(*shape));
   }
   const NavigatorSetup setup = setup_of(task, height_m, options, footprint);
-  auto navigator = Navigator::make(setup, task.start);
+  auto navigator = Navigator::make(setup, options.start_unknown ? std::nullopt : std::optional(task.start));
   if (!navigator) return pass_on(navigator);
   log_scene(log, run_info("drive", seed, task.world, setup.robot.radius_m), task.world, height_m);
   log_mount(log, "laser", options.laser.robot_T_laser, options.laser.height_m);

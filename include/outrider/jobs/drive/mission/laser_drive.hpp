@@ -1,5 +1,6 @@
 // A drive by laser: the navigator (navigate/navigator.hpp) takes a robot with a range finder from waypoint to
-// waypoint, around what stands there. The robot has no map.
+// waypoint, around what stands there and who walks there. The robot has a map, or none, or one that lacks
+// things.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +21,10 @@ struct LaserDriveOptions {
   std::string footprint;             ///< corners or radius (parse_footprint()); empty: the disk of the robot
   double within_m = 0.15;            ///< distance from a waypoint at which the robot has arrived
   double within_rad = radians(5.0);  ///< the same of the heading at a stop
+  bool start_unknown = false;        ///< the robot is not told where on its map it starts
   RangeFinderModel laser;
   ExplorerWheels wheels;
+  WalkInOptions walk_ins;
   NavigatorOptions navigator;
   LiveMapOptions live_map;
   LocalMotionOptions motion;
@@ -29,14 +32,15 @@ struct LaserDriveOptions {
 /// Describes the options, by section of a scenario.
 std::vector<OptionGroup> describe(LaserDriveOptions& options);
 
-/// Drives the task, of which it uses world, start, waypoints, radius and the limits of `follow`, with a
-/// simulated robot on two wheels, and logs the drive. The status is "done" if the robot arrived at every
-/// waypoint, was truly there within twice the tolerance, and touched nothing. A pure function of its
+/// Drives the task, of which it uses world, start, known map, waypoints, radius and the limits of `follow`,
+/// with a simulated robot on two wheels, and logs the drive. The status is "done" if the robot arrived at
+/// every waypoint, was truly there within twice the tolerance, and touched nothing. A pure function of its
 /// arguments, but for the watch. Faults: those of parse_footprint() and Navigator::make(). Metrics:
 ///   driven_m, ideal_m, turned_rad, ideal_rad   of the true robot; along straight legs through the waypoints
 ///   time_s, contacts
 ///   recoveries              most ways out of a place where nothing went on, in a row
-///   belief_error_m          largest error of the believed position
+///   located_m               way driven until the robot knew where it is; -1 if it never did
+///   belief_error_m          largest error of the position that it believed to know
 ///   false_arrivals          waypoints called reached where the robot was not
 /// and the table "waypoints" as run_drive() has it.
 Outcome<Report> run_laser_drive(const DriveTask& task, double height_m, const LaserDriveOptions& options,

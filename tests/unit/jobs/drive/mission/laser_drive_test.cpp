@@ -7,6 +7,7 @@
 #include "outrider/jobs/drive/job.hpp"
 #include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
+#include "support/building.hpp"
 #include "support/run_bytes.hpp"
 
 namespace outrider {
@@ -88,6 +89,126 @@ TEST(LaserDrive, DoesNotClaimPlacesWhereItIsNot) {
     }
   }
   EXPECT_GT(off, 0);
+}
+
+// ---- On a known map -------------------------------------------------------------------------------
+
+/// Rooms at a corridor, with letters of 0.5 m; no two places look alike.
+const std::vector<std::string> office = {
+    "############################################", "#          #            #        #         #",
+    "#          #            #        #         #", "#          #            #                  #",
+    "#    ##                 #        #         #", "#    ##    #            #        #         #",
+    "#          #      #     #        #         #", "#          #      #     #        #         #",
+    "#####  #########  ########  ########  ######", "#                                          #",
+    "#                                          #", "#                                    #     #",
+    "####  ###############  #######  ############", "#         #               #                #",
+    "#         #               #         ##     #", "#         #         ##    #         ##     #",
+    "#                         #                #", "#         #                                #",
+    "#         #               #                #", "############################################",
+};
+
+DriveTask office_drive(const std::vector<std::string>& rows, const Pose2& start, const Pose2& goal) {
+  test::Building building = test::building(rows, 0.5, 5);
+  DriveTask task;
+  task.world = std::move(building.world);
+  task.known = std::move(building.map);
+  task.start = start;
+  task.waypoints = {{goal}};
+  task.follow.speed_mps = 0.8;
+  task.follow.acceleration_mps2 = 1.5;
+  task.follow.turn_rate_radps = 1.5;
+  return task;
+}
+
+LaserDriveOptions near_sighted() {
+  LaserDriveOptions how = options();
+  how.live_map.reach_m = 4.0;  // the goal is far outside
+  return how;
+}
+
+constexpr Pose2 first_room{{2.0, 8.0}, 0.5}, last_room{{20.0, 1.0}, 1.5};
+
+TEST(LaserDriveOnMap, GoesFromRoomToRoomAroundThings) {
+  DriveTask task = office_drive(office, first_room, last_room);
+  task.world.solids.push_back(crate({8.0, 4.7}, {0.5, 0.9}));
+  task.world.solids.push_back(crate({17.0, 2.4}, {0.8, 0.8}));
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Log log;
+    const Report report = driven(task, near_sighted(), log, seed);
+    EXPECT_EQ(report.status, "done") << report.reason;
+    EXPECT_EQ(metric(report, "contacts"), 0.0);
+    EXPECT_EQ(metric(report, "located_m"), 0.0);
+    EXPECT_LT(metric(report, "belief_error_m"), 0.15);
+    EXPECT_LT(metric(report, "time_s"), 70.0);
+  }
+}
+
+TEST(LaserDriveOnMap, FindsOutWhereItStarts) {
+  LaserDriveOptions how = near_sighted();
+  how.start_unknown = true;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Log log;
+    const Report report = driven(office_drive(office, {{7.0, 7.0}, -2.0}, last_room), how, log, seed);
+    EXPECT_EQ(report.status, "done") << report.reason;
+    EXPECT_GT(metric(report, "located_m"), 0.0);
+    EXPECT_LT(metric(report, "located_m"), 10.0);
+    EXPECT_EQ(metric(report, "contacts"), 0.0);
+  }
+}
+
+TEST(LaserDriveOnMap, TakesAnotherWayWhereADoorIsClosed) {
+  std::vector<std::string> rows = office;
+  rows[12][30] = rows[12][31] = 'D';  // the door to the last room; there is another one in its side
+  Log log;
+  const Report report = driven(office_drive(rows, first_room, last_room), near_sighted(), log);
+  EXPECT_EQ(report.status, "done") << report.reason;
+  EXPECT_EQ(metric(report, "contacts"), 0.0);
+  Log open;
+  const Report quicker = driven(office_drive(office, first_room, last_room), near_sighted(), open);
+  EXPECT_GT(metric(report, "time_s"), metric(quicker, "time_s") + 5.0);
+}
+
+TEST(LaserDriveOnMap, SaysThatAllWaysAreClosed) {
+  std::vector<std::string> rows = office;
+  rows[12][30] = rows[12][31] = rows[17][26] = 'D';
+  LaserDriveOptions how = near_sighted();
+  how.navigator.most_recoveries = 4;
+  Log log;
+  const Report report = driven(office_drive(rows, first_room, last_room), how, log);
+  EXPECT_EQ(report.status, "not_done");
+  EXPECT_NE(report.reason.find("waypoint 1 was not reached"), std::string::npos) << report.reason;
+  EXPECT_EQ(metric(report, "contacts"), 0.0);
+}
+
+TEST(LaserDriveOnMap, GoesThroughADoorThatTheMapDoesNotHave) {
+  std::vector<std::string> rows = office;
+  rows[12][30] = rows[12][31] = rows[17][26] = '#';
+  rows[12][38] = rows[12][39] = 'O';
+  Log log;
+  // It does not know that door, so it looks for no way there and says so.
+  LaserDriveOptions how = near_sighted();
+  how.navigator.most_recoveries = 4;
+  const Report report = driven(office_drive(rows, first_room, last_room), how, log);
+  EXPECT_EQ(report.status, "not_done");
+  // Beside it, it sees the door and goes through.
+  Log beside;
+  const Report seen = driven(office_drive(rows, {{19.2, 4.5}, -1.5}, last_room), how, beside);
+  EXPECT_EQ(seen.status, "done") << seen.reason;
+  EXPECT_EQ(metric(seen, "contacts"), 0.0);
+}
+
+TEST(LaserDriveOnMap, PassesPeople) {
+  DriveTask task = office_drive(office, first_room, last_room);
+  LaserDriveOptions how = near_sighted();
+  how.walk_ins.people = 6;
+  int done = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Log log;
+    const Report report = driven(task, how, log, seed);
+    EXPECT_EQ(metric(report, "contacts"), 0.0) << report.reason;
+    done += report.status == "done" ? 1 : 0;
+  }
+  EXPECT_EQ(done, 3);
 }
 
 TEST(LaserDrive, GivesTheSameBytesAgain) {
