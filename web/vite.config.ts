@@ -48,5 +48,6 @@ export default defineConfig(({ mode }) => ({
     },
   },
   plugins: mode === "viewer" ? [oneFile()] : [],
-  test: { include: ["tests/unit/**/*.test.ts"], testTimeout: 300_000, hookTimeout: 300_000 },  // a busy machine is slow
+  // One process for all files: each would load the packages again. A busy machine is slow.
+  test: { include: ["tests/unit/**/*.test.ts"], isolate: false, fileParallelism: false, testTimeout: 300_000, hookTimeout: 300_000 },
 }));

@@ -1,6 +1,6 @@
-// site.mjs [OUT]: builds the docs site in OUT, ../out/site unless given. Its sources are the Markdown of the repository and
-// the pages that the tool wrote to build/docs: links and pictures are followed from docs/index.md and README.md, and what
-// they name becomes a page.
+// site.mjs [OUT [--sources]]: builds the docs site in OUT, ../out/site unless given; with --sources OUT gets the Markdown of its
+// pages instead. Its sources are the Markdown of the repository and the pages that the tool wrote to build/docs: links and
+// pictures are followed from docs/index.md and README.md, and what they name becomes a page.
 import { spawnSync } from "node:child_process";
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { dirname, join, posix, resolve } from "node:path";
@@ -122,6 +122,11 @@ stage("docs/index.md");
 for (const file of below("docs", /[.]md$/)) stage(file);
 write("sidebar.json", JSON.stringify(sidebar()));
 for (const file of notebooks) rmSync(join(staged, file.replace(/[.]ipynb$/, ".md")), { force: true });  // its page has its text
+if (process.argv[3] === "--sources") {
+  rmSync(out, { recursive: true, force: true });
+  cpSync(staged, out, { recursive: true });
+  process.exit(0);
+}
 await build(staged, { outDir: out, emptyOutDir: true });
 if (frames.size > 0) cpSync(join(wasm, "plan.html"), join(out, "plan.html"));
 for (const file of pictures) cpSync(join(root, file), join(out, file));  // pages show copies, but links lead to these

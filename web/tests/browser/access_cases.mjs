@@ -15,7 +15,7 @@ const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.mi
 async function findings(page, part, colours = false) {
   if (!await page.evaluate(() => "axe" in window)) await page.evaluate(axe);
   return page.evaluate(async ([within, only]) => {
-    const { violations } = await window.axe.run(within, { resultTypes: ["violations"], ...(only ? { runOnly: ["color-contrast"] } : {}) });
+    const { violations } = await window.axe.run(within, { resultTypes: ["violations"], preload: false, iframes: false, ...(only ? { runOnly: ["color-contrast"] } : {}) });
     return violations.flatMap(({ id, nodes }) => nodes.map(({ target, any, all }) => `${id} at ${target}: ${[...any, ...all].map(({ message }) => message).join("; ").slice(0, 160)}`));
   }, [part, colours]);
 }
@@ -61,10 +61,10 @@ async function coveredRoom({ url }) {
   return id;
 }
 
-export const cases = ({ open, text, frames, server, folder }) => ({
+export const cases = ({ open, blank, text, frames, server, folder }) => ({
   async "axe-core finds nothing in any view, on a live run or in an open menu, light, dark or in forced colours; each has one heading of its own"() {
     const id = await coveredRoom(server);
-    const page = await open();
+    const page = await blank();
     const found = [];
     const audit = async (name, part = "html", colours = false) => { for (const one of await findings(page, part, colours)) found.push(`${name}: ${one}`); };
     const inAllColours = async (name, part) => {
@@ -118,11 +118,10 @@ export const cases = ({ open, text, frames, server, folder }) => ({
     await page.keyboard.press("m");
     await audit("film");
     assert.equal(found.length, 0, `${found.length} findings\n${found.slice(0, 20).join("\n")}`);
-    await page.close();
   },
 
   async "at twice the zoom and on a phone no view is wider than the window, and every control can be reached and is covered by nothing"() {
-    const page = await open("", { reducedMotion: "reduce" });
+    const page = await blank();
     const found = [];
     const id = await coveredRoom(server);
     const narrow = views.filter(([, , part]) => !part || part === ".stage");
@@ -136,7 +135,6 @@ export const cases = ({ open, text, frames, server, folder }) => ({
       }
     }
     assert.equal(found.length, 0, `${found.length} findings\n${found.slice(0, 30).join("\n")}`);
-    await page.close();
   },
 
   async "keys of a single character are switched off and on; what changes by itself is announced"() {
@@ -163,11 +161,9 @@ export const cases = ({ open, text, frames, server, folder }) => ({
     assert.equal(await dark(), true);
     await page.goto(`${server.url}#plan/maps/gallery.map?planner=a_star`);
     await until("the answer", async () => (await text(page, ".announced")).startsWith("A*: path found, cost "));
-    await page.close();
-    const other = await open();
+    const other = await blank();
     const run = await tellRun(other, await contentsOf(readFileSync(join(folder, "runs/yard/run.mcap"))));
     run.upTo(5);
-    await other.goto("about:blank");
     await other.goto(`${server.url}#live/told`);
     const told = (words) => until(words, async () => (await text(other, ".announced")).startsWith(words));
     await other.waitForSelector(".targets tbody");
@@ -178,6 +174,5 @@ export const cases = ({ open, text, frames, server, folder }) => ({
     run.upTo(1e9);
     run.end();
     await told("Done");
-    await other.close();
   },
 });

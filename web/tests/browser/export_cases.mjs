@@ -12,7 +12,7 @@ const played = (page, bytes) => page.evaluate(async (text) => {
   return { width: video.videoWidth, height: video.videoHeight, duration: video.duration };
 }, bytes.toString("base64"));
 
-export const cases = ({ open, text, frames }) => ({
+export const cases = ({ open, blank, text, frames }) => ({
   async "one menu saves the view as PNG and SVG, a film by the encoder of the browser, the numbers and the log"() {
     const page = await open("#watch/runs/yard/run.mcap?t=20");
     await page.waitForSelector(".targets tbody");
@@ -37,10 +37,8 @@ export const cases = ({ open, text, frames }) => ({
       assert.match(await text(page, ".film .hint"), /^10 frames/);
       await page.locator(".film button[type=submit]").click();
     });
-    const player = await open();
-    await player.goto("about:blank");  // the page itself plays nothing, and its policy says so
-    const shown = await played(player, film);
-    await player.close();
+    const other = await blank();
+    const shown = await played(other, film);  // the page itself plays nothing, and its policy says so
     assert.deepEqual([shown.width, shown.height], [width & ~1, height & ~1]);
     assert.ok(Math.abs(shown.duration - 1) < 0.11, `${shown.duration} s`);
     await page.goto(page.url().replace(/#.*/, "#plan/maps/gallery.map?planner=a_star"));
@@ -49,24 +47,20 @@ export const cases = ({ open, text, frames }) => ({
     assert.equal(answer.status, "done");
     assert.ok(answer.waypoints.length >= 2);
     // Before an answer, and while a run goes on, there is nothing to save yet: the menu says when there will be.
-    const waits = await open();
-    await waits.routeWebSocket("**/api/v1/live", () => undefined);
-    await waits.goto("about:blank");
-    await waits.goto(page.url());
-    await waits.waitForSelector(".plan-page");
-    await waits.click('.stage-tools button[aria-label="Export"]');
-    const json = waits.locator(".menu [role=menuitem]", { hasText: "JSON" });
+    await other.routeWebSocket("**/api/v1/live", () => undefined);
+    await other.goto(page.url());
+    await other.waitForSelector(".plan-page");
+    await other.click('.stage-tools button[aria-label="Export"]');
+    const json = other.locator(".menu [role=menuitem]", { hasText: "JSON" });
     assert.equal(await json.getAttribute("aria-disabled"), "true");
     assert.match(await json.textContent(), /when the answer is there/);
     let files = 0;
-    waits.on("download", () => { ++files; });
+    other.on("download", () => { ++files; });
     await json.click({ force: true });  // as somebody would who tries
-    await waits.keyboard.press("Escape");
-    await waits.keyboard.press("J");
-    assert.match(await text(waits, ".announced"), /^JSON: when the answer is there/);
-    await frames(waits);
+    await other.keyboard.press("Escape");
+    await other.keyboard.press("J");
+    assert.match(await text(other, ".announced"), /^JSON: when the answer is there/);
+    await frames(other);
     assert.equal(files, 0);
-    await waits.close();
-    await page.close();
   },
 });

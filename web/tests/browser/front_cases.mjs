@@ -39,7 +39,6 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     await frames(page);
     await compareShot(page, "front-phone-dark", output);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "the page is wider than the window");
-    await page.close();
   },
 
   async "the example moves, pauses, and rests out of sight; where no motion is wanted it waits for the button"() {
@@ -65,17 +64,16 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     const out = await time(page);
     await page.evaluate(() => document.querySelector(".hero").scrollIntoView());
     await until("more of it", async () => await time(page) !== out);
-    await page.close();
-    const calm = await open();
-    await until("the example", () => calm.locator(".hero .play").isEnabled());
-    await frames(calm);
-    const still = await time(calm);
-    await calm.waitForTimeout(300);
-    assert.equal(await time(calm), still);
-    await calm.focus(".hero .play");
-    await calm.keyboard.press("Enter");
-    await until("time to pass", async () => await time(calm) !== still);
-    await calm.close();
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await page.reload();
+    await until("the example", () => page.locator(".hero .play").isEnabled());
+    await frames(page);
+    const still = await time(page);
+    await page.waitForTimeout(300);
+    assert.equal(await time(page), still);
+    await page.focus(".hero .play");
+    await page.keyboard.press("Enter");
+    await until("time to pass", async () => await time(page) !== still);
   },
 
   async "a card for each scenario says what its file says, and has the picture of its ground; one click runs it"() {
@@ -109,7 +107,6 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     await page.waitForSelector(".live-page .verdict");
     assert.equal((await page.evaluate(() => location.hash)).split("?")[0], run.split("?")[0]);
     rmSync(join(folder, "broken.yaml"));
-    await page.close();
   },
 
   async "the example can be watched from the first start, and is what the tool writes today"() {
@@ -118,7 +115,6 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     await page.waitForSelector(".targets tbody");
     assert.match(await text(page, ".verdict"), /^Done/);
     assert.match(await page.title(), /^yard.*, done \u2013/);
-    await page.close();
     const types = async (file) => [...(await contentsOf(readFileSync(file))).channels.values()]
       .map(({ topic, schema }) => `${topic} ${schema.name} ${schema.encoding} ${new TextDecoder().decode(schema.data)}`).sort();
     assert.deepEqual(await types(example), await types(join(folder, "runs/yard/run.mcap")), "make it anew: make pictures, or web/build/example.mjs");
@@ -133,6 +129,5 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     assert.equal(await row("maps/gallery.map"), "grid map (MovingAI)");
     assert.equal(await row("yard/yard.sdf"), "world (SDF)");
     assert.doesNotMatch(await page.locator(".groups").textContent(), /\d (B|kB|MB)\b/);
-    await page.close();
   },
 });

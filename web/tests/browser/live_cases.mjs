@@ -19,7 +19,7 @@ function heldCopy(server, folder, path, name) {
 const samples = (page) => page.evaluate(() => Number(document.querySelector(".live-page").dataset.samples ?? 0));
 const atTheStart = 2;
 
-export const cases = ({ open, text, server, folder }) => ({
+export const cases = ({ open, blank, text, server, folder }) => ({
   async "a mission is drawn while it runs; who comes in the middle sees it from the start; it is cancelled, another is run"() {
     const held = heldCopy(server, folder, "waypoints/closed_loop.yaml", "held.yaml");
     const page = await open(`#live?scenario=${held}`);
@@ -43,7 +43,6 @@ export const cases = ({ open, text, server, folder }) => ({
     await grows(late, seen);
     await page.click(".run-head .button");
     for (const one of [page, late]) await one.waitForSelector('.live-page[data-state="cancelled"]');
-    await late.close();
     rmSync(join(folder, held));
     await page.goto(`${server.url}#live?scenario=pursuit/park.yaml`);
     await page.waitForSelector(".start button:enabled");
@@ -56,7 +55,6 @@ export const cases = ({ open, text, server, folder }) => ({
     const bounds = (await page.locator(".why li span").allTextContents()).map((one) => Number(one.match(/none costs less than ([\d.]+)/)[1]));
     assert.ok(bounds.length > 1 && bounds.every((one, i) => i === 0 || one >= bounds[i - 1]) && bounds.at(-1) > bounds[0], `they rise: ${bounds}`);
     assert.match((await page.locator(".why li span").allTextContents()).at(-1), /it is the best$/);
-    await page.close();
   },
 
   async "a yard is drawn at once, with its start and its targets, while its tour is planned"() {
@@ -95,7 +93,6 @@ export const cases = ({ open, text, server, folder }) => ({
     await page.click(".run-head .button");
     await page.waitForSelector('.live-page[data-state="cancelled"]');
     rmSync(join(folder, held));
-    await page.close();
   },
 
   async "while a yard is planned it shows from where targets can be hit, then the tour as it becomes faster"() {
@@ -122,18 +119,16 @@ export const cases = ({ open, text, server, folder }) => ({
     await page.click(".run-head .button");
     await page.waitForSelector('.live-page[data-state="cancelled"]');
     rmSync(join(folder, held));
-    await page.close();
   },
 
   async "in space, too, planning shows the firing map, then each faster tour; both are layers, which end with the planning"() {
-    const page = await open();
+    const page = await blank();
     const yard = await contentsOf(readFileSync(join(folder, "runs/yard/run.mcap")));
     let later = 0;
     const messages = yard.messages.map((one) => (one.topic === "/firing_map" ? { ...one, t: 0.001 } : one.topic === "/tours" ? { ...one, t: 0.002 + 0.001 * later++ } : one.topic.match(/^.(run|solids|scene)$/) ? one : { ...one, t: one.t + 1 }));
     assert.ok(later >= 2, `${later} tours`);
     const run = await tellRun(page, { ...yard, messages });
     run.upTo(0);
-    await page.goto("about:blank");
     await page.goto(`${server.url}#live/told?view=3d`);
     await page.waitForSelector(".space-view canvas");
     const picture = () => rested(page, ".space-view canvas");
@@ -170,14 +165,12 @@ export const cases = ({ open, text, server, folder }) => ({
     run.upTo(1e9);
     run.end();
     await page.waitForSelector(".live-page .verdict");
-    await page.close();
   },
 
   async "a running mission is watched with everything, left and come back to; its end keeps the time, the tab and the view"() {
-    const page = await open();
+    const page = await blank();
     const run = await tellRun(page, await contentsOf(readFileSync(join(folder, "runs/yard/run.mcap"))));
     run.upTo(10);
-    await page.goto("about:blank");  // what stands in for the server is there from the next page on
     await page.goto(`${server.url}#live/told`);
     const clock = async () => (await text(page, ".transport .clock")).split(" / ").map((time) => time.split(":").reduce((sum, part) => 60 * sum + Number(part), 0));
     const stands = (at, after) => until(`the clock at ${at} of more than ${after} s`, async () => {
@@ -224,7 +217,6 @@ export const cases = ({ open, text, server, folder }) => ({
     assert.ok(await page.locator(".space-view canvas").isVisible() && await page.locator(".plots canvas").first().isVisible());
     await until("the address", async () => /#live\/told\?.*t=3\.00/.test(await page.evaluate(() => location.hash)));
     assert.match(await page.evaluate(() => location.hash), /tab=plots.*view=3d|view=3d.*tab=plots/);
-    await page.close();
   },
 
   async "a plan that was run is shown with its search, not the log that it leaves; what cannot run is not offered"() {
@@ -242,6 +234,5 @@ export const cases = ({ open, text, server, folder }) => ({
     assert.ok(offered.includes("pursuit/park.yaml"));
     for (const name of ["dance.yaml", "maps/gallery.yaml", "waypoints/calibration.yaml"]) assert.ok(!offered.includes(name), name);
     for (const name of ["dance.yaml", "maps/gallery.yaml"]) rmSync(join(folder, name));
-    await page.close();
   },
 });

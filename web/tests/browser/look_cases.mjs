@@ -52,7 +52,6 @@ export const cases = ({ open, text, frames, server, folder }) => ({
       await frames(page);
       assert.notEqual(await picture(".space-view canvas"), before, name);
     }
-    await page.close();
   },
 
   async "plots: a drag shows a part of the time in all, lanes tell the states, any number of any channel is added and removed"() {
@@ -98,7 +97,6 @@ export const cases = ({ open, text, frames, server, folder }) => ({
     await page.waitForSelector(".plots figure .quiet");
     await page.click(".plots figure .quiet");
     await until("one less", async () => await numbers.count() === count);
-    await page.close();
   },
 
   async "what is selected in plan or space shows the fields of its message, and so does any channel; the ruler measures"() {
@@ -132,7 +130,6 @@ export const cases = ({ open, text, frames, server, folder }) => ({
     const space = await page.locator(".space-view canvas").boundingBox();
     await page.mouse.click(space.x + 0.51 * space.width, space.y + 0.45 * space.height);
     await until("the house again", async () => await text(page, ".messages h2") === name && (await text(page, ".fields")).startsWith(`name${name}kind`));
-    await page.close();
   },
 
   async "why: the stops of the tour with those that each serves, what the bound says, and where nobody could be hit from"() {
@@ -148,7 +145,6 @@ export const cases = ({ open, text, frames, server, folder }) => ({
     assert.match(await text(page, ".why .about"), new RegExp(`^The plan takes ${metrics.planned_s.toFixed(1)} s\\. None takes less than ${metrics.lower_bound_s.toFixed(1)} s.* of all missions, standing or on the move`));
     await page.locator(".why li button").nth(1).click();
     await until("its time", () => page.locator(".why li").nth(1).evaluate((one) => one.hasAttribute("aria-current")));
-    await page.close();
   },
 
   async "the palette finds commands and files by a few letters"() {
@@ -165,6 +161,5 @@ export const cases = ({ open, text, frames, server, folder }) => ({
     await page.keyboard.press("Enter");
     await page.waitForSelector(".plan-page .result td[data-row=answer]");
     assert.equal(page.url().split("?")[0], `${server.url}#plan/maps/gallery.map`);
-    await page.close();
   },
 });

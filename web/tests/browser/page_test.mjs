@@ -16,22 +16,53 @@ const { folder, remove } = makeFolder();
 const server = await serve(folder);
 const browser = await launch();
 const faults = [];
+const reusable = new Set();
 const present = new AsyncLocalStorage();  // the pages of the case that is running
 
-async function open(hash = "", { at = server.url, ...options } = {}) {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 720 }, reducedMotion: "reduce", colorScheme: "light", ...options });
+/** Sets a page up as a case expects it, and notes what goes wrong on it. */
+async function prepare(page, name, { viewport = { width: 1280, height: 720 }, ...media } = {}) {
   present.getStore().push(page);
-  await useBuiltPage(page);
-  page.setDefaultTimeout(1000 * patience_s);
-  page.on("pageerror", (error) => faults.push(`${hash}: ${error.message}`));
+  page.on("pageerror", (error) => faults.push(`${name}: ${error.message}`));
   page.on("console", (message) => {  // what the server refuses is listed there by the browser, and told by the page
-    if (message.type() === "error" && !/Failed to load resource|WebSocket connection to/.test(message.text())) faults.push(`${hash}: ${message.text()}`);
+    if (message.type() === "error" && !/Failed to load resource|WebSocket connection to/.test(message.text())) faults.push(`${name}: ${message.text()}`);
   });
   page.on("request", (request) => {
-    if (!/^(http:\/\/127\.0\.0\.1|blob:|data:|file:)/.test(request.url())) faults.push(`${hash}: the page asked for ${request.url()}`);
+    if (!/^(http:\/\/127\.0\.0\.1|blob:|data:|file:)/.test(request.url())) faults.push(`${name}: the page asked for ${request.url()}`);
   });
+  await page.setViewportSize(viewport);
+  await page.emulateMedia({ reducedMotion: "reduce", colorScheme: "light", forcedColors: null, ...media });
+  return page;
+}
+
+async function newPage() {
+  const page = await browser.newPage();
+  await useBuiltPage(page);
+  page.setDefaultTimeout(1000 * patience_s);
+  return page;
+}
+
+/** Returns an empty page that no other case gets: it may be given scripts and routes. */
+const blank = async () => prepare(await newPage(), "a blank page");
+
+const left = [];  // pages of earlier cases, empty: a new one costs a process, and compiles all scripts anew
+/** Opens an address of the page, with nothing stored. */
+async function open(hash = "", { at = server.url, ...options } = {}) {
+  const page = await prepare(left.pop() ?? await newPage(), hash, options);
+  reusable.add(page);
   await page.goto(hash.startsWith("file:") ? hash : at + hash);
   return page;
+}
+
+/** Empties a page of what a case left there. */
+async function empty(page) {
+  for (const event of ["pageerror", "console", "request", "response", "dialog", "download"]) page.removeAllListeners(event);
+  await page.mouse.move(0, 0);
+  await page.route(`${server.url}nothing`, (route) => route.fulfill({ contentType: "text/html", body: "" }));
+  await page.goto(`${server.url}nothing`);  // of the same origin as the page
+  await page.evaluate(() => { localStorage.clear(); sessionStorage.clear(); });
+  await page.unroute(`${server.url}nothing`);
+  await page.goto("about:blank");
+  left.push(page);
 }
 
 const text = (page, selector) => page.locator(selector).first().textContent();
@@ -55,7 +86,7 @@ const onMap = (page, x, y) => page.evaluate(([px, py]) => {
 const cases = {};
 for (const name of names.split(",")) {
   const file = await import(`./${name}_cases.mjs`);
-  Object.assign(cases, file.cases({ open, text, frames, cell, answers, nextAnswer, onMap, server, folder, output }));
+  Object.assign(cases, file.cases({ open, blank, text, frames, cell, answers, nextAnswer, onMap, server, folder, output }));
 }
 
 let failed = 0;
@@ -69,8 +100,9 @@ async function check([name, run]) {
     const number = ++failed;
     console.log(`FAILED  ${name}\n${error.stack}`);
     for (const page of pages) await page.screenshot({ path: join(output, `failed-${names}-${number}.png`) }).catch(() => undefined);
+    pages.forEach((page) => reusable.delete(page));
   }
-  for (const page of pages) await page.context().close();
+  for (const page of pages) await (reusable.has(page) ? empty(page) : page.context().close());
 }
 
 /** The first case sees the folder as it was made. A page waits most of the time, so two cases share the machine. */

@@ -29,7 +29,6 @@ export const cases = ({ open, text, frames, cell, answers, nextAnswer, onMap, se
     const [, g, h, f] = words.match(/g ([\d.]+) +h ([\d.]+) +f ([\d.]+)/).map(Number);
     assert.ok(Math.abs(g + h - f) < 0.002, words);
     assert.match(words, /parent \(\d+, \d+\)|the start/);
-    await page.close();
   },
 
   async "a search on polygons is stepped through by its legs; the heading is turned; a lookup says that it is none"() {
@@ -62,7 +61,6 @@ export const cases = ({ open, text, frames, cell, answers, nextAnswer, onMap, se
     await page.goto(`${server.url}#plan/maps/gallery.map?planner=hub_labels`);
     await page.waitForSelector(".result");
     await until("the sentence", async () => /^Hub labels looks its answer up in an index/.test(await text(page, ".action")));
-    await page.close();
   },
 
   async "two planners side by side on the same question"() {
@@ -75,7 +73,6 @@ export const cases = ({ open, text, frames, cell, answers, nextAnswer, onMap, se
     await until("the pictures", async () => await answers(page) >= 2);
     await frames(page);
     await compareShot(page, "compare", output);
-    await page.close();
   },
 
   async "an obstacle drawn across the way changes the plan, one across the map leaves none"() {
@@ -101,7 +98,6 @@ export const cases = ({ open, text, frames, cell, answers, nextAnswer, onMap, se
     assert.ok((await text(page, ".action")).length > 10);
     await frames(page);
     await compareShot(page, "no-path", output);
-    await page.close();
   },
 
   async "options come from their descriptions, and wrong ones are refused with a sentence"() {
@@ -126,7 +122,6 @@ export const cases = ({ open, text, frames, cell, answers, nextAnswer, onMap, se
       assert.equal(await cell(page, "cost"), cost);
     }
     assert.ok(Number((await cell(page, "expansions")).replaceAll(",", "")) > Number(work.replaceAll(",", "")), "a poorer estimate, and ties that go back");
-    await page.close();
   },
 
   async "what was drawn is saved as a scenario, which the tool answers with the same plan"() {
@@ -154,7 +149,6 @@ export const cases = ({ open, text, frames, cell, answers, nextAnswer, onMap, se
     await page.fill("#save-name", "yard/yard.yaml");
     await page.click(".save button");
     await until("the refusal", async () => /there is a file of that name/.test(await text(page, ".saved")));
-    await page.close();
   },
 
   async "a broken file is refused with a sentence, a good one opens"() {
@@ -171,6 +165,5 @@ export const cases = ({ open, text, frames, cell, answers, nextAnswer, onMap, se
     await page.setInputFiles("input[type=file]", join(folder, "good.map"));
     await page.waitForSelector(".result");
     assert.equal(await cell(page, "answer"), "path found");
-    await page.close();
   },
 });

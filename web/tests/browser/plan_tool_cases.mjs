@@ -31,9 +31,9 @@ export const cases = ({ open, text, cell, answers, server, folder }) => ({
     const clearances = async (y, radius) => {
       const shown = {};
       for (const [map, planner] of [["gap.yaml", "theta_star"], ["gap.txt", "visibility_graph_implicit"], ["gap.sdf", "visibility_graph_implicit"]]) {
-        await page.goto("about:blank");
         await page.goto(`${server.url}#plan/maps/${map}?planner=${planner}&start=1.025,${y}&goal=6.975,${y}&radius=${radius}`);
-        await page.waitForSelector(".result td[data-row=answer]");
+        await until("the map", async () => (await page.title()).startsWith(map));
+        await until("an answer", async () => await answers(page) > 0);
         assert.equal(await cell(page, "answer"), "path found", map);
         shown[map] = Number((await cell(page, "clearance")).match(/^([\d.]+) m$/)[1]);
       }
@@ -48,7 +48,6 @@ export const cases = ({ open, text, cell, answers, server, folder }) => ({
     }
     assert.match(await page.locator('.result th[title]').getAttribute("title"), /^From the middle of the robot to the nearest obstacle/);
     removeGap();
-    await page.close();
   },
 
   async "two planners lie beside each other on a tall map, above each other on a wide one"() {
@@ -65,7 +64,6 @@ export const cases = ({ open, text, cell, answers, server, folder }) => ({
     const [[, above], [, below]] = await places();
     assert.ok(below > above);
     rmSync(join(folder, "maps/tall.map"));
-    await page.close();
   },
 
   async "a maze and an empty map are one click each, and undone; lengths are in feet where somebody asks for that"() {
@@ -106,6 +104,5 @@ export const cases = ({ open, text, cell, answers, server, folder }) => ({
     assert.ok(Math.abs(rooms[0] - rooms[1] - (Math.max(50, bar) - 16)) <= 2, `both maps are of one size: ${rooms}, below a bar of ${bar}`);
     const [buttons, canvas] = await page.evaluate(() => [".pane .camera", ".pane canvas"].map((one) => document.querySelector(one).getBoundingClientRect()).map(({ left, right }) => ({ left, right })));
     assert.ok(buttons.left >= canvas.right - 54, "the buttons lie beside the map");
-    await page.close();
   },
 });

@@ -8,13 +8,15 @@ export const tool = process.env.OUTRIDER;
 export const source = process.env.OUTRIDER_SOURCE;
 const builtPage = process.env.OUTRIDER_PAGE;
 
-/** The scenarios the cases use, and the log of a mission in the yard. */
+/** The scenarios the cases use, and the log of a mission in the yard: that in OUTRIDER_YARD, where a test before has made it. */
 export function makeFolder() {
   const home = mkdtempSync(join(tmpdir(), "outrider-page-"));
   const folder = join(home, "ground");
   for (const name of ["cover", "maps", "pursuit", "waypoints", "yard"]) cpSync(join(source, "scenarios", name), join(folder, name), { recursive: true });
   mkdirSync(join(folder, "runs"));
-  execFileSync(tool, ["run", join(source, "scenarios/yard/yard.yaml"), "--out", join(folder, "runs/yard")], { stdio: "ignore" });
+  const yard = join(folder, "runs/yard");
+  if (process.env.OUTRIDER_YARD) cpSync(process.env.OUTRIDER_YARD, yard, { recursive: true });
+  else execFileSync(tool, ["run", join(source, "scenarios/yard/yard.yaml"), "--out", yard], { stdio: "ignore" });
   return { folder, remove: () => rmSync(home, { recursive: true, force: true }) };
 }
 

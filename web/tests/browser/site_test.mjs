@@ -1,5 +1,5 @@
-// site_test.mjs OUT: builds the docs site in OUT, and at the same time a second one without the Python package. It has no dead link, and those
-// that are planted are found; every header is listed; the notebooks have outputs, and the second site says that they were not run.
+// site_test.mjs OUT: builds the docs site in OUT, and at the same time the sources of a second one without the Python package. It has no dead link, and
+// those that are planted are found; every header is listed; the notebooks have outputs, and the second site says that they were not run.
 // In a browser without a network its search finds "any-angle", and a result opens.
 import { spawn, spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -9,19 +9,19 @@ import { deadLinks } from "../../build/site_links.mjs";
 import { executable, launch, patience_s } from "./browser.mjs";
 
 const out = resolve(process.argv[2]);
-const built = (folder, env = {}) => new Promise((done) => {
-  spawn(process.execPath, ["build/site.mjs", folder], { stdio: "inherit", env: { ...process.env, ...env } }).on("exit", done);
+const built = (args, env = {}) => new Promise((done) => {
+  spawn(process.execPath, ["build/site.mjs", ...args], { stdio: "inherit", env: { ...process.env, ...env } }).on("exit", done);
 });
 const beside = `${out}-beside`, none = mkdtempSync(join(tmpdir(), "none-"));
 writeFileSync(join(none, "outrider.py"), "raise ImportError\n");
-const statuses = await Promise.all([built(out), built(beside, { OUTRIDER_PYTHON: none })]);
+const statuses = await Promise.all([built([out]), built([beside, "--sources"], { OUTRIDER_PYTHON: none })]);
 rmSync(none, { recursive: true });
 if (statuses.some((status) => status !== 0)) throw new Error(`the site is not built: ${statuses}`);
-const pages = (folder) => readdirSync(folder, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".html")).sort().join();
-if (pages(out) !== pages(beside)) throw new Error("two builds at once differ");
+const pages = (folder, kind) => readdirSync(folder, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(kind)).map((name) => name.slice(0, -kind.length));
+if (pages(out, ".html").sort().join() !== [...pages(beside, ".md"), "404"].sort().join()) throw new Error("two builds at once differ");
 const notebooks = readdirSync("../python/notebooks").filter((file) => file.endsWith(".ipynb"));
 for (const name of notebooks) {
-  if (!readFileSync(join(beside, `python/notebooks/${name}.html`), "utf8").includes("It was not run")) throw new Error(`${name} was run without the package`);
+  if (!readFileSync(join(beside, `python/notebooks/${name}.md`), "utf8").includes("It was not run")) throw new Error(`${name} was run without the package`);
 }
 rmSync(beside, { recursive: true });
 

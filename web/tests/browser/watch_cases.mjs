@@ -43,7 +43,6 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     await until("the same time", async () => await text(page, ".clock") === clock);
     await frames(page);
     await compareShot(page, "space", output);
-    await page.close();
   },
 
   async "a target that cannot be hit: the best flight at it, and what is in the way, from the side, in plan and in its reason"() {
@@ -59,7 +58,6 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     await page.locator('.legend .layer[data-layer="blocked flights"] label').click();
     await frames(page);
     assert.notEqual(await picture(), shown, "it is drawn in plan");
-    await page.close();
   },
 
   async "what a robot senses and believes: a map that is turned is explored, a drive goes by tags"() {
@@ -96,20 +94,18 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     await until("the drive", async () => (await text(page, ".job")) === "drive");
     await frames(page);
     await compareShot(page, "drive-space", output);
-    await page.close();
   },
 
   async "mapping from logs: the map, landmarks and their ellipses, in plan and in space"() {
     makeMaps(folder);
-    const rooms = await open("#watch/runs/office/run.mcap?t=95&tab=plots");
-    await rooms.waitForSelector(".plots figure");
-    const legend = await text(rooms, ".legend");
+    const page = await open("#watch/runs/office/run.mcap?t=95&tab=plots");
+    await page.waitForSelector(".plots figure");
+    const legend = await text(page, ".legend");
     for (const name of ["way settled in the end", "believed then, 2\u03c3", "odometry alone", "reference", "range finder"]) assert.equal(legend.split(name).length, 2, `${name} once in: ${legend}`);
     assert.doesNotMatch(legend, /\btrue\b/);
-    await frames(rooms);
-    await compareShot(rooms, "slam", output);
-    await rooms.close();
-    const page = await open("#watch/runs/posts/run.mcap?t=10&view=3d");
+    await frames(page);
+    await compareShot(page, "slam", output);
+    await page.goto(`${server.url}#watch/runs/posts/run.mcap?t=10&view=3d`);
     await page.waitForSelector(".space-view canvas");
     assert.match(await text(page, ".legend"), /landmark, 2\u03c3.*true place/);
     await frames(page);
@@ -121,7 +117,6 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     const view = await page.locator(".plan-view canvas").boundingBox();
     await page.mouse.move(view.x + view.width / 2, view.y + view.height / 2);
     assert.match(await text(page, ".plan-view .tip"), /^believed .* off the way as settled/);
-    await page.close();
   },
 
   async "an area is covered live; the strip is the same whether one comes from before or after, and as SVG"() {
@@ -159,7 +154,6 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     await frames(page);
     await page.mouse.move(frame.x + frame.width / 2, frame.y + frame.height / 2);
     assert.match(await text(page, ".plan-view .tip"), /^covered at (0:5\d|1:00)/);
-    await page.close();
   },
 
   async "the viewer is one file that shows the same, dark, on a phone"() {
@@ -168,7 +162,6 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     assert.match(await text(page, ".verdict"), /targets reached/);
     await frames(page);
     await compareShot(page, "viewer-phone-dark", output);
-    await page.close();
   },
 
   async "frames of a film are the same twice, and the SVG looks as the view does"() {
@@ -193,7 +186,6 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     await page.keyboard.press("Escape");
     await page.waitForSelector("dialog.film", { state: "detached" });
     await svgIsAsTheView(page);
-    await page.close();
   },
 
   async "a log that was cut short is shown up to there, and an old report is refused"() {
@@ -211,7 +203,6 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     await drop(Buffer.from('{"outrider_report": 1}'), "guard.json");
     await page.waitForSelector(".notice-over:not([hidden])");
     assert.match(await text(page, ".notice-over"), /older version; run the job again with --out DIR/);
-    await page.close();
   },
 
   async "the keyboard does it all: open a run from the files, play, read the help"() {
@@ -235,6 +226,5 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     await page.waitForSelector("dialog.help", { state: "detached" });
     await page.keyboard.press("L");
     await page.waitForSelector(".start");
-    await page.close();
   },
 });

@@ -13,7 +13,7 @@ const drag = (page, event, files) => page.evaluate(([kind, all]) => {
 }, [event, files]);
 const small = `type octile\nheight 20\nwidth 30\nmap\n${`${".".repeat(30)}\n`.repeat(20)}`;
 
-export const cases = ({ open, text, frames, cell, answers, onMap, server, folder }) => ({
+export const cases = ({ open, blank, text, frames, cell, answers, onMap, server, folder }) => ({
   async "the window is called what it shows"() {
     const page = await open();
     await page.waitForSelector(".groups");
@@ -24,7 +24,6 @@ export const cases = ({ open, text, frames, cell, answers, onMap, server, folder
       await page.waitForSelector(selector);
       await until(`the title of ${hash}`, async () => title.test(await page.title()));
     }
-    await page.close();
   },
 
   async "space that follows the robot, then the plan: as large as before"() {
@@ -41,25 +40,22 @@ export const cases = ({ open, text, frames, cell, answers, onMap, server, folder
     await page.keyboard.press("v");
     await page.waitForSelector(".plan-view canvas:visible");
     await until("the plan as it was", async () => await view() === before);
-    await page.close();
   },
 
   async "a browser without WebGL says so, and stays with the plan"() {
-    const page = await open("");
+    const page = await blank();
     await page.addInitScript(() => {
       const { getContext } = HTMLCanvasElement.prototype;
       HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind.startsWith("webgl") ? null : getContext.call(this, kind, ...more); };
       const { error } = console;
       console.error = (...words) => { if (!/WebGL/.test(words.join())) error(...words); };  // three.js tells of it
     });
-    await page.goto("about:blank");
     await page.goto(`${server.url}#watch/runs/yard/run.mcap?t=9&view=3d`);
     await page.waitForSelector(".stage-note");
     assert.match(await text(page, ".stage-note"), /needs WebGL 2/);
     assert.ok(await page.locator(".plan-view canvas").isVisible());
     assert.equal(await page.locator(".segments button[aria-pressed=true]").textContent(), "Plan");
     await until("the address", () => page.evaluate(() => !location.hash.includes("view=3d")));
-    await page.close();
   },
 
   async "the space key plays after a button was clicked, and presses it after the keyboard came to it"() {
@@ -76,7 +72,6 @@ export const cases = ({ open, text, frames, cell, answers, onMap, server, folder
     await following.focus();
     await page.keyboard.press(" ");
     await until("the button", async () => (await following.getAttribute("aria-pressed")) !== pressed);
-    await page.close();
   },
 
   async "what is dropped: the page shows where; two maps are refused by name; a reload says that the map is to be dropped again"() {
@@ -94,13 +89,11 @@ export const cases = ({ open, text, frames, cell, answers, onMap, server, folder
     await page.reload();
     await page.waitForSelector(".refusal");
     assert.match(await text(page, ".refusal"), /not kept when the page is loaded again; drop its file once more/);
-    await page.close();
   },
 
   async "what was drawn is there after a bad file, is undone step by step, and is left only by those who say so"() {
-    const page = await open("");
+    const page = await blank();
     await noteQuestions(page);
-    await page.goto("about:blank");
     await page.goto(`${server.url}#draw?planner=a_star&start=2,5.5&goal=14,5.5&radius=0`);
     await page.waitForSelector(".result");
     const length = async () => Number.parseFloat(await cell(page, "length"));
@@ -168,7 +161,6 @@ export const cases = ({ open, text, frames, cell, answers, onMap, server, folder
     await until("the map", async () => /^small\.map \u2013/.test(await page.title()));
     assert.equal(asked.at(-1), "confirm");
     for (const name of ["kept_wall.yaml", "kept_wall_map.pgm", "kept_wall_map.yaml"]) rmSync(join(folder, name));
-    await page.close();
   },
 
   async "a yard that was changed is left only by those who say so"() {
@@ -187,7 +179,6 @@ export const cases = ({ open, text, frames, cell, answers, onMap, server, folder
     await page.click('header a[href="#live"]');
     await page.waitForSelector(".start");
     assert.equal(asked.length, 1);
-    await page.close();
   },
 
   async "a run that is refused: which scenario, the whole sentence, and ways on"() {
@@ -201,6 +192,5 @@ export const cases = ({ open, text, frames, cell, answers, onMap, server, folder
     assert.match(await page.title(), /^yard\/no_world\.yaml, refused/);
     await page.click(".live-page .hint a:last-child");
     await page.waitForSelector(".start button:enabled");
-    await page.close();
   },
 });

@@ -81,6 +81,5 @@ export const cases = ({ open, text, frames, server, folder, output }) => ({
     await page.keyboard.press("d");
     await frames(page);
     await compareShot(page, "yard-phone-dark", output);
-    await page.close();
   },
 });
