@@ -4,6 +4,7 @@ import subprocess
 
 from held_run import HeldRun
 from tool import SOURCE, TOOL, ToolTest, costly_cases, main
+from well_logged import well_logged
 
 SCENARIO = SOURCE / "scenarios/explore/unknown_yard.yaml"
 
@@ -17,6 +18,7 @@ class Killed(ToolTest):
         with self.started("whole") as run:
             told_bytes = len(run.read(1 << 40))
         self.assertIn(run.returncode, (0, 1))
+        well_logged(self, "whole")
         whole = (self.folder / "whole/run.mcap").read_bytes()
         rng = random.Random(11)
         replayed = 0
