@@ -102,6 +102,7 @@ class Trees(ToolTest):
         self.assertEqual(result.returncode, 0, result.stderr)
         metrics, log = self.result_of("out")["metrics"], self.log_of("out")
         self.assertEqual(metrics["reached"], metrics["targets"])
+        well_logged(self, "out")
         solids = {solid.name: solid for solid in log.latest("/solids").solids}
         # Crowns and branches do not stop the robot; trunks do.
         self.assertEqual([name for name in solids if "crown" in name and solids[name].blocks_driving], [])

@@ -22,7 +22,7 @@ class Killed(ToolTest):
         whole = (self.folder / "whole/run.mcap").read_bytes()
         rng = random.Random(11)
         replayed = 0
-        for i in range(costly_cases(12)):
+        for i in range(costly_cases(6)):
             with self.started(f"k{i}") as run:
                 run.read(int(told_bytes * rng.uniform(0.0, 0.9)))
                 run.kill()
@@ -43,7 +43,7 @@ class Killed(ToolTest):
             else:
                 self.assertEqual(replay.returncode, 2)
                 self.assertIn("cut short before its first messages", replay.stderr)
-        self.assertGreater(replayed, 2, "some had a complete chunk")
+        self.assertGreater(replayed, 1, "some had a complete chunk")
 
     def test_the_next_run_takes_the_file_over(self):
         (self.folder / "out").mkdir()

@@ -4,8 +4,9 @@ from well_logged import well_logged
 
 # Tests that run a scenario and call well_logged() for it.
 ELSEWHERE = {"arena/safest": "arena", "arena/shortest": "arena", "cover/cover_field": "cover", "cover/cover_mower": "cover",
-             "explore/office": "slam_laser", "explore/unknown_yard": "killed", "hill/hill": "terrain", "waypoints/closed_loop": "drive",
-             "wind/wind": "guard_air", "yard/two_robots": "team"}
+             "driveby/driveby": "driveby", "explore/office": "slam_laser", "explore/unknown_yard": "killed", "hill/hill": "terrain",
+             "orchard/orchard": "guard_air", "stations/stations": "stations", "waypoints/closed_loop": "drive", "wind/wind": "guard_air",
+             "yard/two_robots": "team", "yard/yard": "guard"}
 # Flags that leave work out which a log does not show.
 FLAGS = {"arrivals/arrivals": ["--plan-resolution", "0.2", "--arrivals-stops", "40"], "cover/cover_tractor": ["--width", "8"],
          "explore/cave": ["--laser-beams", "90"], "explore/narrow_corridor": ["--laser-beams", "90"]}

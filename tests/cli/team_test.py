@@ -91,7 +91,7 @@ class Team(ToolTest):
 
     def test_the_example(self):
         result = self.run_tool("run", SOURCE / "scenarios/yard/two_robots.yaml", "--plan-resolution", "0.2",
-                               "--plan-iterations", "50", "--plan-refinements", "0", "--out", "out")
+                               "--plan-iterations", "50", "--plan-refinements", "0", "--plan-stops", "60", "--out", "out")
         self.assertEqual(result.returncode, 0, result.stderr)
         well_logged(self, "out")
         report = self.result_of("out")
