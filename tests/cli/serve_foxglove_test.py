@@ -95,7 +95,7 @@ class Foxglove(Serve):
                 self.assertTrue(one["schema"])
             self.assertEqual(client.channels[pose]["schemaName"], "geometry_msgs/msg/PoseStamped")
             client.subscribe(_5=pose, _6=scene)
-            poses = client.count(5, 300)
+            poses = client.count(5, 100)
             self.assertEqual(client.messages[6][0][0], 0, "what stands still is a message at time 0")
             before = None
             for time_ns, data in poses:
@@ -122,7 +122,7 @@ class Foxglove(Serve):
             with Client(server, query=f"?run={run}", path="/foxglove") as late:
                 late.channel("/pose")
                 late.subscribe(_1=late.channel("/pose"))
-                self.assertEqual(late.count(1, 300), poses, "a run that has ended can still be read")
+                self.assertEqual(late.count(1, 100), poses, "a run that has ended can still be read")
 
     def sockets(self, server):
         """How many sockets the server has open."""
