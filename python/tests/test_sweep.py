@@ -33,12 +33,12 @@ def start_scheduler():
 
 @pytest.fixture(name="workers")
 def start_workers(scheduler, tmp_path):
-    """Three workers, each with one thread and no nanny that would start it again."""
+    """Two workers, each with one thread and no nanny that would start it again."""
     workers = [subprocess.Popen([sys.executable, "-m", "distributed.cli.dask_worker", scheduler, "--nthreads", "1",
                                  "--no-nanny", "--no-dashboard", "--local-directory", str(tmp_path / f"worker{i}")],
-                                stderr=subprocess.DEVNULL) for i in range(3)]
+                                stderr=subprocess.DEVNULL) for i in range(2)]
     with distributed.Client(scheduler) as client:
-        client.wait_for_workers(3)
+        client.wait_for_workers(2)
     yield workers
     for worker in workers:
         worker.kill()

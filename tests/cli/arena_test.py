@@ -3,6 +3,7 @@ import math
 import unittest
 
 from tool import SOURCE, ToolTest, flat, main
+from well_logged import well_logged
 
 ARENA = SOURCE / "scenarios" / "arena"
 ENDS = ("--from", "2.5,0.5", "--to", "1,2.5", "--radius", "0.2")
@@ -49,10 +50,9 @@ class Arena(ToolTest):
     def test_both_ways_are_driven(self):
         runs = {}
         for name in ("shortest", "safest"):
-            text = (ARENA / f"{name}.yaml").read_text().replace("world: arena.sdf", f"world: {ARENA / 'arena.sdf'}")
-            self.write(f"{name}.yaml", (text + "sight: modelled\n").encode())
-            result = self.run_tool("run", f"{name}.yaml", "--json")
+            result = self.run_tool("run", ARENA / f"{name}.yaml", "--sight", "modelled", "--json", "--out", name)
             self.assertEqual(result.returncode, 0, result.stderr)
+            well_logged(self, name)
             runs[name] = flat(self.json_of(result))
             self.assertEqual(runs[name]["status"], "done")
             self.assertLess(runs[name]["driven_m"], 1.2 * runs[name]["path_m"])

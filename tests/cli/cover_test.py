@@ -6,6 +6,7 @@ import xml.etree.ElementTree as ElementTree
 
 from mcap_log import xyz
 from tool import DATA, PAGE, SOURCE, ToolTest, flat, main
+from well_logged import well_logged
 
 ROOM = "(0,0) (1.5,0) (1.5,1.5) (0,1.5)\n---\n"
 KEYS = {"status", "planned_fraction", "planned_missed_m2", "planned_overlap_m2", "planned_m", "covered_fraction", "missed_m2",
@@ -56,7 +57,8 @@ class Cover(ToolTest):
             self.assertGreaterEqual(answer["sure_inner_fraction"], 0.997)
 
     def test_the_field_scenario(self):
-        answer = self.cover("--scenario", SOURCE / "scenarios/cover/cover_field.yaml")
+        answer = self.cover("--scenario", SOURCE / "scenarios/cover/cover_field.yaml", "--out", "out")
+        well_logged(self, "out")
         self.assertGreater(answer["area_m2"], 5000)
         self.assertEqual(answer["tracking_error_limit_m"], 0.08)
 
@@ -225,7 +227,8 @@ class Cover(ToolTest):
         self.refused("cover", "yard.txt", *deck, "--method", "spiral", says=["method", "boustrophedon"])
 
     def test_the_mower_scenario(self):
-        answer = self.cover("--scenario", SOURCE / "scenarios/cover/cover_mower.yaml")
+        answer = self.cover("--scenario", SOURCE / "scenarios/cover/cover_mower.yaml", "--out", "out")
+        well_logged(self, "out")
         self.assertEqual((answer["strip_m"], answer["width_m"]), (2, 1.2))
         self.assertGreater(answer["planned_fraction"], 0.999)
 

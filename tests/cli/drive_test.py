@@ -2,7 +2,8 @@
 import json
 import unittest
 
-from tool import SOURCE, ToolTest, flat, main
+from tool import SOURCE, ToolTest, costly_cases, flat, main
+from well_logged import well_logged
 
 WAYPOINTS = SOURCE / "scenarios/waypoints"
 KEYS = ["driven_m", "ideal_m", "turned_rad", "ideal_rad", "tag_fraction", "time_s"]
@@ -21,8 +22,9 @@ class Drive(ToolTest):
                 max(abs(w["dtheta"]) for w in waypoints))
 
     def test_closed_loop_with_rendered_images(self):
-        for seed in (1, 2):
-            answer = self.run_json("run", WAYPOINTS / "closed_loop.yaml", "--seed", seed)
+        for seed in (1, 2)[:costly_cases(1)]:
+            answer = self.run_json("run", WAYPOINTS / "closed_loop.yaml", "--seed", seed, "--out", "out")
+            well_logged(self, "out")
             self.assertEqual(answer["status"], "done")
             self.assertEqual(len(answer["waypoints"]), 4)
             position, heading = self.worst(answer)
@@ -137,7 +139,7 @@ class Drive(ToolTest):
         self.assertNotIn("times the", text)
 
     def test_bench_drive_finds_no_false_claim(self):
-        result = self.run_tool("bench", "drive", "--scenarios", WAYPOINTS / "closed_loop.yaml", "--seeds", "2", "--json")
+        result = self.run_tool("bench", "drive", "--scenarios", WAYPOINTS / "closed_loop.yaml", "--seeds", "1", "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         answer = json.loads(result.stdout)
         self.assertEqual(answer["status"], "done")
@@ -147,7 +149,7 @@ class Drive(ToolTest):
         self.assertEqual(len(faults), len(set(faults)) * len(followers), "each fault with each follower")
         self.assertEqual([row["follower"] for row in answer["rows"] if "fault" not in row], followers)
         for row in answer["rows"]:
-            self.assertEqual(row["runs"], 2)
+            self.assertEqual(row["runs"], 1)
             self.assertEqual(row["false_reached"], 0, row)
         self.assertEqual(answer["rows"][0]["reached"], answer["rows"][0]["stops"], "without a fault all are reached")
 

@@ -4,6 +4,7 @@ import unittest
 
 from mcap_log import xyz
 from tool import PAGE, SOURCE, ToolTest, main
+from well_logged import well_logged
 
 LANE = SOURCE / "scenarios" / "driveby" / "driveby.yaml"
 QUICK = ["--plan-resolution", "0.2", "--plan-iterations", "200", "--plan-stops", "100"]
@@ -28,6 +29,7 @@ class DriveBy(ToolTest):
 
     def test_the_lane(self):
         metrics, log = self.run_of("run", LANE, *QUICK, *PAGE)
+        well_logged(self, "out")
         self.assertEqual(metrics["reached"], metrics["targets"])
         passing = [shot for _, shot in log.read("/shots") if shot.platform_velocity.x or shot.platform_velocity.y]
         self.assertGreaterEqual(len(passing), 4)

@@ -5,7 +5,7 @@ import unittest
 
 from tool import COARSE, MAP, PAGE, TARGETS, YARD, ToolTest, costly_cases, main
 
-RUNS = costly_cases(60)
+RUNS = costly_cases(24)
 SCENARIO = ("job: guard\nworld: yard.sdf\ntargets: targets.txt\nstart: 0,-2,90\nseed: 3\nrobot:\n  radius: 0.26\n"
             "gun:\n  pitch_low: -30\nplan:\n  resolution: 0.4\n  iterations: 5\n")
 PIECES = [b"0", b"-1", b"nan", b"inf", b"1e300", b"1e-300", b"99999999999", b"<", b">", b"/", b"=", b":", b"\n", b"\0",

@@ -4,6 +4,7 @@ import unittest
 
 from mcap_log import xyz
 from tool import PAGE, SOURCE, ToolTest, main
+from well_logged import well_logged
 
 BREEZE = ["--air-drag", "0.03", "--air-wind", "2.5", "--air-wind-towards", "120"]
 
@@ -86,6 +87,7 @@ class Air(ToolTest):
         metrics, log = self.run_of("run", scenario, "--plan-resolution", "0.4", "--plan-iterations", "100",
                                    "--plan-stops", "60", "--plan-refinements", "0", "--plan-aim-step", "0.3",
                                    "--plan-pitch-step", "7.5")
+        well_logged(self, "out")
         self.assertGreaterEqual(metrics["reached"], 21)
         self.check_flights(log, 0.021, 3, 20)
 
@@ -100,6 +102,7 @@ class Trees(ToolTest):
         self.assertEqual(result.returncode, 0, result.stderr)
         metrics, log = self.result_of("out")["metrics"], self.log_of("out")
         self.assertEqual(metrics["reached"], metrics["targets"])
+        well_logged(self, "out")
         solids = {solid.name: solid for solid in log.latest("/solids").solids}
         # Crowns and branches do not stop the robot; trunks do.
         self.assertEqual([name for name in solids if "crown" in name and solids[name].blocks_driving], [])

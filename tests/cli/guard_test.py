@@ -7,6 +7,7 @@ import unittest
 
 from mcap_log import targets_of
 from tool import DATA, NO_PAGE, PAGE, SOURCE, TARGETS, ToolTest, main
+from well_logged import well_logged
 
 METRICS = ["targets", "reached", "failed", "unreachable", "reached_by_reference_rule", "planning_s", "mission_s",
            "driven_m", "turned_rad", "shots", "lower_bound_s", "gap"]
@@ -208,8 +209,9 @@ class Reference(ToolTest):
 
     def test_the_bundled_scenario_loads(self):
         result = self.run_tool("run", SOURCE / "scenarios/yard/yard.yaml", "--json", "--plan-resolution", "0.4",
-                               "--plan-iterations", "20", "--plan-aim-step", "0.3", "--plan-pitch-step", "10")
+                               "--plan-iterations", "20", "--plan-aim-step", "0.3", "--plan-pitch-step", "10", "--out", "out")
         self.assertIn(result.returncode, [0, 1], result.stderr)
+        well_logged(self, "out")
         self.assertGreaterEqual(self.json_of(result)["metrics"]["targets"], 20)
 
 

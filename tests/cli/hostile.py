@@ -7,9 +7,9 @@ import os
 import random
 import re
 import resource
+import select
 import struct
 import subprocess
-import time
 
 from tool import TOOL
 
@@ -118,16 +118,11 @@ def run(words, folder, patience_s=600):
     with open(errors, "wb") as stderr:
         process = subprocess.Popen([TOOL, *words], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=stderr,
                                    preexec_fn=limit)
-        deadline = time.monotonic() + patience_s
-        while True:
-            pid, status, usage = os.wait4(process.pid, os.WNOHANG)
-            if pid:
-                break
-            if time.monotonic() > deadline:
-                process.kill()
-                _, status, usage = os.wait4(process.pid, 0)
-                break
-            time.sleep(0.002)
+        ended = os.pidfd_open(process.pid)
+        if not select.select([ended], [], [], patience_s)[0]:
+            process.kill()
+        os.close(ended)
+        _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     return Ended(status, usage, errors.read_text(errors="replace"))
 

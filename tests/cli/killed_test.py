@@ -4,6 +4,7 @@ import subprocess
 
 from held_run import HeldRun
 from tool import SOURCE, TOOL, ToolTest, costly_cases, main
+from well_logged import well_logged
 
 SCENARIO = SOURCE / "scenarios/explore/unknown_yard.yaml"
 
@@ -17,10 +18,11 @@ class Killed(ToolTest):
         with self.started("whole") as run:
             told_bytes = len(run.read(1 << 40))
         self.assertIn(run.returncode, (0, 1))
+        well_logged(self, "whole")
         whole = (self.folder / "whole/run.mcap").read_bytes()
         rng = random.Random(11)
         replayed = 0
-        for i in range(costly_cases(12)):
+        for i in range(costly_cases(6)):
             with self.started(f"k{i}") as run:
                 run.read(int(told_bytes * rng.uniform(0.0, 0.9)))
                 run.kill()
@@ -41,7 +43,7 @@ class Killed(ToolTest):
             else:
                 self.assertEqual(replay.returncode, 2)
                 self.assertIn("cut short before its first messages", replay.stderr)
-        self.assertGreater(replayed, 2, "some had a complete chunk")
+        self.assertGreater(replayed, 1, "some had a complete chunk")
 
     def test_the_next_run_takes_the_file_over(self):
         (self.folder / "out").mkdir()

@@ -12,7 +12,8 @@ from held_run import HeldRun
 
 from tool import SOURCE, TOOL, ToolTest, main
 
-YARD = ["run", str(SOURCE / "scenarios/yard/yard.yaml"), "--plan-resolution", "0.15"]
+YARD = ["run", str(SOURCE / "scenarios/yard/yard.yaml"), "--plan-resolution", "0.4", "--plan-iterations", "20",
+        "--plan-aim-step", "0.3", "--plan-pitch-step", "10"]
 
 
 def run_on_terminal(words, expected):

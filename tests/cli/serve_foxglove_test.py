@@ -82,7 +82,7 @@ class Foxglove(Serve):
             self.assertIn(f"Sec-WebSocket-Protocol: {SUBPROTOCOL}", client.head)
             client.until("advertise")
             self.assertEqual(client.channels, {}, "no mission runs")
-            run = self.started(server, {"text": write_building(self, rooms=4)})
+            run = self.started(server, {"text": write_building(self, rooms=2)})
             server.pass_on(time=0)
             scene = client.channel("/run")
             server.pass_on(time=1)
@@ -95,7 +95,7 @@ class Foxglove(Serve):
                 self.assertTrue(one["schema"])
             self.assertEqual(client.channels[pose]["schemaName"], "geometry_msgs/msg/PoseStamped")
             client.subscribe(_5=pose, _6=scene)
-            poses = client.count(5, 800)
+            poses = client.count(5, 100)
             self.assertEqual(client.messages[6][0][0], 0, "what stands still is a message at time 0")
             before = None
             for time_ns, data in poses:
@@ -103,7 +103,7 @@ class Foxglove(Serve):
                 self.assertEqual(frame, "map")
                 self.assertAlmostEqual(stamp, 1e-9 * time_ns, 6)
                 self.assertAlmostEqual(math.hypot(qx, qy, qz, qw), 1.0, 9)
-                self.assertTrue(0 < x < 16 and 0 < y < 16, (x, y))
+                self.assertTrue(0 < x < 8 and 0 < y < 8, (x, y))
                 if before:
                     self.assertGreaterEqual(time_ns, before[0])
                     self.assertLess(math.hypot(x - before[1], y - before[2]), 0.3)
@@ -122,7 +122,7 @@ class Foxglove(Serve):
             with Client(server, query=f"?run={run}", path="/foxglove") as late:
                 late.channel("/pose")
                 late.subscribe(_1=late.channel("/pose"))
-                self.assertEqual(late.count(1, 800), poses, "a run that has ended can still be read")
+                self.assertEqual(late.count(1, 100), poses, "a run that has ended can still be read")
 
     def sockets(self, server):
         """How many sockets the server has open."""

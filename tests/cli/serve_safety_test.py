@@ -6,7 +6,7 @@ import time
 
 from serve_case import Serve
 from server_client import Server, WebSocket
-from tool import costly_cases, main, until
+from tool import in_soak, main, until
 
 
 class Safety(Serve):
@@ -109,7 +109,7 @@ class Safety(Serve):
             for connection in idle[20:]:
                 connection.sendall(b"POST /api/v1/plan HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 100\r\n\r\n{")
             server.json("GET", "/api/v1/version")
-            if costly_cases(1) > 1:  # they are let go after ten seconds
+            if in_soak():  # they are let go after ten seconds
                 for connection in idle:
                     while connection.recv(4096):
                         pass

@@ -2,6 +2,7 @@
 import unittest
 
 from tool import PAGE, SOURCE, ToolTest, main
+from well_logged import well_logged
 
 STATIONS = "--supplies-stations=well=-2,-2,water dock=0,-2.3,charge"
 
@@ -50,8 +51,9 @@ class Stations(ToolTest):
 
     def test_the_bundled_scenario(self):
         scenario = SOURCE / "scenarios" / "stations" / "stations.yaml"
-        result = self.run_tool("run", scenario, "--json", "--plan-resolution", "0.2")
+        result = self.run_tool("run", scenario, "--json", "--plan-resolution", "0.2", "--out", "out")
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        well_logged(self, "out")
         self.assertGreaterEqual(self.json_of(result)["metrics"]["fills"], 2)
 
 

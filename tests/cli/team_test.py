@@ -4,6 +4,7 @@ import unittest
 
 from mcap_log import xyz
 from tool import SOURCE, ToolTest, main
+from well_logged import well_logged
 
 
 def places_of(log, topic):
@@ -90,8 +91,9 @@ class Team(ToolTest):
 
     def test_the_example(self):
         result = self.run_tool("run", SOURCE / "scenarios/yard/two_robots.yaml", "--plan-resolution", "0.2",
-                               "--plan-iterations", "50", "--plan-refinements", "0", "--out", "out")
+                               "--plan-iterations", "50", "--plan-refinements", "0", "--plan-stops", "60", "--out", "out")
         self.assertEqual(result.returncode, 0, result.stderr)
+        well_logged(self, "out")
         report = self.result_of("out")
         self.assertEqual((report["status"], report["metrics"]["robots"]), ("done", 2))
         self.check(report, self.log_of("out"), 2)

@@ -2,6 +2,7 @@
 import unittest
 
 from tool import PAGE, SOURCE, ToolTest, main
+from well_logged import well_logged
 
 HEAD = "ncols 9\nnrows 9\nxllcenter -4\nyllcenter -4\ncellsize 1\nNODATA_value -1\n"
 
@@ -58,9 +59,11 @@ class Terrain(ToolTest):
         self.assertIn("make it larger, or give bounds within it", result.stderr)
 
     def test_the_scenario_of_the_hill(self):
-        result = self.run_tool("run", SOURCE / "scenarios" / "hill" / "hill.yaml", "--json", "--out", "out")
+        result = self.run_tool("run", SOURCE / "scenarios" / "hill" / "hill.yaml", "--plan-resolution", "0.4",
+                               "--plan-aim-step", "0.3", "--plan-pitch-step", "10", "--plan-iterations", "50", "--json", "--out", "out")
         summary = self.json_of(result)
         self.assertEqual(result.returncode, 0, result.stderr)
+        well_logged(self, "out")
         self.assertEqual(summary["metrics"]["targets"], 12)
         self.assertGreaterEqual(summary["metrics"]["reached"], 11)
         self.assertLessEqual(summary["metrics"]["lower_bound_s"], summary["metrics"]["expected_s"])

@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import unittest
 
-from tool import PAGE, TOOL, ToolTest, costly_cases, main
+from tool import PAGE, TOOL, ToolTest, costly_cases, in_soak, main
 
 LIBRARY = os.environ.get("OUTRIDER_FAILING_CALLS", "")
 PLAN = ["plan", "small.map", "--from", "0.5,0.5", "--threads", "1", "--out", "out", *PAGE]
@@ -75,6 +75,8 @@ class WriteFaults(ToolTest):
                     for lasts in (False, True):
                         if call == "rename" and lasts and at > 1:
                             continue  # nothing brings the old names back then
+                        if not in_soak() and (folder == lasts) == at % 2:
+                            continue
                         result = self.run_with(call, at, lasts, folder)[0]
                         self.judge(result, folder, () if error == 0 or call == "fork" else (3,),
                                    (call, at, lasts, folder))
@@ -84,7 +86,7 @@ class WriteFaults(ToolTest):
     def test_memory_ends_at_each_point(self):
         calls = self.run_with("malloc", 0)[1]
         self.assertGreater(calls, 100)
-        most = costly_cases(40)
+        most = costly_cases(16)
         points = range(1, calls + 1) if most >= 1000 else random.Random(62).sample(range(1, calls + 1), most)
         failures = 0
         for at in points:
