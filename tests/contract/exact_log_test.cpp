@@ -30,7 +30,7 @@ struct Measured {
   Pose2 odometry;
 };
 
-/// The office, explored once: what was measured, and the log.
+/// The office, explored for 90 s: what was measured, and the log.
 struct Exploration {
   Log log;
   std::vector<Measured> measured;
@@ -42,7 +42,9 @@ const Exploration& office() {
     ExploreJob task;
     const auto read = read_scenario(task, OUTRIDER_SOURCE_DIR "/scenarios/explore/office.yaml");
     if (!read || !task.load()) throw std::runtime_error("the scenario cannot be read");
-    const ExploreSetup& setup = *task.setup;
+    ExploreSetup& setup = *task.setup;
+    setup.task.rules.most_time_s = 90.0;
+    setup.task.rules.return_home = false;
     Exploration office;
     office.robot_T_laser = setup.sim.laser.robot_T_laser;
     const auto run = run_explore(setup.world, setup.task, setup.sim, 1, office.log, {},

@@ -22,7 +22,9 @@ const std::vector<SmallScenario>& small_scenarios() {
       {"drive",
        "waypoints: \"0,0,0 1,0,0 1,1,180\"\ntags: \"1=2,1,180 2=1,2.5,-90\"\nfaults:\n  wheel_1: 0.985\n",
        {"model_path"}},
-      {"explore", "world: SOURCE/explore/leaking_yard.sdf\nstart: \"6.8,1.5,90\"\n", {"slices"}},
+      {"explore",
+       "world: SOURCE/explore/leaking_yard.sdf\nstart: \"6.8,1.5,90\"\nrules:\n  most_time: 10\n",
+       {"slices"}},
       {"fleet", "map: SOURCE/fleet/warehouse.map\nagents: SOURCE/fleet/warehouse.scen\n"},
       {"guard",
        "world: SOURCE/orchard/orchard.sdf\ntargets: SOURCE/orchard/targets.txt\nstart: \"0,-5,90\"\n"

@@ -78,8 +78,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(MissionScenario{"pursue", "pursuit/park.yaml"},
                     MissionScenario{"cover", "cover/cover_room.yaml"},
                     MissionScenario{
-                        "guard", "yard/yard.yaml", {{"plan.resolution", "0.25"}, {"plan.iterations", "20"}}},
-                    MissionScenario{"drive", "waypoints/closed_loop.yaml"}),
+                        "guard", "yard/yard.yaml", {{"plan.resolution", "0.4"}, {"plan.iterations", "20"}}},
+                    MissionScenario{"drive", "waypoints/closed_loop.yaml", {{"sight", "modelled"}}}),
     [](const auto& row) { return row.param.name; });
 
 }  // namespace

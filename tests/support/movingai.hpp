@@ -10,9 +10,11 @@
 #include <filesystem>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "outrider/core/options.hpp"
 #include "outrider/world/grid.hpp"
 #include "support/costly_cases.hpp"
 
@@ -102,6 +104,16 @@ inline std::vector<Query> spread(const std::vector<Query>& all, std::size_t coun
   std::vector<Query> some;
   for (std::size_t i = 1; i <= count; ++i) some.push_back(all[i * all.size() / count - 1]);
   return some;
+}
+
+/// Limits the memory of an index of hubs, if the planner has one: it is whole on the smaller maps, a part on
+/// some, and nothing on the others, where another planner answers. `make soak` builds the whole index of
+/// every map.
+inline void limit_hub_memory(const std::vector<Option>& options, const char* most_mib) {
+  if (testing::costly_cases(1) > 1) return;
+  for (const Option& option : options) {
+    if (option.name == "hub_memory" && !assign(option, most_mib)) throw std::logic_error("hub_memory");
+  }
 }
 
 }  // namespace outrider::movingai

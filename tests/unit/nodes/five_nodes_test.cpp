@@ -15,6 +15,7 @@
 #include "outrider/nodes/sim/sim_node.hpp"
 #include "support/data.hpp"
 #include "support/node_bus.hpp"
+#include "support/random_cases.hpp"
 
 namespace outrider {
 namespace {
@@ -130,9 +131,12 @@ TEST(FiveNodes, MapTheOfficeAndComeHome) {
 }
 
 TEST(FiveNodes, MapTheOfficeThoughMessagesAreLostAndLate) {
-  Office office({.loss = 0.01, .delay_s = 0.1});
-  ASSERT_TRUE(office.explored());
-  expect_mapped(office);
+  for (int seed = 1; seed <= std::min(16, testing::cases(3)); ++seed) {
+    SCOPED_TRACE(seed);
+    Office office({.loss = 0.01, .delay_s = 0.1}, static_cast<std::uint64_t>(seed));
+    ASSERT_TRUE(office.explored());
+    expect_mapped(office);
+  }
 }
 
 /// The explorer knows nothing but the map; the mapper finds out that its ranges are off.
@@ -155,16 +159,6 @@ TEST(FiveNodes, ARobotThatWasCarriedAndFoundItsPlaceAgainIsBelieved) {
   EXPECT_GT(office.bus.time_s(), carried.kidnapping.at_s);
   expect_mapped(office);
 }
-
-class EachSeed : public ::testing::TestWithParam<std::uint64_t> {};
-
-TEST_P(EachSeed, IsMappedCompletely) {
-  Office office({.loss = 0.01, .delay_s = 0.1}, GetParam());
-  ASSERT_TRUE(office.explored());
-  expect_mapped(office);
-}
-
-INSTANTIATE_TEST_SUITE_P(FiveNodes, EachSeed, ::testing::Range<std::uint64_t>(2, 17));
 
 TEST(FiveNodes, DoTheSameEachTime) {
   Office one({.loss = 0.05, .delay_s = 0.05}), other({.loss = 0.05, .delay_s = 0.05});

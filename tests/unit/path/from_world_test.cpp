@@ -42,7 +42,7 @@ TEST_P(WorldGrid, EveryPathIsFreeForTheDisk) {
   Rng rng = Rng(21).child("yards");
   Workspace workspace;
   int found = 0;
-  const int yards = testing::costly_cases(60);
+  const int yards = testing::costly_cases(15);
   for (int i = 0; i < yards; ++i) {
     const CollisionMap yard = random_yard(rng);
     const double radius = i % 5 == 0 ? 0.0 : rng.uniform(0.0, 0.4);
@@ -71,7 +71,7 @@ TEST_P(WorldGrid, EveryPathIsFreeForTheDisk) {
 /// within radius + sqrt(2) resolution of an obstacle.
 TEST(BlockedForDisk, IsExactCellByCell) {
   Rng rng = Rng(22).child("cells");
-  for (int i = 0; i < testing::costly_cases(25); ++i) {
+  for (int i = 0; i < testing::costly_cases(10); ++i) {
     const CollisionMap yard = random_yard(rng);
     const double radius = rng.uniform(0.0, 0.3), resolution = rng.uniform(0.1, 0.4);
     const auto blocked = blocked_for_disk(yard, radius, {.resolution_m = resolution});

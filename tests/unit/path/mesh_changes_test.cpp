@@ -157,7 +157,7 @@ TEST(PolyanyaOnChangedMeshes, IsTheShortestPathOverAllVertices) {
 TEST(PolyanyaOnChangedMeshes, IsAsLongAfterManyQueries) {
   Rng rng = Rng(9).child("many queries");
   int joined = 0, less_work = 0;
-  for (int i = 0; i < outrider::testing::cases(8); ++i) {
+  for (int i = 0; i < outrider::testing::cases(3); ++i) {
     Blocked grid = strewn(rng, 40, 40, 0.3);
     Workspace workspace;
     for (int step = 0; step < 4; ++step) {
@@ -178,8 +178,8 @@ TEST(PolyanyaOnChangedMeshes, IsAsLongAfterManyQueries) {
       }
     }
   }
-  EXPECT_GT(joined, 500);
-  EXPECT_GT(less_work, 100) << "nothing was found beforehand";
+  EXPECT_GT(joined, 200);
+  EXPECT_GT(less_work, 40) << "nothing was found beforehand";
 }
 
 /// Larger grids, where most changes are followed.

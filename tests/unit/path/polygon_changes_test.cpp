@@ -70,7 +70,7 @@ TEST(PolygonChanges, AChangedGroundIsTheSameAsOneMadeAnew) {
 
 TEST(PolygonChanges, TheLegsAreThoseFoundAnew) {
   Rng rng = Rng(32).child("legs");
-  for (int i = 0; i < testing::cases(150); ++i) {
+  for (int i = 0; i < testing::cases(60); ++i) {
     const PolygonWorld world = testing::random_world(rng);
     auto ground = PolygonGround::of(world.boundary, world.obstacles, world.radius_m).value();
     Workspace kept;
@@ -95,7 +95,7 @@ TEST(PolygonChanges, EveryPlannerAnswersAsItDoesAnew) {
   for (const PathPlanner& row : path_planners()) {
     if (row.polygons && row.index) planners.emplace_back(row.name, row.configure());
   }
-  for (int i = 0; i < testing::cases(60); ++i) {
+  for (int i = 0; i < testing::cases(15); ++i) {
     const PolygonWorld world = testing::random_world(rng);
     auto ground = PolygonGround::of(world.boundary, world.obstacles, world.radius_m).value();
     std::vector<Workspace> kept(planners.size());

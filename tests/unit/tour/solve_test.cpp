@@ -114,7 +114,7 @@ TEST(Solve, SearchIsNeverBelowTheOptimumAndNearIt) {
 }
 
 TEST(Solve, LowerBoundsHold) {
-  const auto seeds = static_cast<std::uint64_t>(testing::costly_cases(600));
+  const auto seeds = static_cast<std::uint64_t>(testing::costly_cases(150));
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const TourProblem problem = seed % 2 == 0 ? random_table(2 + seed % 4, 2 + seed % 5, seed)
                                               : random_yard(3 + seed % 6, 12, 4, seed);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "outrider/core/units.hpp"
+#include "outrider/job/plan_cache.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/cover/job.hpp"
 #include "outrider/jobs/cover/mission/mission.hpp"
@@ -38,7 +39,7 @@ class CoverFaults : public ::testing::Test {
     const Job job = cover_job();
     const auto task = job.blank();
     if (auto ok = change(*task, changes); !ok) return pass_on(ok);
-    return run_task(job, *task, {});
+    return run_task(job, *task, {.plans = &plans_});
   }
   /// Runs it, and holds the report to what the log and geometry say.
   [[nodiscard]] outrider::Run covered(const Changes& more) const {
@@ -55,6 +56,7 @@ class CoverFaults : public ::testing::Test {
     return std::move(*run);
   }
   test::Folder folder_;
+  mutable PlanCache plans_;  ///< faults do not change the plan
 };
 
 /// Whoever runs a task before its area is read has a bug, and is told so.
@@ -98,15 +100,13 @@ TEST_F(CoverFaults, WheelsThatStickForGoodAreNotDone) {
 
 TEST_F(CoverFaults, ARobotThatIsPutElsewhereDrivesBack) {
   const double whole_m = metric(covered({}).report, "length_m");
-  for (const char* at : {"3", "90.5"}) {
-    for (const char* by : {"2.5", "-3"}) {
-      const outrider::Run run = covered(
-          {{"faults.kidnapped_at", at}, {"faults.kidnapped_by", by}, {"faults.kidnapped_turn", "130"}});
-      EXPECT_EQ(run.report.status, "done") << at << ": " << run.report.reason;
-      EXPECT_EQ(metric(run.report, "held_up"), 1.0);
-      EXPECT_EQ(metric(run.report, "left_out_m"), 0.0);
-      EXPECT_GT(metric(run.report, "length_m"), whole_m);
-    }
+  for (const auto& [at, by] : {std::pair{"3", "2.5"}, {"90.5", "-3"}}) {
+    const outrider::Run run =
+        covered({{"faults.kidnapped_at", at}, {"faults.kidnapped_by", by}, {"faults.kidnapped_turn", "130"}});
+    EXPECT_EQ(run.report.status, "done") << at << ": " << run.report.reason;
+    EXPECT_EQ(metric(run.report, "held_up"), 1.0);
+    EXPECT_EQ(metric(run.report, "left_out_m"), 0.0);
+    EXPECT_GT(metric(run.report, "length_m"), whole_m);
   }
 }
 
@@ -119,7 +119,7 @@ TEST_F(CoverFaults, BeingCarriedCoversNothing) {
 }
 
 TEST_F(CoverFaults, APostThatStaysIsDrivenAround) {
-  for (const char* at : {"5", "50", "57", "64", "71", "100"}) {
+  for (const char* at : {"5", "57", "100"}) {
     const outrider::Run run =
         covered({{"faults.blocked_at", at}, {"faults.blocked_radius", "0.1"}, {"seed", at}});
     EXPECT_LT(metric(run.report, "left_out_m"), 6.0) << at;

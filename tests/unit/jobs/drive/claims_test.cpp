@@ -88,7 +88,7 @@ TEST(DriveClaims, FalseClaimsAreCounted) {
 }
 
 TEST(DriveClaims, AKidnappedRobotReachesNothing) {
-  for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
+  for (int seed = 1; seed <= testing::costly_cases(6); ++seed) {
     Rng rng(static_cast<std::uint64_t>(seed));
     DriveSimParams params = testing::usual_faults();
     params.kidnapping = {rng.uniform(0.5, 10.0), 30.0, rng.uniform(-pi, pi)};
@@ -101,7 +101,7 @@ TEST(DriveClaims, AKidnappedRobotReachesNothing) {
 TEST(DriveClaims, ARobotThatIsMovedWhileItSettlesComesBackFirst) {
   DriveTask task = two_tags_in_view();
   task.rules.tags_move = false;  // three tags 2.5 m ahead tell no second opinion in time
-  for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
+  for (int seed = 1; seed <= testing::costly_cases(6); ++seed) {
     const auto number_of = static_cast<std::uint64_t>(seed);
     Rng rng(number_of);
     const auto undisturbed = driven_unseen(task, testing::usual_faults(), number_of);
@@ -129,7 +129,7 @@ TEST(DriveClaims, TagsInSightFindAKidnappedRobotAgain) {
 }
 
 TEST(DriveClaims, TheBeliefCoversTheErrorsOfWheelsAndSlip) {
-  for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
+  for (int seed = 1; seed <= testing::costly_cases(6); ++seed) {
     for (const bool wheel : {true, false}) {
       DriveSimParams params = testing::usual_faults();
       if (wheel) params.wheels.gains[static_cast<std::size_t>(seed) % 4] += seed % 2 == 0 ? 0.1 : -0.1;
@@ -148,7 +148,7 @@ TEST(DriveClaims, ATagThatHangsElsewhereConfirmsNoWrongStop) {
   task.tags.tags = {upright_tag(1, {2, 1, 0.2}, pi), upright_tag(2, {1, 2.5, 0.2}, -pi / 2),
                     upright_tag(3, {0, 2, 0.2}, 0)};
   task.waypoints = {{{{0, 0}, 0}}, {{{1, 0}, 0}}, {{{1, 2}, pi}}, {{{0, 0}, 0}}};
-  for (int seed = 1; seed <= testing::costly_cases(10); ++seed) {
+  for (int seed = 1; seed <= testing::costly_cases(4); ++seed) {
     for (const Tag& tag : task.tags.tags) {
       DriveSimParams params = testing::usual_faults();
       params.moved_tag = {tag.id, seed % 2 == 0 ? 0.1 : -0.1};
@@ -160,7 +160,7 @@ TEST(DriveClaims, ATagThatHangsElsewhereConfirmsNoWrongStop) {
 }
 
 TEST(DriveClaims, NoisierCornersThanExpectedAreNoticed) {
-  for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
+  for (int seed = 1; seed <= testing::costly_cases(6); ++seed) {
     DriveSimParams params = testing::usual_faults();
     params.sight.corner_sigma_px = 1.0;
     expect_true_claims(driven_unseen(two_tags_in_view(), params, static_cast<std::uint64_t>(seed)));
@@ -177,7 +177,7 @@ DriveTask one_tag_in_view() {
 }
 
 TEST(DriveClaims, ATagThatIsMovedOnTheWayConfirmsNoWrongStop) {
-  for (int seed = 1; seed <= testing::costly_cases(30); ++seed) {
+  for (int seed = 1; seed <= testing::costly_cases(8); ++seed) {
     for (const char* follower : {"pid", "time_optimal"}) {
       Rng rng(static_cast<std::uint64_t>(seed));
       DriveTask task = one_tag_in_view();
@@ -193,7 +193,7 @@ TEST(DriveClaims, ATagThatIsMovedOnTheWayConfirmsNoWrongStop) {
 /// A tag that hangs about as far off as a stop may be teaches the robot that turns displace it, so that its
 /// place by another tag, seen before the turn back, seems to agree.
 TEST(DriveClaims, ATagThatHangsAFewCentimetresElsewhereConfirmsNoWrongStop) {
-  for (int seed = 1; seed <= testing::costly_cases(60); ++seed) {
+  for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
     Rng rng(static_cast<std::uint64_t>(seed));
     DriveSimParams params = testing::usual_faults();
     params.moved_tag = {1 + static_cast<std::int64_t>(rng.below(3)),
@@ -205,7 +205,7 @@ TEST(DriveClaims, ATagThatHangsAFewCentimetresElsewhereConfirmsNoWrongStop) {
 /// One tag is in view at most stops, so the robot looks round for another, which agrees.
 TEST(DriveClaims, ARobotThatSeesOneTagLooksRoundForAnother) {
   constexpr double most_look_s = 15.0;  // two turns and images in between, seldom twice
-  for (int seed = 1; seed <= testing::costly_cases(10); ++seed) {
+  for (int seed = 1; seed <= testing::costly_cases(4); ++seed) {
     DriveTask task = one_tag_in_view();
     const auto looks = driven_unseen(task, testing::usual_faults(), static_cast<std::uint64_t>(seed));
     task.rules.tags_move = false;
@@ -219,7 +219,7 @@ TEST(DriveClaims, ARobotThatSeesOneTagLooksRoundForAnother) {
 }
 
 TEST(DriveClaims, TagsOfAWrongSizeConfirmNoWrongStop) {
-  for (int seed = 1; seed <= testing::costly_cases(30); ++seed) {
+  for (int seed = 1; seed <= testing::costly_cases(8); ++seed) {
     for (const char* follower : {"pid", "time_optimal"}) {
       Rng rng(static_cast<std::uint64_t>(seed));
       DriveTask task = one_tag_in_view();
@@ -233,7 +233,7 @@ TEST(DriveClaims, TagsOfAWrongSizeConfirmNoWrongStop) {
 
 /// One map, several worlds: tags are missing, exchanged or elsewhere.
 TEST(DriveClaims, TagsOfAnotherWorldConfirmNoWrongStop) {
-  for (int seed = 1; seed <= testing::costly_cases(30); ++seed) {
+  for (int seed = 1; seed <= testing::costly_cases(8); ++seed) {
     Rng rng(static_cast<std::uint64_t>(seed));
     DriveTask task = one_tag_in_view();
     DriveSimParams params = testing::usual_faults();
@@ -254,7 +254,7 @@ TEST(DriveClaims, TagsOfAnotherWorldConfirmNoWrongStop) {
 
 /// Images that come late are fused at their own time: the drive is as good as with images that come at once.
 TEST(DriveClaims, LateImagesCorrectTheBeliefOfTheirTime) {
-  for (int seed = 1; seed <= testing::costly_cases(10); ++seed) {
+  for (int seed = 1; seed <= testing::costly_cases(4); ++seed) {
     DriveTask task = two_tags_in_view();
     task.eye.latency_s = 0.3;
     task.rules.tags_move = false;  // three tags 2.5 m ahead tell no second opinion in time
@@ -283,7 +283,7 @@ TEST(DriveClaims, APassedWaypointSaysHowNear) {
 /// Behind a corner of 135 degrees the robot once waited for ever beside the waypoint that it had passed.
 TEST(DriveClaims, EveryFollowerPassesASharpCorner) {
   for (const char* follower : {"pid", "pure_pursuit", "time_optimal"}) {
-    for (int seed = 1; seed <= testing::costly_cases(5); ++seed) {
+    for (int seed = 1; seed <= testing::costly_cases(2); ++seed) {
       DriveTask task = two_tags_in_view();
       task.follow.follower = follower;
       task.rules.tags_move = false;  // its times are those of the way, not of looking round

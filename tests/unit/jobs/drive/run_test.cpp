@@ -65,7 +65,7 @@ void expect_arrives(const DriveTask& task, std::uint64_t seed, double most_ratio
 }
 
 TEST(DriveRun, ClosedLoopArrivesWithinThreeCentimetres) {
-  for (int seed = 1; seed <= testing::costly_cases(10); ++seed) {
+  for (int seed = 1; seed <= testing::costly_cases(4); ++seed) {
     expect_arrives(waypoints(), static_cast<std::uint64_t>(seed), 1.05);
   }
 }
@@ -122,7 +122,7 @@ TEST(DriveRun, CalibrationTakesTwoThirdsOfTheErrorOfTheOpenLoop) {
   const auto fit = calibrate(raw.chassis, record_runs(raw, faults(), 5, 0.002, radians(0.3), 1));
   ASSERT_TRUE(fit);
   calibrated.calibration = fit->calibration;
-  for (int seed = 1; seed <= testing::cases(20); ++seed) {
+  for (int seed = 1; seed <= testing::cases(8); ++seed) {
     const auto number = static_cast<std::uint64_t>(seed);
     const Worst before = worst_of(driven(raw, faults(), false, number));
     const Worst after = worst_of(driven(calibrated, faults(), false, number));

@@ -100,7 +100,7 @@ TEST(ExploreAdversity, SurvivesThreeTimesTheErrorsOfTheWheels) {
 }
 
 TEST(ExploreAdversity, IsHonestInAHallWiderThanItSees) {
-  expect_honest(explored_in(walled_hall(40.0, 8.0), {}, 1));
+  expect_honest(explored_in(walled_hall(16.0, 8.0), {}, 1));
 }
 
 }  // namespace

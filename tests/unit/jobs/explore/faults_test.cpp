@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <stop_token>
+#include <utility>
 
 #include "box_solid.hpp"
 #include "outrider/core/units.hpp"
@@ -128,12 +130,13 @@ struct DoorRun {
 DoorRun explored_behind_a_door(double closed_for_s) {
   ExploreTask task;
   task.start = {{1.0, 1.5}, 0.0};
-  task.rules.most_time_s = 100.0;
-  const auto run_with = [&](const ExplorerFaults& faults, const ScanHook& scanned) {
+  task.rules.most_time_s = 60.0;
+  const auto run_with = [&](const ExplorerFaults& faults, const ScanHook& scanned,
+                            std::stop_token stop = {}) {
     ExplorerSimParams params;
     params.faults = faults;
     Log log;
-    auto run = run_explore(rooms_with_a_door(), task, params, 1, log, {}, scanned);
+    auto run = run_explore(rooms_with_a_door(), task, params, 1, log, {.stop = std::move(stop)}, scanned);
     EXPECT_TRUE(run) << run.error().sentence;
     return std::move(*run);
   };
@@ -141,10 +144,13 @@ DoorRun explored_behind_a_door(double closed_for_s) {
   faults.walk_ins.blocked_place = middle_of_door;
   faults.walk_ins.blocked_radius_m = 0.47;
   faults.walk_ins.blocked_for_s = closed_for_s;
-  run_with({}, [&](const Observation& seen, const ExploreMission&, const SimulatedRobot& robot) {
-    if (robot.pose().position.x > 4.2)
-      faults.walk_ins.blocked_at_s = std::min(faults.walk_ins.blocked_at_s, seen.time_s);
-  });
+  std::stop_source far_enough;
+  const ScanHook look = [&](const Observation& seen, const ExploreMission&, const SimulatedRobot& robot) {
+    if (robot.pose().position.x <= 4.2 || far_enough.stop_requested()) return;
+    faults.walk_ins.blocked_at_s = seen.time_s;
+    far_enough.request_stop();
+  };
+  run_with({}, look, far_enough.get_token());
   std::optional<double> closed_x;
   DoorRun done{run_with(faults, [&](const Observation&, const ExploreMission&, const SimulatedRobot& robot) {
     if (!closed_x && robot.body<TwistBody>().walk_ins().blocked_s()) closed_x = robot.pose().position.x;

@@ -31,7 +31,7 @@ GuardScenario yard(std::size_t targets = 100) {
   EXPECT_TRUE(loaded) << to_string(loaded.error());
   auto& all = job.scenario.problem.targets;
   all.resize(std::min(all.size(), targets));
-  job.scenario.options.resolution_m = 0.2;
+  job.scenario.options.resolution_m = 0.25;
   job.scenario.options.refinements = 0;
   return job.scenario;
 }

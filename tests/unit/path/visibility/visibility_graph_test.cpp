@@ -45,7 +45,7 @@ TEST(VisibilityGraph, TheThreeAgreeOnRandomWorldsAndNoPathIsConfirmed) {
   Rng rng = Rng(3).child("visibility");
   Workspace workspace;
   int joined = 0, parted = 0;
-  for (int i = 0; i < testing::cases(1500); ++i) {
+  for (int i = 0; i < testing::cases(500); ++i) {
     const PolygonWorld world = testing::random_world(rng);
     const auto ground = ground_of(world);
     for (int k = 0; k < 3; ++k) {
@@ -65,8 +65,8 @@ TEST(VisibilityGraph, TheThreeAgreeOnRandomWorldsAndNoPathIsConfirmed) {
       }
     }
   }
-  EXPECT_GT(joined, 500);
-  EXPECT_GT(parted, 20);
+  EXPECT_GT(joined, 170);
+  EXPECT_GT(parted, 7);
 }
 
 TEST(VisibilityGraph, BruteForceAgreesOnSmallWorlds) {
@@ -104,10 +104,18 @@ TEST(VisibilityGraph, MirroredTurnedAndMovedWorldsCostTheSame) {
   Rng rng = Rng(5).child("symmetry");
   Workspace workspace;
   const double c = std::cos(0.7), s = std::sin(0.7);
-  const std::vector<Map> maps = {
-      [](Vec2 p) { return Vec2{-p.x, p.y}; }, [](Vec2 p) { return Vec2{-p.y, p.x}; },
-      [](Vec2 p) { return Vec2{p.y, p.x}; },
-      [=](Vec2 p) { return Vec2{c * p.x - s * p.y + 3.0, s * p.x + c * p.y - 40.0}; }};
+  const std::vector<Map> maps = {[](Vec2 p) {
+                                   return Vec2{-p.x, p.y};
+                                 },
+                                 [](Vec2 p) {
+                                   return Vec2{-p.y, p.x};
+                                 },
+                                 [](Vec2 p) {
+                                   return Vec2{p.y, p.x};
+                                 },
+                                 [=](Vec2 p) {
+                                   return Vec2{c * p.x - s * p.y + 3.0, s * p.x + c * p.y - 40.0};
+                                 }};
   int joined = 0;
   for (int i = 0; i < testing::cases(300); ++i) {
     const PolygonWorld world = testing::scattered_world(rng, 10);

@@ -72,9 +72,13 @@ double squared_error(const Course& course, double noise_m, bool biased_wheels, s
 TEST(LaserSlamCovariance, IsHonestForOdometryAsStatedOrLearnt) {
   double sum = 0.0;
   int kinds = 0;
-  for (const Course& course : courses()) {
+  const std::vector<Course> all = courses();
+  for (const Course& course : all) {
     for (const double noise_m : {0.01, 0.03}) {
       for (const bool biased_wheels : {false, true}) {
+        // Half of the combinations: each pair of values is among them.
+        if (testing::cases(1) == 1 && (&course - all.data() + (noise_m > 0.02) + biased_wheels) % 2 != 0)
+          continue;
         double nees = 0.0;
         const int seeds = testing::cases(3);
         for (int i = 0; i < seeds; ++i)

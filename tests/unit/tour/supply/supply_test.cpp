@@ -67,7 +67,7 @@ TEST(Supply, ExactSearchIsTheLeastOfAllSequences) {
 TEST(Supply, ProgrammeAndSearchAgree) {
   if (!supply_programme_is_available()) GTEST_SKIP() << "built without CBC";
   int possible = 0;
-  for (int i = 0; i < testing::cases(12); ++i) {
+  for (int i = 0; i < testing::cases(6); ++i) {
     const auto seed = static_cast<std::uint64_t>(1000 + i);
     const SupplyProblem problem = random_supply(2 + seed % 2, 3, seed);
     const auto own = solve_supplied(problem, {.iterations = 50}, {});
@@ -86,7 +86,7 @@ TEST(Supply, ProgrammeAndSearchAgree) {
     EXPECT_NEAR(programme->tour.cost_s, own->cost_s, 1e-5) << seed;
     EXPECT_NEAR(programme->objective_s, own->cost_s, 1e-4) << seed;
   }
-  EXPECT_GT(possible, 4);
+  EXPECT_GT(possible, 2);
 }
 
 TEST(Supply, RuinAndRecreateIsCloseToTheOptimum) {

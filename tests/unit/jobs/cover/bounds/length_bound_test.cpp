@@ -27,13 +27,16 @@ TEST(LengthBound, OfARoomIsItsSidesAndTheRestByTheWidth) {
 /// No plan that covers nearly all is shorter by more than what it leaves out, taken at the width.
 TEST(LengthBound, NoPlanIsShorter) {
   Rng rng(31);
-  for (int k = 0; k < testing::cases(6); ++k) {
+  for (int k = 0; k < testing::cases(1); ++k) {
     CoverProblem problem = testing::random_cover_problem(rng);
     problem.uncovered = 0.0;
+    const auto ground = cover_ground(problem);
+    ASSERT_TRUE(ground) << to_string(ground.error());
+    const double least_m = least_length_m(*ground, problem);
     for (const char* name : {"boustrophedon", "spiral"}) {
       const auto plan = find_cover_method(name)->plan(problem, {}, {});
       ASSERT_TRUE(plan) << to_string(plan.error());
-      EXPECT_GE(plan->sums.length_m, least_length_m(plan->ground, problem)) << k << " " << name;
+      EXPECT_GE(plan->sums.length_m, least_m) << k << " " << name;
     }
   }
 }

@@ -65,7 +65,7 @@ TEST(BarSweep, ThereAndBackIsOverlapButForTheBarItself) {
 TEST(BarSweep, AgreesWithADenseRaster) {
   Rng rng(21);
   constexpr double cell = 0.04, near_m = 0.012;
-  for (int k = 0; k < testing::cases(12); ++k) {
+  for (int k = 0; k < testing::cases(4); ++k) {
     const Bar bar = testing::random_bar(rng);
     const std::vector<Pose2> poses = random_drive(rng, 4 + static_cast<int>(rng.below(10)));
     const Region area = region_of(testing::random_star(rng, {0, 0}, 1.5, 2.5, 8), {});
@@ -95,7 +95,7 @@ TEST(BarSweep, AgreesWithADenseRaster) {
 /// Inside of the true sweep and around it, and little between the two.
 TEST(BarSweep, TheTrueSweepLiesBetweenBothApproximations) {
   Rng rng(22);
-  for (int k = 0; k < testing::cases(30); ++k) {
+  for (int k = 0; k < testing::cases(10); ++k) {
     const Bar bar = testing::random_bar(rng);
     const auto poses = cover::with_small_turns(random_drive(rng, 6));
     const testing::DenseBar twin(poses, bar, 0.002);

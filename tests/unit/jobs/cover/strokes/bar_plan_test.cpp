@@ -49,7 +49,7 @@ TEST(BarPlan, AYardIsDoneWithADeckAheadBehindAndUnder) {
 TEST(BarPlan, TheJudgeAgreesWithADenseRaster) {
   Rng rng(31);
   int complete = 0, incomplete = 0;
-  for (int k = 0; k < testing::cases(5); ++k) {
+  for (int k = 0; k < testing::cases(2); ++k) {
     CoverProblem problem = testing::random_cover_problem(rng);
     problem.tracking_error_m = 0.0;
     problem.tool = {"bar", rng.uniform(0.5, 1.1), rng.uniform(0.05, 0.4), rng.uniform(-0.5, 0.5)};

@@ -90,7 +90,7 @@ TEST(CoverPlan, ATrackingErrorWithinTheOverlapLeavesOnlyTheRimUncovered) {
 /// Random areas with holes: covered against a raster of exact disks, the track clear of every edge.
 TEST(CoverPlan, RandomAreasAgainstARaster) {
   Rng rng(23);
-  for (int k = 0; k < testing::cases(3); ++k) {
+  for (int k = 0; k < testing::cases(2); ++k) {
     const CoverProblem problem = testing::random_cover_problem(rng);
     const std::string_view method = cover_methods()[rng.below(2)].name;
     const CoverPlan plan = planned(problem, method);
@@ -209,7 +209,7 @@ TEST(CoverPlan, SameProblemSameTrack) {
 /// No order that a longer search with another seed finds is quicker than the bound that is stated.
 TEST(CoverPlan, NoOrderIsQuickerThanItsBound) {
   Rng rng(77);
-  for (int k = 0; k < testing::cases(4); ++k) {
+  for (int k = 0; k < testing::cases(2); ++k) {
     const CoverProblem problem = testing::random_cover_problem(rng);
     const CoverMethod method = *find_cover_method("spiral");
     CoverOptions hasty, thorough;

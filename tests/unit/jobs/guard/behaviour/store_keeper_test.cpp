@@ -62,7 +62,7 @@ void expect_sound_levels(const Run& run) {
 
 TEST(SupplyRun, WithoutErrorsTakesWhatItsPlanSays) {
   int fills = 0, passing = 0;
-  for (int i = 0; i < testing::cases(8); ++i) {
+  for (int i = 0; i < testing::cases(4); ++i) {
     GuardProblem problem = yard_with_stations(static_cast<std::uint64_t>(i / 2));
     problem.errors = {0.0, 0.0, {0.0, 0.0}, 0.0};
     const bool on_the_move = i % 2 != 0;
@@ -92,7 +92,7 @@ TEST(SupplyRun, WithoutErrorsTakesWhatItsPlanSays) {
 
 TEST(SupplyRun, WithErrorsNeverRunsDryAndIsTheSameTwice) {
   int missions = 0;
-  for (int i = 0; i < testing::cases(6); ++i) {
+  for (int i = 0; i < testing::cases(4); ++i) {
     const auto mission = supplied(yard_with_stations(static_cast<std::uint64_t>(100 + i / 2)), i % 2 != 0);
     if (!mission) continue;
     ++missions;
@@ -106,7 +106,7 @@ TEST(SupplyRun, WithErrorsNeverRunsDryAndIsTheSameTwice) {
       EXPECT_EQ(recorder.finish(), test::bytes_of_log(run.log));
     }
   }
-  EXPECT_GE(missions, 4);
+  EXPECT_GE(missions, 2);
 }
 
 TEST(SupplyRun, SaysWhatTheSuppliesDoNotSufficeFor) {

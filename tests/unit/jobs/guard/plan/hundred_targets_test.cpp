@@ -84,7 +84,7 @@ void expect_out_of_reach(Rng& rng, const GuardProblem& problem, const FiringMap&
     if (firing_map.reachable[i] != 0 && range > firing_map.rules.standoff_m + 0.6) reachable.push_back(i);
   }
   constexpr double step_m = 1e-3;
-  for (int i = 0; i < testing::part_of(3000); ++i) {
+  for (int i = 0; i < testing::costly_cases(1000); ++i) {
     const Vec2 place = finer_place(rng, problem, firing_map, reachable);
     const Vec3 aim = point_of(rng, target);
     const double pitch = rng.uniform(problem.gun.pitch_low_rad, problem.gun.pitch_high_rad);
@@ -105,7 +105,7 @@ TEST(HundredTargets, WhatIsPlannedHitsAndWhatIsRefusedIsOutOfReach) {
     ASSERT_EQ(problem.targets.size(), most_targets);
     GuardOptions options = testing::from_rest();
     options.stops = 150;
-    options.iterations = 500;
+    options.iterations = 100;
     options.refinements = 1;
     options.gap = 1.0;
     const auto firing_map = build_firing_map(problem, options);

@@ -50,7 +50,7 @@ class RunGuardInPhysics : public ::testing::Test {
 
 TEST_F(RunGuardInPhysics, HitsWhatThePlanPromises) {
   Rng rng(621);
-  for (int i = 0; i < cases(4); ++i) {
+  for (int i = 0; i < cases(2); ++i) {
     auto problem = testing::random_guard_problem(rng, 8, 4, 2.5);
     const bool exact = i % 2 == 0;
     if (exact) problem.errors = {0.0, 0.0, {0.0, 0.0}};
@@ -84,7 +84,7 @@ Pose2 logged_at(const std::vector<testing::TrackSample>& track, double time_s) {
 TEST_F(RunGuardInPhysics, ShootsInPassingAsTheExactFlightsForetell) {
   const GuardProblem problem = testing::street();
   double passed = 0.0, beside_another = 0.0;
-  for (int seed = 1; seed <= cases(3); ++seed) {
+  for (int seed = 1; seed <= cases(2); ++seed) {
     test::LogRecorder recorder;
     auto run = carry_out(problem, static_cast<std::uint64_t>(seed), &recorder, testing::quick_on_the_move());
     EXPECT_EQ(recorder.finish(), test::bytes_of_log(run.log));

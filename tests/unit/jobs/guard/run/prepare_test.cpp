@@ -43,7 +43,9 @@ class Prepared : public ::testing::TestWithParam<PreparedCase> {};
 
 /// The mission that any robot may carry out is the one that the job simulates.
 TEST_P(Prepared, IsTheMissionOfTheJob) {
-  const auto& [scenario, changes] = GetParam();
+  const std::string& scenario = GetParam().scenario;
+  Changes changes = {{"plan.resolution", "0.4"}, {"plan.gap", "1"}};
+  changes.insert(changes.end(), GetParam().changes.begin(), GetParam().changes.end());
   GuardJob job;
   outrider::Run run;
   ASSERT_TRUE(loaded(job, scenario, changes).run(run, {}));

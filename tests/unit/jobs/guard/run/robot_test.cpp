@@ -244,7 +244,7 @@ TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
       ASSERT_LE(std::abs(error[k]), 1.0 + 1e-9);
       ++counts[k][static_cast<std::size_t>(std::clamp(2.0 * error[k] + 2.0, 0.0, 3.0))];
     }
-    if (i % (shots / testing::part_of(100)) != 0) continue;
+    if (i % (shots / testing::costly_cases(25)) != 0) continue;
     const Solid target = solid_of(problem.targets[0]);
     const auto fine = testing::fly_fine(vec3_of(fired.muzzle), v, 9.8, 0.01, firing_map.space(0).solids(),
                                         &target, -1.0, 5e-6);

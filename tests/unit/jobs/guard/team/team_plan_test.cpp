@@ -90,7 +90,7 @@ void expect_times_add_up(const GuardProblem& problem, const TeamPlan& team) {
 TEST(PlanTeam, KeepsItsPromisesInRandomYards) {
   Rng rng(411);
   std::size_t shared = 0;
-  for (int i = 0; i < cases(8); ++i) {
+  for (int i = 0; i < cases(4); ++i) {
     const auto [problem, starts] = random_team(rng, 6, 2 + static_cast<std::size_t>(i) % 3);
     GuardOptions options = testing::quick();
     options.shoot_on_the_move = i % 2 == 1;
@@ -114,7 +114,7 @@ TEST(PlanTeam, KeepsItsPromisesInRandomYards) {
     for (std::size_t r = 0; r < starts.size(); ++r)
       EXPECT_EQ(again->parts[r].begins_s, team->parts[r].begins_s);
   }
-  EXPECT_GE(shared, 2U);
+  EXPECT_GE(shared, 1U);
 }
 
 TEST(PlanTeam, OfOneRobotIsItsPlan) {
@@ -259,7 +259,7 @@ TEST(ScheduleTeam, LetsOneLeaveBeforeTheOtherComes) {
 /// Bound of a team by trying all partitions of the targets with the bound of one robot.
 TEST(TeamBound, IsAtMostThatOfTheBestPartition) {
   Rng rng(77);
-  for (int i = 0; i < cases(6); ++i) {
+  for (int i = 0; i < cases(3); ++i) {
     const auto [problem, starts] = random_team(rng, 4, 2);
     GuardOptions options = testing::quick();
     const auto firing_map = build_firing_map(problem, options);

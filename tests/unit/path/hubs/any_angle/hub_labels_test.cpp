@@ -7,6 +7,7 @@
 #include "outrider/path/check.hpp"
 #include "outrider/path/grid/line_of_sight.hpp"
 #include "outrider/path/mesh/polyanya/polyanya.hpp"
+#include "support/costly_cases.hpp"
 #include "support/grid_oracle.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_grid.hpp"
@@ -67,7 +68,7 @@ TEST(HubLabels, AgreeWithPolyanya) {
   Rng rng = Rng(22).child("polyanya");
   Workspace workspace;
   int bent = 0;
-  for (int i = 0; i < outrider::testing::cases(60); ++i) {
+  for (int i = 0; i < outrider::testing::cases(24); ++i) {
     const int side = 20 + static_cast<int>(rng.below(35));
     const Blocked grid = i % 2 == 0 ? rooms(rng, side) : strewn(rng, side, 35, rng.uniform(0.02, 0.45));
     const auto ground = ground_of(grid);
@@ -77,7 +78,7 @@ TEST(HubLabels, AgreeWithPolyanya) {
       ASSERT_FALSE(HasFatalFailure()) << "grid " << i << ", query " << k;
     }
   }
-  EXPECT_GT(bent, 1000);
+  EXPECT_GT(bent, 400);
 }
 
 TEST(HubLabels, GoRoundBothSidesOfPinchesButNotThroughThem) {
@@ -105,7 +106,7 @@ TEST(HubLabels, SearchAmongLandmarksWhereLabelsDoNotFit) {
   large.hub_memory_mib = 512;
   Workspace narrow, wide;
   int searched = 0, bent = 0;
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < outrider::testing::costly_cases(200); ++k) {
     const Problem problem{ground, ground->point(random_vertex(rng, grid.frame)),
                           ground->point(random_vertex(rng, grid.frame))};
     expect_as_polyanya(problem, small, narrow, bent);
@@ -116,7 +117,7 @@ TEST(HubLabels, SearchAmongLandmarksWhereLabelsDoNotFit) {
     ASSERT_EQ(b->counters.expansions, 1U) << "not by labels";
     searched += a->counters.expansions > 1 ? 1 : 0;
   }
-  EXPECT_GT(searched, 100);
+  EXPECT_GT(searched, outrider::testing::costly_cases(20));
 }
 
 TEST(HubLabels, SearchAmongLandmarksOnChangedGrounds) {

@@ -63,7 +63,7 @@ TYPED_TEST(GuidedSearches, FindTheShortestPathsOverAllVertices) {
   const GridModel model = any_direction ? GridModel::corners : GridModel::cells;
   Rng rng = Rng(41).child("guided");
   int joined = 0, apart = 0, bent = 0;
-  for (int i = 0; i < outrider::testing::cases(600); ++i) {
+  for (int i = 0; i < outrider::testing::cases(150); ++i) {
     const Blocked grid = i % 3 == 0 ? rooms(rng, 14) : random_grid(rng, 12);
     const GridMap ground = GridMap::of(grid, model).value();
     Guided<TypeParam> guided(ground);
@@ -84,9 +84,9 @@ TYPED_TEST(GuidedSearches, FindTheShortestPathsOverAllVertices) {
     }
     bent += guided.bent;
   }
-  EXPECT_GT(joined, 600);
-  EXPECT_GT(apart, 50);
-  EXPECT_GT(bent, 200);
+  EXPECT_GT(joined, 150);
+  EXPECT_GT(apart, 10);
+  EXPECT_GT(bent, 50);
 }
 
 TYPED_TEST(GuidedSearches, EndWithTheBudget) {

@@ -121,7 +121,7 @@ TEST(Polyanya, IsTheShortestPathOverAllCorners) {
 TEST(Polyanya, IsTheShortestPathInCaves) {
   Rng rng = Rng(4).child("caves");
   Workspace workspace;
-  for (int i = 0; i < outrider::testing::cases(60); ++i) {
+  for (int i = 0; i < outrider::testing::cases(20); ++i) {
     const Blocked grid = cave(rng, 40);
     const auto ground = std::make_shared<const GridMap>(*GridMap::of(grid, GridModel::corners));
     for (int k = 0; k < 60; ++k) {
