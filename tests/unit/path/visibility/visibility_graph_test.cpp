@@ -104,18 +104,10 @@ TEST(VisibilityGraph, MirroredTurnedAndMovedWorldsCostTheSame) {
   Rng rng = Rng(5).child("symmetry");
   Workspace workspace;
   const double c = std::cos(0.7), s = std::sin(0.7);
-  const std::vector<Map> maps = {[](Vec2 p) {
-                                   return Vec2{-p.x, p.y};
-                                 },
-                                 [](Vec2 p) {
-                                   return Vec2{-p.y, p.x};
-                                 },
-                                 [](Vec2 p) {
-                                   return Vec2{p.y, p.x};
-                                 },
-                                 [=](Vec2 p) {
-                                   return Vec2{c * p.x - s * p.y + 3.0, s * p.x + c * p.y - 40.0};
-                                 }};
+  const std::vector<Map> maps = {
+      [](Vec2 p) { return Vec2{-p.x, p.y}; }, [](Vec2 p) { return Vec2{-p.y, p.x}; },
+      [](Vec2 p) { return Vec2{p.y, p.x}; },
+      [=](Vec2 p) { return Vec2{c * p.x - s * p.y + 3.0, s * p.x + c * p.y - 40.0}; }};
   int joined = 0;
   for (int i = 0; i < testing::cases(300); ++i) {
     const PolygonWorld world = testing::scattered_world(rng, 10);
