@@ -13,6 +13,7 @@
 #include "outrider/geometry/box.hpp"
 #include "outrider/slam/map/map_fit.hpp"
 #include "outrider/world/known_extent.hpp"
+#include "outrider/world/occupancy.hpp"
 #include "scan/grid_surface.hpp"
 #include "scan/scan_match.hpp"
 
@@ -70,6 +71,13 @@ struct MapLocaliser::State {
   [[nodiscard]] MapFit fit_of(const LaserScan& scan, const Pose2& world_T_robot) const {
     const Pose2 grid_T_robot = relative_pose(world_T_grid, world_T_robot);
     return map_fit(map.occupancy, compose(grid_T_robot, options.robot_T_laser), scan, options.reach_m);
+  }
+  /// Returns true if the map has a wall where the laser is, as in a doorway that is newer: then its beams
+  /// tell nothing about the map.
+  [[nodiscard]] bool is_in_wall() const {
+    const Vec2 laser = relative_pose(world_T_grid, pose) * options.robot_T_laser.position;
+    const Cell cell = map.occupancy.frame.cell_at(laser);
+    return map.occupancy.frame.contains(cell) && map.occupancy[cell] == occupied_cell;
   }
   void track(const LaserScan& scan, const Surface& surface, MapLocaliserStep& step);
   void search(const LaserScan& scan, const Surface& surface, MapLocaliserStep& step);
@@ -132,6 +140,7 @@ void MapLocaliser::State::track(const LaserScan& scan, const Surface& surface, M
   }
   const double share = step.matched ? fit_of(scan, pose).share() : 0.0;
   step.fits = step.matched && share >= fitting_share;
+  if (is_in_wall()) return;
   mean_share += (share - mean_share) / averaged_scans;
   if (mean_share >= lost_share) return;
   is_located = false;

@@ -7,7 +7,8 @@
 //
 // Located: each scan is matched with the map in a window about the odometry. How well the scans fit is
 // averaged over the last ones. Where they no longer fit, as for a robot that was carried away, the robot is
-// lost, and is searched everywhere again. Nothing is assumed about where it went.
+// lost, and is searched everywhere again. Nothing is assumed about where it went. Scans from within a wall of
+// the map, as in a doorway that the map does not have, do not count.
 //
 // Frames: world_T_robot, where the world is that of the map. Same input, same bytes. Thread rule: one at a
 // time. Complexity: a step, the points of a scan and the window; a search, at most some seconds, see
