@@ -72,6 +72,22 @@ TEST(MapLocaliser, FindsAKidnappedRobotAgainWithinTenMetres) {
   RecordProperty("median_way_m", std::to_string(ways_m[ways_m.size() / 2]));
 }
 
+TEST(MapLocaliser, TakesTheStartThatItIsTold) {
+  for (int trial = 0; trial < testing::cases(3); ++trial) {
+    Rng rng(static_cast<std::uint64_t>(trial) + 1);
+    const std::vector<Wall> walls = testing::flat(rng);
+    Wanderer robot(walls, rng);
+    const Pose2 told = compose(robot.pose, Pose2{{0.25, -0.2}, 0.1});
+    auto localiser = MapLocaliser::begin(testing::known_map(walls, rng), {}, told);
+    ASSERT_TRUE(localiser);
+    EXPECT_TRUE(localiser->is_located());
+    const Found found = drive(*localiser, robot, walls, 3.0, rng);
+    EXPECT_TRUE(found.located) << trial;
+    EXPECT_LT(found.error_m, 0.1) << trial;
+    EXPECT_LT(found.wrong_m, 0.3) << trial;
+  }
+}
+
 TEST(MapLocaliser, IsLocatedNowhereOnTheMapOfAnotherFlat) {
   Rng rng(3);
   const std::vector<Wall> walls = testing::flat(rng), others = testing::flat(rng);

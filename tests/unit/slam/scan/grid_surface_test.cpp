@@ -32,6 +32,16 @@ TEST(GridSurface, AThickWallFacesTheFreeSide) {
   }
 }
 
+TEST(GridSurface, AFilledWallIsWhereItsCellsEnd) {
+  Grid<std::uint8_t> grid = free_grid(40, 30);
+  for (int y = 20; y < 30; ++y) {
+    for (int x = 0; x < 40; ++x) grid[{x, y}] = occupied_cell;
+  }
+  const Surface surface = surface_of(grid);
+  EXPECT_EQ(surface.size(), 40U);
+  for (const SurfacePoint& point : surface) EXPECT_NEAR(point.position.y, 2.0 + 20 * 0.05, 1e-9);
+}
+
 TEST(GridSurface, AThinWallHasTwoSides) {
   Grid<std::uint8_t> grid = free_grid(60, 60);
   for (int i = 5; i < 55; ++i) grid[{i, i}] = grid[{i, i + 1}] = occupied_cell;  // at 45 degrees

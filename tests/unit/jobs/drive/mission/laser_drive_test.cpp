@@ -242,5 +242,46 @@ TEST(LaserDrive, IsAskedForByItsLoop) {
   EXPECT_EQ(faulty.error().where, "faults.wheel_1");
 }
 
+TEST(LaserDriveOnMap, WhatDoesNotGoTogetherIsRefusedByKey) {
+  const auto where = [](const auto& change) {
+    DriveJob job;
+    job.scenario.loop = "laser";
+    job.scenario.bounds = "-5,-5,5,5";
+    job.scenario.goal = "1,0,0";
+    change(job.scenario);
+    const auto loaded = job.load();
+    return loaded ? std::string("loaded") : loaded.error().where;
+  };
+  EXPECT_EQ(where([](DriveScenario&) {}), "loaded");
+  EXPECT_EQ(where([](DriveScenario& s) { s.things = "2,1,0.5,0.4 3,1,0.2"; }), "loaded");
+  EXPECT_EQ(where([](DriveScenario& s) { s.things = "2,1"; }), "things");
+  EXPECT_EQ(where([](DriveScenario& s) { s.things = "2,1,1e9"; }), "things");
+  EXPECT_EQ(where([](DriveScenario& s) { s.things = "1,0,0.3"; }), "waypoints");  // on the goal
+  EXPECT_EQ(where([](DriveScenario& s) { s.laser.start_unknown = true; }), "navigator.start_unknown");
+  EXPECT_EQ(where([](DriveScenario& s) { s.waypoints = "1,0,0"; }), "goal");
+  for (const char* loop : {"closed", "open"}) {
+    EXPECT_EQ(where([&](DriveScenario& s) { s.loop = loop, s.map = "map.yaml"; }), "map");
+    EXPECT_EQ(where([&](DriveScenario& s) { s.loop = loop, s.things = "2,1,0.2"; }), "things");
+    EXPECT_EQ(where([&](DriveScenario& s) { s.loop = loop; }), "planner");
+  }
+}
+
+TEST(LaserDriveOnMap, AMapWithoutAWorldIsTheWorld) {
+  DriveJob job;
+  job.scenario.loop = "laser";
+  job.scenario.map = OUTRIDER_SOURCE_DIR "/scenarios/explore/office_map.yaml";
+  job.scenario.start = "1,3,0";
+  job.scenario.goal = "6.8,1.4,-90";
+  job.scenario.radius_m = 0.1;
+  ASSERT_TRUE(job.load());
+  ASSERT_TRUE(job.setup->task.known);
+  EXPECT_GT(job.setup->task.world.solids.size(), 5U);
+  EXPECT_EQ(job.setup->task.waypoints.size(), 1U);
+  job.scenario.map = OUTRIDER_SOURCE_DIR "/scenarios/explore/office.sdf";
+  const auto solids = job.load();
+  ASSERT_FALSE(solids);
+  EXPECT_EQ(solids.error().where, "map");
+}
+
 }  // namespace
 }  // namespace outrider
