@@ -8,7 +8,7 @@
 #include "output/progress.hpp"
 #include "output/terminal.hpp"
 #include "outrider/job/clock.hpp"
-#include "suites.hpp"
+#include "suites/suites.hpp"
 
 namespace outrider::cli {
 namespace {
