@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "outrider/tour/supply/supply.hpp"
-#include "random_tour.hpp"
+#include "unit/tour/random_tour.hpp"
 
 namespace outrider {
 
