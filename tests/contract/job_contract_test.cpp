@@ -21,7 +21,7 @@ const std::vector<SmallScenario>& small_scenarios() {
       {"cover", "area: SOURCE/cover/room.txt\nwidth: 0.4\n"},
       {"drive",
        "waypoints: \"0,0,0 1,0,0 1,1,180\"\ntags: \"1=2,1,180 2=1,2.5,-90\"\nfaults:\n  wheel_1: 0.985\n",
-       {"model_path"}},
+       {"map", "model_path"}},
       {"explore",
        "world: SOURCE/explore/leaking_yard.sdf\nstart: \"6.8,1.5,90\"\nrules:\n  most_time: 10\n",
        {"slices"}},

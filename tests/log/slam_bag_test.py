@@ -19,7 +19,7 @@ from tf2_msgs.msg import TFMessage
 
 TOOL = os.environ["OUTRIDER"]
 START_S = 1600000000
-BIG_MB = int(os.environ.get("OUTRIDER_BAG_MB", "50"))
+BIG_MB = int(os.environ.get("OUTRIDER_BAG_MB", "100"))
 MOST_MEMORY_MB = 200
 MEASURE = """
 import os, sys

@@ -22,7 +22,7 @@
 
 namespace outrider {
 
-/// What a robot goes around.
+/// The ground on which a robot goes, and its obstacles.
 struct GoalGround {
   GridFrame frame;
   std::vector<Vec2> obstacles;                        ///< points that it keeps clear of

@@ -23,7 +23,7 @@
 
 namespace outrider {
 
-/// What a robot is told of its place at the beginning.
+/// The beginning of a localiser: the place that the robot is told, its laser, its map.
 struct LocaliserStart {
   std::optional<Pose2> pose;         ///< where the odometry begins; none: anywhere on the map
   Pose2 robot_T_laser;               ///< the mount of its laser
