@@ -16,6 +16,7 @@ constexpr double beyond_cells = 1.5;      // a beam that ends so far behind a ma
 constexpr std::int64_t beams_beside = 1;  // those next to the beam through a mark have to pass it as well
 constexpr double never_s = -1e9;          // when a wall was seen that was not seen yet
 constexpr std::size_t most_behind = 20'000;
+constexpr double stood_s = 1.0;  // what has stood in a cell so long does not move
 
 GridFrame window(const LiveMapOptions& options, Vec2 middle) {
   const Vec2 reach{options.reach_m, options.reach_m};
@@ -65,8 +66,19 @@ LiveMap::LiveMap(const LiveMapOptions& options, Vec2 middle)
 std::vector<Vec2> LiveMap::places() const {
   std::vector<Vec2> places;
   places.reserve(marks_.size());
-  for (const Mark& mark : marks_) places.push_back(mark.place);
+  for (const Mark& mark : marks_) {
+    if (!mark.moving) places.push_back(mark.place);
+  }
   return places;
+}
+
+void LiveMap::set_moving(const std::vector<RoundedPolygon>& disks) {
+  for (Mark& mark : marks_) {
+    const bool fresh = !mark.mapped && !mark.touched && mark.seen_s - mark.first_s < stood_s;
+    mark.moving = fresh && std::ranges::any_of(disks, [&](const RoundedPolygon& disk) {
+                    return signed_distance(mark.place, disk) <= 0.0;
+                  });
+  }
 }
 
 void LiveMap::know(Walls walls) {
@@ -82,7 +94,7 @@ void LiveMap::mark_walls(const GridFrame* known) {
     const Cell cell = frame().cell_at(place);
     if (!cells_.contains(cell) || cells_[cell] != 0) continue;
     if (known != nullptr && known->contains(known->cell_at(place))) continue;
-    marks_.push_back({place, never_s, most_weight, false, true});
+    marks_.push_back({place, never_s, never_s, most_weight, false, true});
     cells_[cell] = static_cast<std::uint32_t>(marks_.size());
     ++changes_;
   }
@@ -152,7 +164,8 @@ void LiveMap::mark(Vec2 place, double time_s, int weight, bool touched) {
   std::uint32_t& number = cells_[cell];
   if (number == 0) {
     const bool mapped = !touched && take_wall_beside(cell);
-    marks_.push_back({place, time_s, mapped ? most_weight : weight, touched, mapped});
+    marks_.push_back(
+        {place, time_s, mapped ? never_s : time_s, mapped ? most_weight : weight, touched, mapped});
     number = static_cast<std::uint32_t>(marks_.size());
     ++changes_;
     return;

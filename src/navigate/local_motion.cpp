@@ -10,7 +10,15 @@ namespace outrider {
 namespace {
 
 constexpr double brake_step_s = 0.02;
-constexpr double rounding_m = 1e-4;  // by which a gap may become less because of rounding
+constexpr double moving_room_m = 0.1;  // from what moves
+constexpr double rounding_m = 1e-4;    // by which a gap may become less because of rounding
+
+/// Returns the point of a segment that is nearest to a place.
+Vec2 nearest_between(Vec2 from, Vec2 to, Vec2 place) {
+  const Vec2 along = to - from;
+  const double length2 = squared_norm(along);
+  return length2 == 0.0 ? from : from + std::clamp(dot(place - from, along) / length2, 0.0, 1.0) * along;
+}
 
 }  // namespace
 
@@ -36,10 +44,24 @@ const std::vector<LocalMotionRow>& local_motions() {
   return rows;
 }
 
+double MotionState::moving_gap(const Pose2& at, double after_s, double most, bool swept) const {
+  double least = most;
+  if (moving == nullptr) return least;
+  for (const MovingThing& thing : *moving) {
+    const Vec2 then = thing.place_after(after_s);
+    const Vec2 nearest = swept ? nearest_between(thing.place, then, at.position) : then;
+    const Vec2 off = nearest - at.position;
+    if (norm(off) - thing.radius_m - footprint.outer_m() >= least) continue;
+    least = std::min(least, footprint.gap_m(unrotated(at.heading_rad, off)) - thing.radius_m);
+  }
+  return least;
+}
+
 bool can_brake(const MotionState& state, const Twist2& commanded, double margin_m) {
   const double enough_m = 0.5 * Surroundings::most_m;
   double gap_m = state.near.gap(state.footprint, state.pose, enough_m);
   const double least_m = std::min(margin_m, gap_m - rounding_m);
+  double passed_s = 0.0;
   Pose2 pose = state.pose;
   Twist2 twist = state.twist;
   double left_s = state.period_s;
@@ -58,6 +80,8 @@ bool can_brake(const MotionState& state, const Twist2& commanded, double margin_
     if (gap_m < least_m || (before_m + gap_m - moved_m < 0.0 && least_m >= 0.0)) return false;
     twist = next;
     left_s -= step_s;
+    passed_s += step_s;
+    if (state.moving_gap(pose, passed_s, moving_room_m, true) < moving_room_m) return false;
   }
   return true;
 }

@@ -27,8 +27,9 @@ constexpr double around_m = 0.5;      // that is looked at beyond where a motion
 constexpr double back_off_s = 1.5;
 constexpr double map_again_s = 2.0;                   // least time between two plans on the known map
 constexpr double longer_part = 1.15, longer_s = 1.5;  // than on the known map, which is planned on again then
-constexpr double look_within_m = 0.3;                 // of a place to look from
-constexpr double look_turn_rad = 2.0;                 // where there is none
+constexpr double moving_trail_s = 0.4, moving_rim_m = 0.1;  // around what moves, where marks are of it
+constexpr double look_within_m = 0.3;                       // of a place to look from
+constexpr double look_turn_rad = 2.0;                       // where there is none
 
 std::vector<std::string> names_of_localisers() {
   auto names = names_of(robot_localisers());
@@ -114,9 +115,12 @@ void Navigator::take(const LaserScan& scan) {
   const Pose2 then = odometry_at(scan.time_s);
   const Pose2 before = localiser_->world_T_odometry();
   const bool was_located = localiser_->is_located();
-  const bool corrected = localiser_->take(scan, then);
+  const Pose2 about = compose(compose(before, then), setup_.robot_T_laser);
+  followed_.note(scan, about);
+  const bool corrected = localiser_->take(followed_.without(scan, about), then);
   const Pose2 after = localiser_->world_T_odometry();
   if (corrected) map_.correct(compose(after, inverse(before)));
+  if (corrected) followed_.clear();
   if (localiser_->is_located() != was_located) {
     order_.reset();
     progress_ = {};
@@ -143,9 +147,19 @@ Situation Navigator::perceive(const Observation& seen) {
     map_.keep_open(here.position, 0.8 * setup_.footprint.inner_m());
   }
   map_.forget(time_s_);
+  note_moving();
   if (order_) judge(*order_);
   const bool looks = !localiser_->is_located() && progress_.state != Progress::State::lost;
   return {time_s_, here, localiser_->covariance(), twist_, looks ? Progress{} : progress_};
+}
+
+/// Notes what moves now. What is marked of it does not stand.
+void Navigator::note_moving() {
+  moving_ = followed_.at(time_s_);
+  std::vector<RoundedPolygon> disks;
+  for (const MovingThing& thing : moving_)
+    disks.push_back({{thing.place, thing.place_after(-moving_trail_s)}, thing.radius_m + moving_rim_m});
+  map_.set_moving(disks);
 }
 
 /// Judges how far the order is.
@@ -174,8 +188,8 @@ void Navigator::judge(const GoTo& order) {
 // ---- Acting --------------------------------------------------------------------------------------
 
 MotionState Navigator::state_of(const GoTo& order) const {
-  return {pose(), twist_,      setup_.footprint, setup_.robot,           near_,
-          field_, order.place, order.within_m,   setup_.options.period_s};
+  return {pose(),      twist_,         setup_.footprint,        setup_.robot, near_, field_,
+          order.place, order.within_m, setup_.options.period_s, &moving_};
 }
 
 Command Navigator::act(const Order& order) {

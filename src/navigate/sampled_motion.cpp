@@ -17,13 +17,17 @@ constexpr std::size_t most_knots = 50;
 constexpr std::size_t noises = 1024;   // sequences drawn once
 constexpr std::size_t fallbacks = 12;  // sampled motions that are tried if the mean cannot brake
 constexpr double temperature_s = 0.1;
-constexpr double touch_s = 1000.0;        // cost of touching something
-constexpr double no_way_s = 500.0;        // cost of an end from which no way is known
-constexpr double backwards_weight = 1.0;  // seconds that a second at full speed backwards costs
-constexpr double speed_noise = 0.35;      // standard deviation, parts of full speed
-constexpr double turn_noise = 0.6;        // the same of the turn rate
-constexpr double kept_noise = 0.6;        // part of the noise that the next knot keeps
-constexpr double change_weight = 0.02;    // seconds that it costs to change the command by the whole range
+constexpr double touch_s = 1000.0;          // cost of touching something
+constexpr double no_way_s = 500.0;          // cost of an end from which no way is known
+constexpr double backwards_weight = 1.0;    // seconds that a second at full speed backwards costs
+constexpr double speed_noise = 0.35;        // standard deviation, parts of full speed
+constexpr double turn_noise = 0.6;          // the same of the turn rate
+constexpr double kept_noise = 0.6;          // part of the noise that the next knot keeps
+constexpr double moving_wide_m = 0.5;       // beside what moves, beyond which more room is worth nothing
+constexpr double moving_drift_mps = 0.1;    // by which what moves may come nearer than predicted
+constexpr double moving_weight = 3.0;       // seconds that a second without that room costs
+constexpr double moving_touch_weight = 50;  // the same where it would be touched, at full speed
+constexpr double change_weight = 0.02;      // seconds that it costs to change the command by the whole range
 
 /// The commands of a motion, one for each knot.
 struct Commands {
@@ -170,6 +174,14 @@ class SampledMotion final : public LocalMotion {
       const double speed = std::abs(next.ahead_mps) / robot.speed_mps;
       cost_s += step_s * (options_.room_weight * narrow * narrow * (0.1 + speed) +
                           (next.ahead_mps < 0.0 ? backwards_weight * speed : 0.0));
+      if (state.moving != nullptr && !state.moving->empty()) {
+        const double after_s = step_s * static_cast<double>(step + 1);
+        const double sure_m = state.moving_gap({place, heading_of(along)}, after_s, moving_wide_m, false) -
+                              moving_drift_mps * after_s;
+        if (sure_m < 0.0) cost_s += step_s * moving_touch_weight * (0.1 + speed);
+        const double tight = std::clamp(1.0 - sure_m / moving_wide_m, 0.0, 1.0);
+        cost_s += step_s * moving_weight * tight * tight;
+      }
       if (distance(place, state.goal) < state.within_m)
         return cost_s - step_s * static_cast<double>(steps - step);
     }

@@ -21,7 +21,7 @@ void Surroundings::look(const LiveMap& map, Vec2 middle, double reach_m) {
   tiles_ = covering(frame_.bounds().grown(most_m), tile_m);
   places_.clear();
   for (const Mark& mark : map.marks()) {
-    if (tiles_.contains(tiles_.cell_at(mark.place))) places_.push_back(mark.place);
+    if (!mark.moving && tiles_.contains(tiles_.cell_at(mark.place))) places_.push_back(mark.place);
   }
   sort_into_tiles();
   spread_distances(frame_, places_, most_m, distance_m_);

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
+#include "outrider/geometry/convex.hpp"
 #include "outrider/geometry/pose.hpp"
 #include "outrider/slam/scan/laser_scan.hpp"
 #include "outrider/world/grid.hpp"
@@ -38,9 +39,11 @@ std::vector<Option> describe(LiveMapOptions& options);
 struct Mark {
   Vec2 place;            ///< mean of the newest readings
   double seen_s = 0.0;   ///< time of the newest reading
+  double first_s = 0.0;  ///< time since which something has stood in the cell
   int weight = 0;        ///< 0: nothing stands there
   bool touched = false;  ///< the bumper found it
   bool mapped = false;   ///< it is a wall of the known map
+  bool moving = false;   ///< it is part of something that moves
 };
 
 class LiveMap {
@@ -73,7 +76,14 @@ class LiveMap {
   [[nodiscard]] bool marked(Cell cell) const { return cells_.contains(cell) && cells_[cell] != 0; }
   /// Returns all marks, in the order in which they were made.
   [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
-  /// Returns the places of all marks.
+  /// Returns the mark in the cell of a place; null if there is none.
+  [[nodiscard]] const Mark* mark_at(Vec2 place) const {
+    const Cell cell = frame().cell_at(place);
+    return marked(cell) ? &marks_[cells_[cell] - 1] : nullptr;
+  }
+  /// Marks that lie in one of these disks, and are newer than a second, are moving, the others not.
+  void set_moving(const std::vector<RoundedPolygon>& disks);
+  /// Returns the places of all marks that do not move.
   [[nodiscard]] std::vector<Vec2> places() const;
   /// Returns what was seen for sure and is now out of the window or forgotten in it, oldest first.
   [[nodiscard]] const std::vector<Mark>& behind() const { return behind_; }

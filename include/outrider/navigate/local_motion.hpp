@@ -21,6 +21,7 @@
 #include "outrider/core/options.hpp"
 #include "outrider/motion/limited_twist.hpp"
 #include "outrider/navigate/goal_field.hpp"
+#include "outrider/navigate/moving_things.hpp"
 #include "outrider/navigate/surroundings.hpp"
 
 namespace outrider {
@@ -36,6 +37,11 @@ struct MotionState {
   Vec2 goal;
   double within_m = 0.1;   ///< distance from the goal at which the robot has arrived
   double period_s = 0.05;  ///< time until the next command
+  const std::vector<MovingThing>* moving = nullptr;  ///< what moves; null: nothing
+
+  /// Returns the distance from the footprint at a pose to what moves after a time, m, at most `most`; if it
+  /// is `swept`, to wherever it is until then.
+  [[nodiscard]] double moving_gap(const Pose2& at, double after_s, double most, bool swept) const;
 };
 
 /// Options of the rules.
@@ -71,7 +77,8 @@ const std::vector<LocalMotionRow>& local_motions();
 
 /// Returns true if the robot touches nothing that is marked when it is commanded a twist for a period and
 /// then brakes: the gap is at least `margin_m` then, or as it is now if that is less. Exact in space, with
-/// steps in time between which nothing can be reached.
+/// steps in time between which nothing can be reached. Nor does it come near to what moves, as long as that
+/// goes on as it does or stops.
 bool can_brake(const MotionState& state, const Twist2& commanded, double margin_m);
 
 }  // namespace outrider

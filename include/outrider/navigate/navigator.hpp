@@ -99,6 +99,8 @@ class Navigator {
 
   [[nodiscard]] const LiveMap& map() const { return map_; }
   [[nodiscard]] const GoalField& field() const { return field_; }
+  /// Returns what moves around the robot.
+  [[nodiscard]] const std::vector<MovingThing>& moving() const { return moving_; }
   /// Returns true if the robot knows where it is; until then its poses have no meaning.
   [[nodiscard]] bool is_located() const { return localiser_->is_located(); }
   [[nodiscard]] std::int64_t recoveries() const { return recoveries_; }
@@ -114,6 +116,7 @@ class Navigator {
   [[nodiscard]] Pose2 odometry_at(double time_s) const;
   [[nodiscard]] Pose2 pose() const { return compose(localiser_->world_T_odometry(), track_.back().odometry); }
   void take(const LaserScan& scan);
+  void note_moving();
   void judge(const GoTo& order);
   void recover(const GoTo& order);
   [[nodiscard]] Twist2 recovery_twist(const MotionState& state) const;
@@ -138,6 +141,8 @@ class Navigator {
   std::unique_ptr<RobotLocaliser> localiser_;
   std::unique_ptr<LocalMotion> rule_;
   LiveMap map_;
+  MovingThings followed_;
+  std::vector<MovingThing> moving_;  // now
   Surroundings near_;
   GoalField field_;
   std::optional<MapField> far_;  // on the known map

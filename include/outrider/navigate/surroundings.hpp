@@ -20,7 +20,7 @@ class Surroundings {
   /// Distances are told up to that.
   static constexpr double most_m = 0.6;
 
-  /// Takes the marks of a map within `reach_m` of a place, in x and in y.
+  /// Takes the marks of a map that do not move, within `reach_m` of a place, in x and in y.
   void look(const LiveMap& map, Vec2 middle, double reach_m);
 
   /// Returns the places of the marks that were taken, tile by tile.

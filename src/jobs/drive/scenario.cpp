@@ -114,6 +114,7 @@ Status load_ground(const DriveScenario& scenario, const std::optional<Pose2>& go
     auto loaded = load_world(file, {.sdf = scenario.sdf});
     if (!loaded) return pass_on(loaded);
     world = std::move(loaded->world);
+    if (world.bounds.empty()) world.bounds = standing_bounds(world);  // as of a map
     setup.warnings.insert(setup.warnings.end(), loaded->warnings.begin(), loaded->warnings.end());
   } else {
     world.name = "open ground";

@@ -75,8 +75,9 @@ void TwistBody::pass(double duration_s) {
   const bool open =
       footprint_ ? room_m(next) >= 0.0 || room_m(next) > room_m(pose_) : free({here, next.position});
   if (!open) {
-    stop_at_contact(next);
-    if (!touching_) ++contacts_;
+    const bool walked_into = footprint_ ? room_m(next) >= room_m(pose_) : next.position == here;
+    if (!walked_into) stop_at_contact(next);
+    if (!touching_) ++(walked_into ? walked_into_ : contacts_);
     touching_ = touched_ = true;
     touch_rad_ = wrap_angle(towards_nearest(next.position) - next.heading_rad);
   } else if (touching_) {

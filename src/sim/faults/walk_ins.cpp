@@ -32,6 +32,7 @@ std::vector<Option> describe(WalkInOptions& options) {
   return {
       {"people", "", 0, 1000, "who walk through the world", &options.people},
       {"people_speed", "m/s", 0.0, 10.0, "their speed", &options.people_mps},
+      {"people_heed", "", 0, 0, "they stop before they come too near to the robot", &options.people_heed},
       {"blocked_at", "s", 0.0, 1e9, "from then on a post is put before the robot as soon as it drives",
        &options.blocked_at_s},
       {"blocked_for", "s", 0.0, 1e9, "for how long it stands there", &options.blocked_for_s},
@@ -66,7 +67,7 @@ void WalkIns::walk(Person& person, double way_m, const Meeting& robot) {
   const Vec2 next = left_m <= way_m ? person.to : person.at + way_m / left_m * (person.to - person.at);
   const double now_m = distance(person.at, robot.pose.position);
   const double then_m = distance(next, robot.pose.position);
-  if (then_m < now_m && then_m < person_m + robot.radius_m + from_robot_m) {
+  if (options_.people_heed && then_m < now_m && then_m < person_m + robot.radius_m + from_robot_m) {
     person.to = person.at;  // somewhere else
     return;
   }

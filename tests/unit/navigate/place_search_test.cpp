@@ -38,10 +38,10 @@ TEST(PlaceSearch, GoesWhereItIsFreeAndWhereItHasNotBeen) {
 TEST(PlaceSearch, FindsNoPlaceWhereThereIsNoRoom) {
   PlaceSearch search;
   EXPECT_FALSE(search.looks());
-  EXPECT_FALSE(search.next({}, 0.3));
+  EXPECT_FALSE(search.next({}, 0.4));
   search.look(corridor(0.4, 0.4), {});
   EXPECT_TRUE(search.looks());
-  EXPECT_FALSE(search.next({}, 0.3));
+  EXPECT_FALSE(search.next({}, 0.4));
 }
 
 TEST(PlaceSearch, GrowsWhileItStandsToo) {

@@ -43,6 +43,8 @@ class TwistBody {
   [[nodiscard]] const Twist2& twist() const { return twist_; }       ///< present twist, without slip
   [[nodiscard]] const Pose2& odometry() const { return odometry_; }  ///< start_T_robot measured by the wheels
   [[nodiscard]] std::int64_t contacts() const { return contacts_; }
+  /// Returns how often somebody walked into the robot, whose motion did not bring it nearer to them.
+  [[nodiscard]] std::int64_t walked_into() const { return walked_into_; }
   [[nodiscard]] double driven_m() const { return driven_m_; }
   [[nodiscard]] double turned_rad() const { return turned_rad_; }
   [[nodiscard]] const OpenGround& ground() const { return ground_; }
@@ -76,6 +78,7 @@ class TwistBody {
   bool touched_ = false;   // since the last take_touch()
   std::optional<double> touch_rad_;
   std::int64_t contacts_ = 0;
+  std::int64_t walked_into_ = 0;
   double driven_m_ = 0.0;
   double turned_rad_ = 0.0;
 };

@@ -2,9 +2,10 @@
 // somebody puts before the robot. A laser sees both, and a robot can touch both.
 //
 // A person is a disk of 0.2 m radius. It walks straight to one place after another, drawn at random, if the
-// way there is free of what stands. It stands still rather than come nearer than 0.3 m to the robot. The post
-// is put on free ground ahead of the robot when that drives, or at a place that is told once the robot is off
-// it, as a door that closes; and it may be taken away again.
+// way there is free of what stands. It stands still rather than come nearer than 0.3 m to the robot, if it
+// heeds it; who does not walks into a robot that stands. The post is put on free ground ahead of the robot
+// when that drives, or at a place that is told once the robot is off it, as a door that closes; and it may be
+// taken away again.
 //
 // Same world, options and random stream: same motion. O(people) per step.
 #pragma once
@@ -26,6 +27,7 @@ struct World;
 struct WalkInOptions {
   std::int64_t people = 0;                 ///< number of people
   double people_mps = 0.8;                 ///< their speed
+  bool people_heed = true;                 ///< they stop before the robot
   double blocked_at_s = 1e9;               ///< from then on a post is put before the robot when it drives
   double blocked_for_s = 1e9;              ///< how long it stands there
   double blocked_ahead_m = 0.6;            ///< gap between the robot and the post at first

@@ -211,6 +211,7 @@ Report LaserDrive::report() const {
                     {"ideal_rad", legs.turned_rad},
                     {"time_s", robot_.time_s()},
                     {"contacts", static_cast<double>(body.contacts())},
+                    {"walked_into", static_cast<double>(body.walked_into())},
                     {"recoveries", static_cast<double>(recoveries_)},
                     {"located_m", located_m_},
                     {"belief_error_m", belief_error_m_},

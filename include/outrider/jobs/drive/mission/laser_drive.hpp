@@ -37,7 +37,8 @@ std::vector<OptionGroup> describe(LaserDriveOptions& options);
 /// every waypoint, was truly there within twice the tolerance, and touched nothing. A pure function of its
 /// arguments, but for the watch. Faults: those of parse_footprint() and Navigator::make(). Metrics:
 ///   driven_m, ideal_m, turned_rad, ideal_rad   of the true robot; along straight legs through the waypoints
-///   time_s, contacts
+///   time_s, contacts        that its own motion made
+///   walked_into             people who walked into the robot, while its motion brought it no nearer
 ///   recoveries              most ways out of a place where nothing went on, in a row
 ///   located_m               way driven until the robot knew where it is; -1 if it never did
 ///   belief_error_m          largest error of the position that it believed to know

@@ -1,0 +1,99 @@
+// Who moves is told from what stands, also by a robot that moves itself.
+#include "outrider/navigate/moving_things.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "outrider/core/units.hpp"
+#include "outrider/sim/sensors/range_finder.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double period_s = 0.1;
+
+RoundedPolygon disk_at(Vec2 place, double radius_m) { return {{place}, radius_m}; }
+
+RoundedPolygon crate_at(Vec2 middle, Vec2 size) {
+  const Vec2 half = 0.5 * size;
+  return {{middle - half, middle + Vec2{half.x, -half.y}, middle + half, middle + Vec2{-half.x, half.y}},
+          0.0};
+}
+
+/// What was told of a scene at its end, and how often something moved that did not.
+struct Told {
+  std::vector<MovingThing> moving;
+  int times = 0;  ///< scans after which anything moved
+};
+
+Told follow(const std::function<std::vector<RoundedPolygon>(double)>& scene,
+            const std::function<Pose2(double)>& laser, double end_s) {
+  RangeFinderModel model;
+  model.most_m = 8.0;
+  MovingThings things;
+  Rng rng(7);
+  Told told;
+  for (double t = 0.0; t < end_s; t += period_s) {
+    const LaserScan scan = RangeFinder(scene(t), model).look(laser(t), t, rng);
+    things.note(scan, laser(t));
+    told.moving = things.at(t);
+    told.times += told.moving.empty() ? 0 : 1;
+  }
+  return told;
+}
+
+const std::function<Pose2(double)> rests = [](double) { return Pose2{}; };
+
+std::vector<RoundedPolygon> room() {
+  return {crate_at({0.0, 4.0}, {10.0, 0.2}), crate_at({0.0, -4.0}, {10.0, 0.2}),
+          crate_at({5.0, 0.0}, {0.2, 8.0}),  crate_at({-5.0, 0.0}, {0.2, 8.0}),
+          crate_at({2.5, -2.0}, {0.5, 0.4}), disk_at({-2.0, 2.0}, 0.15)};
+}
+
+TEST(MovingThings, AWalkerHasItsPlaceAndVelocity) {
+  const auto scene = [](double t) {
+    auto things = room();
+    things.push_back(disk_at({-3.0 + 0.8 * t, 1.2}, 0.2));
+    return things;
+  };
+  const Told told = follow(scene, rests, 4.0);
+  ASSERT_EQ(told.moving.size(), 1U);
+  const MovingThing& walker = told.moving.front();
+  EXPECT_NEAR(walker.place.x, -3.0 + 0.8 * 3.9, 0.25);
+  EXPECT_NEAR(walker.place.y, 1.2, 0.25);
+  EXPECT_NEAR(walker.velocity.x, 0.8, 0.25);
+  EXPECT_NEAR(walker.velocity.y, 0.0, 0.25);
+  EXPECT_NEAR(walker.radius_m, 0.2, 0.1);
+  EXPECT_GT(told.times, 25);
+}
+
+TEST(MovingThings, WhatStandsDoesNotMoveForARobotThatDrives) {
+  const auto drives = [](double t) {
+    return Pose2{{-3.0 + 0.8 * t, 0.6 * std::sin(t)}, 0.5 * std::sin(2.0 * t)};
+  };
+  EXPECT_EQ(follow([](double) { return room(); }, drives, 8.0).times, 0);
+}
+
+TEST(MovingThings, WhoStopsDoesNotMoveAnyMore) {
+  const auto scene = [](double t) {
+    auto things = room();
+    things.push_back(disk_at({2.0, -3.0 + 0.8 * std::min(t, 3.0)}, 0.2));
+    return things;
+  };
+  EXPECT_EQ(follow(scene, rests, 2.9).moving.size(), 1U);
+  EXPECT_TRUE(follow(scene, rests, 5.0).moving.empty());
+}
+
+TEST(MovingThings, TwoWhoMeetAreTwoAgain) {
+  const auto scene = [](double t) {
+    return std::vector{disk_at({2.0, -3.0 + 1.0 * t}, 0.2), disk_at({3.2, 3.0 - 1.0 * t}, 0.2)};
+  };
+  const Told told = follow(scene, rests, 5.0);
+  ASSERT_EQ(told.moving.size(), 2U);
+  EXPECT_LT(told.moving[0].velocity.y * told.moving[1].velocity.y, 0.0);
+}
+
+}  // namespace
+}  // namespace outrider
