@@ -1,4 +1,4 @@
-// Who moves is told from what stands, also by a robot that moves itself.
+// The tracker tells who moves from what stands, also for a robot that moves itself.
 #include "outrider/navigate/moving_things.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ RoundedPolygon crate_at(Vec2 middle, Vec2 size) {
           0.0};
 }
 
-/// What was told of a scene at its end, and how often something moved that did not.
+/// The things that move at the end of a scene, and how often anything moved.
 struct Told {
   std::vector<MovingThing> moving;
   int times = 0;  ///< scans after which anything moved
