@@ -4,46 +4,22 @@
 #include <cmath>
 #include <utility>
 
-#include "outrider/core/units.hpp"
+#include "beams.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr int weight_of_reading = 2;
 constexpr int most_weight = 8;
-constexpr double newest_part = 0.3;       // of a reading in the mean of its mark
-constexpr double beyond_cells = 1.5;      // a beam that ends so far behind a mark has passed it
-constexpr std::int64_t beams_beside = 1;  // those next to the beam through a mark have to pass it as well
-constexpr double never_s = -1e9;          // when a wall was seen that was not seen yet
+constexpr double newest_part = 0.3;   // of a reading in the mean of its mark
+constexpr double beyond_cells = 1.5;  // a beam that ends so far behind a mark has passed it
+constexpr double never_s = -1e9;      // when a wall was seen that was not seen yet
 constexpr std::size_t most_behind = 20'000;
 constexpr double stood_s = 1.0;  // what has stood in a cell so long does not move
 
 GridFrame window(const LiveMapOptions& options, Vec2 middle) {
   const Vec2 reach{options.reach_m, options.reach_m};
   return covering({middle - reach, middle + reach}, options.resolution_m);
-}
-
-/// Returns the range of a reading, infinite if nothing is in range, or a negative number if it says nothing.
-double range_of(const LaserScan& scan, std::size_t beam) {
-  const auto range_m = static_cast<double>(scan.ranges_m[beam]);
-  if (std::isnan(range_m) || range_m < scan.least_m) return -1.0;
-  return range_m > scan.most_m ? std::numeric_limits<double>::infinity() : range_m;
-}
-
-/// Returns true if the beams around that bearing all end beyond a range.
-bool passes(const LaserScan& scan, double bearing_rad, double beyond_m) {
-  const auto beams = static_cast<std::int64_t>(scan.ranges_m.size());
-  const double turn = 2.0 * pi;
-  const double ahead = bearing_rad - scan.first_rad;
-  const double wrapped = ahead - turn * std::floor(ahead / turn);
-  const auto nearest = static_cast<std::int64_t>(std::lround(wrapped / scan.step_rad));
-  const bool whole_turn = static_cast<double>(beams) * scan.step_rad > turn - 0.5 * scan.step_rad;
-  for (std::int64_t beam = nearest - beams_beside; beam <= nearest + beams_beside; ++beam) {
-    const std::int64_t at = whole_turn ? (beam + beams) % beams : beam;
-    if (at < 0 || at >= beams) return false;
-    if (range_of(scan, static_cast<std::size_t>(at)) <= beyond_m) return false;
-  }
-  return true;
 }
 
 }  // namespace

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
-#include "outrider/core/units.hpp"
+#include "beams.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double join_m = 0.15,
-                 join_steps = 2.5;  // between points of a cluster; in steps of the beams far away
+constexpr double join_m = 0.15;     // between points of a cluster
+constexpr double join_steps = 2.5;  // the same far away, in steps from beam to beam
 constexpr std::size_t fewest_points = 3;
 constexpr double least_radius_m = 0.08, most_radius_m = 0.45;
 constexpr double most_range_m = 8.0;  // farther clusters have too few points
@@ -64,20 +63,11 @@ void MovingThings::Track::judge() {
   }
 }
 
-/// Returns true if a beam of the scan passed a place, with those beside it.
+/// Returns true if beams of the scan passed a place.
 bool MovingThings::Look::passed(Vec2 place) const {
   const Vec2 local = world_T_laser.to_local(place);
   const double beyond_m = norm(local) + passed_m;
-  const auto beams = static_cast<std::int64_t>(scan.ranges_m.size());
-  const double turns = wrap_angle(heading_of(local) - scan.first_rad) / scan.step_rad;
-  const double wrapped = turns < 0.0 ? turns + 2.0 * pi / scan.step_rad : turns;
-  const auto nearest = static_cast<std::int64_t>(std::lround(wrapped));
-  for (std::int64_t beam = nearest - 1; beam <= nearest + 1; ++beam) {
-    const std::int64_t at = beam < 0 ? beam + beams : beam % beams;
-    const float range_m = at < beams && at >= 0 ? scan.ranges_m[static_cast<std::size_t>(at)] : 0.0F;
-    if (!(static_cast<double>(range_m) > beyond_m)) return false;
-  }
-  return beyond_m < scan.most_m;
+  return beyond_m < scan.most_m && passes(scan, heading_of(local), beyond_m);
 }
 
 /// Returns the share of the points where no beam passed in the last seconds.
@@ -115,8 +105,8 @@ std::vector<MovingThings::Cluster> MovingThings::clusters(const LaserScan& scan,
     points.clear();
   };
   for (std::size_t beam = 0; beam < scan.ranges_m.size(); ++beam) {
-    const auto range_m = static_cast<double>(scan.ranges_m[beam]);
-    if (!(range_m >= scan.least_m) || range_m > std::min<double>(scan.most_m, most_range_m)) {
+    const double range_m = range_of(scan, beam);
+    if (range_m < 0.0 || range_m > most_range_m) {
       end_cluster();
       continue;
     }
@@ -162,8 +152,9 @@ void MovingThings::associate(std::vector<Cluster>& seen, double time_s) {
 
 void MovingThings::note(const LaserScan& scan, const Pose2& world_T_laser) {
   if (!check(scan) || !finite(world_T_laser)) return;
+  if (scan.time_s < time_s_) clear();  // the clock was put back
   const double passed_s = scan.time_s - time_s_;
-  if (!tracks_.empty() && passed_s <= 0.0) return;
+  if (!looks_.empty() && passed_s == 0.0) return;
   for (Track& track : tracks_) track.predict(passed_s);
   time_s_ = scan.time_s;
   std::vector<Cluster> seen = clusters(scan, world_T_laser);

@@ -76,6 +76,27 @@ TEST(MovingThings, WhatStandsDoesNotMoveForARobotThatDrives) {
   EXPECT_EQ(follow([](double) { return room(); }, drives, 8.0).times, 0);
 }
 
+TEST(MovingThings, NothingIsKnownWhereTheLaserDoesNotLook) {
+  MovingThings things;
+  for (int i = 0; i < 30; ++i) {
+    LaserScan scan{0.1 * i, -0.75 * pi, 1.5 * pi / 270, 0.1, 10.0, {}};
+    scan.ranges_m.assign(270, 9.0F);
+    const double bearing = -0.7 * pi + 0.02 * i;  // a walker comes into view from behind
+    for (int beam = 0; beam < 270; ++beam) {
+      if (std::abs(scan.first_rad + scan.step_rad * beam - bearing) < 0.1)
+        scan.ranges_m[static_cast<std::size_t>(beam)] = 2.0F;
+    }
+    things.note(scan, {});
+  }
+  ASSERT_EQ(things.at(2.9).size(), 1U);
+  const auto before = things.at(2.9).front().place;
+  LaserScan again{1.0, -0.75 * pi, 1.5 * pi / 270, 0.1, 10.0, {}};  // the clock was put back
+  again.ranges_m.assign(270, 9.0F);
+  things.note(again, {});
+  EXPECT_TRUE(things.at(1.0).empty());
+  EXPECT_NEAR(norm(before), 2.0, 0.2);
+}
+
 TEST(MovingThings, WhoStopsDoesNotMoveAnyMore) {
   const auto scene = [](double t) {
     auto things = room();

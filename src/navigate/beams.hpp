@@ -1,0 +1,17 @@
+// Questions about single beams of a scan.
+#pragma once
+
+#include <cstddef>
+
+#include "outrider/slam/scan/laser_scan.hpp"
+
+namespace outrider {
+
+/// Returns the range of a reading, infinite if nothing is in range, or a negative number if it says nothing.
+double range_of(const LaserScan& scan, std::size_t beam);
+
+/// Returns true if the beam at that bearing and those beside it all end beyond a range; false where the laser
+/// does not look.
+bool passes(const LaserScan& scan, double bearing_rad, double beyond_m);
+
+}  // namespace outrider
