@@ -81,7 +81,7 @@ TEST(MovingThings, NothingIsKnownWhereTheLaserDoesNotLook) {
   for (int i = 0; i < 30; ++i) {
     LaserScan scan{0.1 * i, -0.75 * pi, 1.5 * pi / 270, 0.1, 10.0, {}};
     scan.ranges_m.assign(270, 9.0F);
-    const double bearing = -0.7 * pi + 0.02 * i;  // a walker comes into view from behind
+    const double bearing = -0.7 * pi + 0.04 * i;  // a walker comes into view from behind
     for (int beam = 0; beam < 270; ++beam) {
       if (std::abs(scan.first_rad + scan.step_rad * beam - bearing) < 0.1)
         scan.ranges_m[static_cast<std::size_t>(beam)] = 2.0F;
