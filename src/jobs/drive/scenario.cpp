@@ -170,6 +170,8 @@ Status check_laser(const DriveScenario& scenario) {
   if (scenario.laser.start_unknown && scenario.map.empty())
     return bad_input("a robot that is not told where it starts needs a map; give one",
                      "navigator.start_unknown");
+  if (scenario.laser.navigator.localiser == "laser_on_map" && scenario.map.empty())
+    return bad_input("'laser_on_map' needs a map; give one, or laser_mapping", "navigator.localiser");
   if (auto ok = check(scenario.laser.laser); !ok) return ok;
   if (scenario.laser.footprint.empty()) return {};
   if (auto shape = parse_footprint(scenario.laser.footprint); !shape)

@@ -281,6 +281,8 @@ TEST(LaserDriveOnMap, WhatDoesNotGoTogetherIsRefusedByKey) {
   EXPECT_EQ(where([](DriveScenario& s) { s.things = "2,1,1e9"; }), "things");
   EXPECT_EQ(where([](DriveScenario& s) { s.things = "1,0,0.3"; }), "waypoints");  // on the goal
   EXPECT_EQ(where([](DriveScenario& s) { s.laser.start_unknown = true; }), "navigator.start_unknown");
+  EXPECT_EQ(where([](DriveScenario& s) { s.laser.navigator.localiser = "laser_on_map"; }),
+            "navigator.localiser");
   EXPECT_EQ(where([](DriveScenario& s) { s.waypoints = "1,0,0"; }), "goal");
   for (const char* loop : {"closed", "open"}) {
     EXPECT_EQ(where([&](DriveScenario& s) { s.loop = loop, s.map = "map.yaml"; }), "map");
