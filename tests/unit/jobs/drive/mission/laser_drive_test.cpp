@@ -262,7 +262,7 @@ TEST(LaserDriveOnMap, PassesPeopleWhoDoNotHeedIt) {
     done += arrived ? 1 : 0;
   }
   EXPECT_GE(20 * done,
-            19 * runs);  // who comes from behind within the first second may touch it while it brakes
+            19 * runs);  // who is there within the first second may run into it while it brakes
 }
 
 TEST(LaserDriveOnMap, WhatDoesNotGoTogetherIsRefusedByKey) {
