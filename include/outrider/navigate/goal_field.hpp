@@ -25,8 +25,9 @@ namespace outrider {
 /// The ground on which a robot goes, and its obstacles.
 struct GoalGround {
   GridFrame frame;
-  std::vector<Vec2> obstacles;                        ///< points that it keeps clear of
-  const std::vector<std::uint8_t>* closed = nullptr;  ///< by cell, not 0: it may not go there; null: nowhere
+  std::vector<Vec2> obstacles;  ///< points that it keeps clear of
+  const std::vector<std::uint8_t>* closed =
+      nullptr;  ///< cells that are not 0 may not be entered; null: all may
 };
 
 /// The goal of a GoalField, and the room that a robot wants.

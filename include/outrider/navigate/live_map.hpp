@@ -76,11 +76,6 @@ class LiveMap {
   [[nodiscard]] bool marked(Cell cell) const { return cells_.contains(cell) && cells_[cell] != 0; }
   /// Returns all marks, in the order in which they were made.
   [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
-  /// Returns the mark in the cell of a place; null if there is none.
-  [[nodiscard]] const Mark* mark_at(Vec2 place) const {
-    const Cell cell = frame().cell_at(place);
-    return marked(cell) ? &marks_[cells_[cell] - 1] : nullptr;
-  }
   /// Marks that lie in one of these disks, and are newer than a second, are moving, the others not.
   void set_moving(const std::vector<RoundedPolygon>& disks);
   /// Returns the places of all marks that do not move.

@@ -37,7 +37,7 @@ struct MotionState {
   Vec2 goal;
   double within_m = 0.1;   ///< distance from the goal at which the robot has arrived
   double period_s = 0.05;  ///< time until the next command
-  const std::vector<MovingThing>* moving = nullptr;  ///< what moves; null: nothing
+  const std::vector<MovingThing>* moving = nullptr;  ///< the things that move; null if there are none
 
   /// Returns the distance from the footprint at a pose to what moves after a time, m, at most `most`; if it
   /// is `swept`, to wherever it is until then.

@@ -21,7 +21,7 @@ namespace outrider {
 
 /// A disk that moves.
 struct MovingThing {
-  Vec2 place;     ///< of its middle, at the time of the observation
+  Vec2 place;     ///< the middle, at the time of the observation
   Vec2 velocity;  ///< m/s
   double radius_m = 0.0;
   double sigma_mps = 0.0;  ///< standard deviation of the velocity along each axis
@@ -50,7 +50,7 @@ class MovingThings {
   struct Track {
     Vec2 place, velocity;
     double radius_m = 0.0;
-    double place_variance = 0.0, covariance = 0.0, velocity_variance = 0.0;  ///< of each axis
+    double place_variance = 0.0, covariance = 0.0, velocity_variance = 0.0;  ///< the same for each axis
     double standing = 1.0;  ///< mean share of the last clusters
     double seen_s = 0.0;
     int sightings = 1;

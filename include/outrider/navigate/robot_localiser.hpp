@@ -27,7 +27,7 @@ namespace outrider {
 struct LocaliserStart {
   std::optional<Pose2> pose;         ///< where the odometry begins; none: anywhere on the map
   Pose2 robot_T_laser;               ///< the mount of its laser
-  std::optional<KnownMap> map = {};  ///< of the world
+  std::optional<KnownMap> map = {};  ///< a map of the world
 };
 
 class RobotLocaliser {

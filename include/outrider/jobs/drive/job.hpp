@@ -1,4 +1,4 @@
-// The job drive: drive to waypoints by the tags in sight, or open loop by time.
+// The job drive: drive to waypoints by the tags in sight, by laser, or by time.
 #pragma once
 
 #include <optional>

@@ -10,15 +10,19 @@
 //   planner: visibility_graph               # a path planner of 'outrider list'
 //
 // With `loop: laser` the navigator drives there by a range finder, around what stands in the way:
-//   loop: laser
-//   map: office.yaml                        # what it knows; none: nothing. Without a world, that is the map,
-//   too things: "3,2,0.5,0.4 5,1,0.2"           # boxes (x,y,length,width) and posts (x,y,radius) that no map
-//   has goal: "6.5,4.6,90"                      # or waypoints
 //
-// describe() has the other keys: the robot, its loop (open or closed), the source of images (rendered or
-// modelled), and the sections follow, pid, reckoning, localise, camera, rules, route, laser, wheels,
-// navigator, live_map, motion, faults and link. The sections faults and link hold what the robot does not
-// know.
+//   job: drive
+//   loop: laser
+//   map: office.yaml                        # the map that the robot has, or none
+//   things: "3,2,0.5,0.4 5,1,0.2"           # boxes x,y,length,width and posts x,y,radius that no map has
+//   goal: "6.5,4.6,90"                      # or waypoints
+//
+// Without a world the map is the world as well.
+//
+// describe() has the other keys: the robot, its loop (closed, open or laser), the source of images (rendered
+// or modelled), and the sections follow, pid, reckoning, localise, camera, rules, route, laser, wheels,
+// walk_ins, navigator, live_map, motion, faults and link. The sections faults and link hold what the robot
+// does not know.
 #pragma once
 
 #include <cstdint>

@@ -102,7 +102,7 @@ struct ViewCandidate {
   Vec2 place;
   double cost_s = 0.0;   ///< time to turn and drive there
   double gain_m2 = 0.0;  ///< unknown area that the robot expects to see from there
-  double value = 0.0;    ///< of the strategy (choose/catalog.hpp); NaN: another view counts for this one, too
+  double value = 0.0;    ///< to the strategy (catalog.hpp); NaN if another view stands for this one
   bool chosen = false;
 };
 
