@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "beams.hpp"
@@ -15,6 +16,7 @@ constexpr double newest_part = 0.3;   // of a reading in the mean of its mark
 constexpr double beyond_cells = 1.5;  // a beam that ends so far behind a mark has passed it
 constexpr double never_s = -1e9;      // when a wall was seen that was not seen yet
 constexpr std::size_t most_behind = 20'000;
+constexpr double edge_m = 0.05;  // what is seen so near to an edge of the allowed ground is the edge
 constexpr double stood_s = 1.0;  // what has stood in a cell so long does not move
 
 GridFrame window(const LiveMapOptions& options, Vec2 middle) {
@@ -45,7 +47,15 @@ std::vector<Vec2> LiveMap::places() const {
   for (const Mark& mark : marks_) {
     if (!mark.moving) places.push_back(mark.place);
   }
+  std::ranges::copy_if(edges_, std::back_inserter(places),
+                       [&](Vec2 place) { return frame().contains(frame().cell_at(place)); });
   return places;
+}
+
+void LiveMap::limit(const AllowedGround& ground) {
+  allowed_ = ground;
+  edges_ = ground.edge_points(0.5 * options_.resolution_m);
+  ++changes_;
 }
 
 void LiveMap::set_moving(const std::vector<RoundedPolygon>& disks) {
@@ -190,7 +200,9 @@ void LiveMap::note(const LaserScan& scan, const Pose2& world_T_laser) {
     const double range_m = range_of(scan, beam);
     if (range_m < 0.0 || !std::isfinite(range_m)) continue;
     const double bearing_rad = scan.first_rad + static_cast<double>(beam) * scan.step_rad;
-    mark(world_T_laser * (range_m * direction(bearing_rad)), scan.time_s, weight_of_reading, false);
+    const Vec2 place = world_T_laser * (range_m * direction(bearing_rad));
+    if (allowed_ && (!allowed_->contains(place) || allowed_->to_edge_m(place) < edge_m)) continue;
+    mark(place, scan.time_s, weight_of_reading, false);
   }
   erase_marks([](const Mark& mark) { return mark.weight <= 0; });
 }

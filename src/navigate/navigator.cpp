@@ -73,6 +73,7 @@ Navigator::Navigator(NavigatorSetup setup, std::unique_ptr<RobotLocaliser> local
       localiser_(std::move(localiser)),
       rule_(std::move(motion)),
       map_(setup_.map, localiser_->world_T_odometry().position) {
+  if (setup_.allowed) map_.limit(*setup_.allowed);
   if (!setup_.known) return;
   far_.emplace(*setup_.known);
   setup_.known.reset();
@@ -83,8 +84,11 @@ Navigator::Navigator(NavigatorSetup setup, std::unique_ptr<RobotLocaliser> local
 
 /// Notes the odometry, and how fast the robot goes: as commanded, corrected by what was measured.
 void Navigator::note_odometry(const Observation& seen) {
-  const Pose2 odometry = finite(seen.odometry) || track_.empty() ? seen.odometry : track_.back().odometry;
+  Pose2 odometry = finite(seen.odometry) || track_.empty() ? seen.odometry : track_.back().odometry;
   if (!track_.empty()) {
+    // A heading that was wrapped is no whole turn.
+    const double before_rad = track_.back().odometry.heading_rad;
+    odometry.heading_rad = before_rad + wrap_angle(odometry.heading_rad - before_rad);
     const double passed_s = seen.time_s - track_.back().time_s;
     if (passed_s <= 0.0) return;
     const Twist2 then = twist_after(twist_, commanded_, setup_.robot, passed_s);
@@ -148,9 +152,10 @@ Situation Navigator::perceive(const Observation& seen) {
   }
   map_.forget(time_s_);
   note_moving();
+  note_lost();
   if (order_) judge(*order_);
   const bool looks = !localiser_->is_located() && progress_.state != Progress::State::lost;
-  return {time_s_, here, localiser_->covariance(), twist_, looks ? Progress{} : progress_};
+  return {time_s_, here, localiser_->covariance(), twist_, looks ? Progress{} : progress()};
 }
 
 /// Notes what moves now. What is marked of it does not stand.
@@ -162,13 +167,16 @@ void Navigator::note_moving() {
   map_.set_moving(disks);
 }
 
+void Navigator::note_lost() {
+  if (!order_ && !follower_) return;
+  std::string lost = localiser_->lost();
+  if (progress_.state == Progress::State::underway && !lost.empty())
+    progress_ = {Progress::State::lost, {}, std::move(lost)};
+}
+
 /// Judges how far the order is.
 void Navigator::judge(const GoTo& order) {
   if (progress_.state != Progress::State::underway) return;
-  if (std::string lost = localiser_->lost(); !lost.empty()) {
-    progress_ = {Progress::State::lost, {}, std::move(lost)};
-    return;
-  }
   const Pose2 here = pose();
   const double away_m = distance(here.position, order.place);
   if (order.heading_rad) {
@@ -196,9 +204,14 @@ Command Navigator::act(const Order& order) {
   const double until_s = time_s_ + setup_.options.period_s;
   commanded_ = {};
   const auto* const go = std::get_if<GoTo>(&order);
-  if (go == nullptr) nearer_s_ = time_s_;
-  if (go == nullptr || track_.empty()) return DriveTwist{{}, until_s};
-  commanded_ = localiser_->is_located() ? this->go(*go) : look_for_itself();
+  const auto* const track = std::get_if<Follow>(&order);
+  if (go != nullptr) follower_.reset();
+  if (std::holds_alternative<Hold>(order)) nearer_s_ = on_track_s_ = time_s_;
+  if (std::holds_alternative<Hold>(order) || track_.empty()) return DriveTwist{{}, until_s};
+  if (!localiser_->is_located())
+    commanded_ = look_for_itself();
+  else
+    commanded_ = go != nullptr ? this->go(*go) : follow(*track);
   return DriveTwist{commanded_, until_s};
 }
 
@@ -211,7 +224,7 @@ Twist2 Navigator::go(const GoTo& order) {
   if (progress_.state != Progress::State::underway) return {};
   const MotionState state = state_of(order);
   if (recovery_ == Recovery::turn || recovery_ == Recovery::back_off) return recovery_twist(state);
-  return at_place_ ? turn_at_place(state, *order.heading_rad) : rule_->choose(state);
+  return at_place_ ? turn_to(state, *order.heading_rad, setup_.motion.margin_m) : rule_->choose(state);
 }
 
 /// Goes from place to place until the robot recognises where it is, or gives up.
@@ -255,6 +268,7 @@ void Navigator::begin(const GoTo& order) {
   left_s_.reset();
   least_left_s_ = best_left_s_ = std::numeric_limits<double>::infinity();
   nearer_s_ = time_s_;
+  note_lost();
   judge(order);
 }
 
@@ -268,10 +282,14 @@ void Navigator::plan(const GoTo& order) {
     plan_window(order);
     if (!is_new && plan_on_map(order, true)) plan_window(order);
   }
+  look_around();
+  left_s_ = field_.time_s(here);
+}
+
+void Navigator::look_around() {
   const double reach_m =
       setup_.robot.speed_mps * setup_.motion.horizon_s + setup_.footprint.outer_m() + around_m;
-  near_.look(map_, here, std::min(reach_m, setup_.map.reach_m));
-  left_s_ = field_.time_s(here);
+  near_.look(map_, pose().position, std::min(reach_m, setup_.map.reach_m));
 }
 
 GoalQuery Navigator::query_of(const GoTo& order) const {
@@ -339,13 +357,14 @@ void Navigator::note_progress(const GoTo& order) {
   if (recovery_ == Recovery::none && time_s_ - nearer_s_ > setup_.options.patience_s) recover(order);
 }
 
-Twist2 Navigator::turn_at_place(const MotionState& state, double heading_rad) const {
+/// Returns the twist of a turn in place.
+Twist2 Navigator::turn_to(const MotionState& state, double heading_rad, double margin_m) const {
   const double off_rad = wrap_angle(heading_rad - state.pose.heading_rad);
   // From that rate it comes to rest at the heading.
   const double rate = std::sqrt(setup_.robot.turn_acceleration_radps2 * std::abs(off_rad));
   const double most = std::min({rate, setup_.robot.turn_rate_radps, std::abs(off_rad) / state.period_s});
   const Twist2 turn{0.0, 0.0, std::copysign(most, off_rad)};
-  return can_brake(state, turn, setup_.motion.margin_m) ? turn : Twist2{};
+  return can_brake(state, turn, margin_m) ? turn : Twist2{};
 }
 
 /// Begins the next way out, or gives up.

@@ -12,7 +12,7 @@ constexpr double tile_m = 0.2;
 
 }  // namespace
 
-void Surroundings::look(const LiveMap& map, Vec2 middle, double reach_m) {
+void Surroundings::look(const LiveMap& map, Vec2 middle, double reach_m, bool edges) {
   const double cell_m = map.options().resolution_m;
   const Cell low = map.frame().cell_at(middle - Vec2{reach_m, reach_m});
   frame_.resolution_m = cell_m;
@@ -20,9 +20,13 @@ void Surroundings::look(const LiveMap& map, Vec2 middle, double reach_m) {
   frame_.width = frame_.height = static_cast<int>(std::ceil(2.0 * reach_m / cell_m)) + 1;
   tiles_ = covering(frame_.bounds().grown(most_m), tile_m);
   places_.clear();
+  const auto take = [&](Vec2 place) {
+    if (tiles_.contains(tiles_.cell_at(place))) places_.push_back(place);
+  };
   for (const Mark& mark : map.marks()) {
-    if (!mark.moving && tiles_.contains(tiles_.cell_at(mark.place))) places_.push_back(mark.place);
+    if (!mark.moving) take(mark.place);
   }
+  if (edges) std::ranges::for_each(map.edges(), take);
   sort_into_tiles();
   spread_distances(frame_, places_, most_m, distance_m_);
 }

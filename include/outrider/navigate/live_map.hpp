@@ -15,11 +15,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "outrider/core/options.hpp"
 #include "outrider/geometry/convex.hpp"
 #include "outrider/geometry/pose.hpp"
+#include "outrider/navigate/allowed_ground.hpp"
 #include "outrider/slam/scan/laser_scan.hpp"
 #include "outrider/world/grid.hpp"
 
@@ -55,6 +57,9 @@ class LiveMap {
 
   /// Takes the walls of a known map, or with nothing forgets them.
   void know(Walls walls);
+  /// Nobody may leave that ground: its edges stand in the way, whatever beams say. What is seen at an edge,
+  /// or beyond it, is the edge.
+  void limit(const AllowedGround& ground);
   /// Moves the window, in whole cells, once the robot is a quarter of the reach from its middle.
   void follow(Vec2 robot);
   /// Moves all marks but walls because the pose was corrected: from where they were to `correction` times
@@ -78,7 +83,9 @@ class LiveMap {
   [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
   /// Marks that lie in one of these disks, and are newer than a second, are moving, the others not.
   void set_moving(const std::vector<RoundedPolygon>& disks);
-  /// Returns the places of all marks that do not move.
+  /// Returns the points of the edges of the allowed ground.
+  [[nodiscard]] const std::vector<Vec2>& edges() const { return edges_; }
+  /// Returns the places of all marks that do not move, and the edges of the allowed ground in the window.
   [[nodiscard]] std::vector<Vec2> places() const;
   /// Returns what was seen for sure and is now out of the window or forgotten in it, oldest first.
   [[nodiscard]] const std::vector<Mark>& behind() const { return behind_; }
@@ -101,6 +108,8 @@ class LiveMap {
   std::uint64_t changes_ = 0;
   Walls walls_;
   std::vector<Mark> behind_;
+  std::optional<AllowedGround> allowed_;
+  std::vector<Vec2> edges_;
 };
 
 }  // namespace outrider

@@ -26,10 +26,12 @@
 #include <vector>
 
 #include "outrider/core/units.hpp"
+#include "outrider/navigate/allowed_ground.hpp"
 #include "outrider/navigate/local_motion.hpp"
 #include "outrider/navigate/map_field.hpp"
 #include "outrider/navigate/place_search.hpp"
 #include "outrider/navigate/robot_localiser.hpp"
+#include "outrider/navigate/track_follower.hpp"
 #include "outrider/robot/command.hpp"
 #include "outrider/robot/observation.hpp"
 
@@ -44,9 +46,14 @@ struct GoTo {
   double within_rad = radians(5.0);
   friend bool operator==(const GoTo&, const GoTo&) = default;
 };
+/// Drive this track, and leave it only around what stands on it. What was left out is told at the end.
+struct Follow {
+  std::shared_ptr<const Track> track;  ///< at least one piece; another object is another order
+  double beside_m = 0.05;              ///< a robot so far beside it drives back to it
+};
 /// Stand where it is.
 struct Hold {};
-using Order = std::variant<GoTo, Hold>;
+using Order = std::variant<GoTo, Follow, Hold>;
 
 /// How far an order is.
 struct Progress {
@@ -85,7 +92,8 @@ struct NavigatorSetup {
   NavigatorOptions options;
   LiveMapOptions map;
   LocalMotionOptions motion;
-  std::optional<KnownMap> known = {};  ///< the map that the robot is given
+  std::optional<KnownMap> known = {};         ///< the map that the robot is given
+  std::optional<AllowedGround> allowed = {};  ///< what it may not leave; none: nothing
 };
 
 class Navigator {
@@ -104,6 +112,8 @@ class Navigator {
   /// Returns true if the robot knows where it is; until then its poses have no meaning.
   [[nodiscard]] bool is_located() const { return localiser_->is_located(); }
   [[nodiscard]] std::int64_t recoveries() const { return recoveries_; }
+  /// Returns how the track of the order is followed; nothing without one.
+  [[nodiscard]] const TrackFollower* track() const { return follower_ ? &*follower_ : nullptr; }
 
  private:
   Navigator(NavigatorSetup setup, std::unique_ptr<RobotLocaliser> localiser,
@@ -117,12 +127,22 @@ class Navigator {
   [[nodiscard]] Pose2 pose() const { return compose(localiser_->world_T_odometry(), track_.back().odometry); }
   void take(const LaserScan& scan);
   void note_moving();
+  void note_lost();
   void judge(const GoTo& order);
   void recover(const GoTo& order);
   [[nodiscard]] Twist2 recovery_twist(const MotionState& state) const;
-  [[nodiscard]] Twist2 turn_at_place(const MotionState& state, double heading_rad) const;
+  [[nodiscard]] Twist2 turn_to(const MotionState& state, double heading_rad, double margin_m) const;
   Twist2 go(const GoTo& order);
   Twist2 look_for_itself();
+  void look_around();
+  // follow_track.cpp
+  Twist2 follow(const Follow& order);
+  void begin_track(const Follow& order);
+  Twist2 along_track(const Follow& order);
+  Twist2 back_to_track();
+  void leave_track(double again_m);
+  [[nodiscard]] GoTo order_to(const TrackPlace& place) const;
+  [[nodiscard]] Progress progress() const;
   void begin(const GoTo& order);
   void plan(const GoTo& order);
   void plan_window(const GoTo& order);
@@ -167,6 +187,11 @@ class Navigator {
   double recovers_until_s_ = 0.0;
   std::int64_t recoveries_ = 0;  // in a row
   PlaceSearch search_;           // of a robot that does not know where it is
+  std::optional<TrackFollower> follower_;
+  std::optional<TrackPlace> comes_back_;  // to that place of the track, by the present GoTo
+  bool comes_in_ = false;                 // it was beside the track, and is steered to it
+  double skip_m_ = 0.0;                   // of the track, where no way leads back to it
+  double on_track_s_ = 0.0;               // when it last got on there
   Progress progress_;
 };
 

@@ -20,8 +20,9 @@ class Surroundings {
   /// Distances are told up to that.
   static constexpr double most_m = 0.6;
 
-  /// Takes the marks of a map that do not move, within `reach_m` of a place, in x and in y.
-  void look(const LiveMap& map, Vec2 middle, double reach_m);
+  /// Takes the marks of a map that do not move, within `reach_m` of a place, in x and in y; with `edges`
+  /// those of the allowed ground too.
+  void look(const LiveMap& map, Vec2 middle, double reach_m, bool edges = true);
 
   /// Returns the places of the marks that were taken, tile by tile.
   [[nodiscard]] const std::vector<Vec2>& places() const { return places_; }

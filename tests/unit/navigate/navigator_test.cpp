@@ -139,6 +139,19 @@ TEST(Navigator, BearsObservationsThatMakeNoSense) {
   }
 }
 
+TEST(Navigator, TakesAWrappedHeadingForNoWholeTurn) {
+  auto navigator = Navigator::make(small_robot(), Pose2{});
+  Observation seen;
+  for (int i = 0; i < 100; ++i) {
+    seen.time_s = 0.05 * i;
+    seen.odometry = {{0.02 * i, 0.0}, wrap_angle(3.0 + 0.01 * i)};
+    const Twist2 twist = navigator->perceive(seen).twist;
+    navigator->act(Hold{});
+    EXPECT_LT(std::abs(twist.ahead_mps), 0.5) << i;
+    EXPECT_LT(std::abs(twist.turn_radps), 0.3) << i;
+  }
+}
+
 TEST(Navigator, RefusesUnknownRows) {
   NavigatorSetup setup = small_robot();
   setup.motion.rule = "sample";

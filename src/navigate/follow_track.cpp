@@ -1,0 +1,126 @@
+// The order Follow of a navigator: along a track, around what stands on it, and back to it.
+#include <algorithm>
+#include <cmath>
+
+#include "outrider/navigate/navigator.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double beyond_m = 0.3;  // that is looked at ahead of where the robot could stop
+constexpr double stands_mps = 0.03;
+constexpr double stop_short_m = 0.1;    // before what stands on the track, with room to turn away
+constexpr double wait_s = 1.0;          // for what stands on the track to go
+constexpr double first_skip_m = 0.3;    // of the track, where no way leads back; then twice that, and so on
+constexpr double back_m = 0.15;         // beside the track, from where it is steered back
+constexpr std::int64_t most_tries = 4;  // recoveries on the way back to a place
+
+}  // namespace
+
+Progress Navigator::progress() const {
+  if (!follower_) return progress_;
+  if (progress_.state == Progress::State::lost) return progress_;
+  return {follower_->is_done() ? Progress::State::arrived : Progress::State::underway};
+}
+
+GoTo Navigator::order_to(const TrackPlace& place) const {
+  return {follower_->pose_at(place).position, back_m};
+}
+
+void Navigator::begin_track(const Follow& order) {
+  follower_.emplace(order.track);
+  progress_ = {};
+  order_.reset();
+  comes_back_.reset();
+  comes_in_ = true;
+  skip_m_ = first_skip_m;
+  on_track_s_ = time_s_;
+}
+
+Twist2 Navigator::follow(const Follow& order) {
+  if (!follower_ || follower_->track() != order.track) begin_track(order);
+  if (progress_.state == Progress::State::lost || is_blind()) return {};
+  if (!comes_back_) {
+    const Twist2 twist = along_track(order);
+    if (!comes_back_) return twist;
+  }
+  return back_to_track();
+}
+
+/// Returns the next twist along the track, or begins to drive back to it.
+Twist2 Navigator::along_track(const Follow& order) {
+  const Pose2 here = pose();
+  follower_->note(here);
+  if (follower_->is_done()) return {};
+  look_around();
+  const double beside_m = follower_->beside_m(here.position);
+  comes_in_ = comes_in_ && beside_m > 0.5 * order.beside_m;
+  if (beside_m > (comes_in_ ? 2.0 * back_m : order.beside_m)) {
+    comes_back_ = follower_->at();
+    return {};
+  }
+  const MotionState state = state_of({follower_->pose_at(follower_->at()).position, order.beside_m});
+  // The track keeps its own distance from the edges of the ground.
+  constexpr double touches_m = 0.0;
+  if (const auto heading_rad = follower_->heading_to_turn_to(here)) {
+    const Twist2 turn = turn_to(state, *heading_rad, touches_m);
+    if (turn.turn_radps != 0.0) on_track_s_ = time_s_;
+    if (time_s_ - on_track_s_ > wait_s) leave_track(first_skip_m);
+    return turn;
+  }
+  Surroundings seen;
+  const double speed_mps = std::abs(twist_.ahead_mps);
+  const double look_m = speed_mps * speed_mps / setup_.robot.acceleration_mps2 + beyond_m;
+  seen.look(map_, here.position, look_m + setup_.footprint.outer_m(), false);
+  const auto is_free = [&](const Pose2& at) {
+    return seen.gap(setup_.footprint, at, Surroundings::most_m) >= setup_.motion.margin_m;
+  };
+  const double free_m = follower_->free_m(is_free, look_m);
+  const double room_m = free_m < look_m ? std::max(0.0, free_m - stop_short_m) : look_m;
+  Twist2 twist = follower_->twist(here, setup_.robot, setup_.options.period_s, room_m);
+  for (int i = 0; i < 3 && !can_brake(state, twist, touches_m); ++i) twist = 0.5 * twist;
+  if (!can_brake(state, twist, touches_m)) twist = {};
+  if (speed_mps > stands_mps || std::abs(twist.ahead_mps) > stands_mps) on_track_s_ = time_s_;
+  if (time_s_ - on_track_s_ > wait_s) leave_track(free_m < look_m ? free_m : first_skip_m);
+  return twist;
+}
+
+/// Leaves out the track up to where it is free again, with room to come in if there is such a place, and
+/// drives there.
+void Navigator::leave_track(double again_m) {
+  Surroundings seen;
+  seen.look(map_, pose().position, setup_.map.reach_m, false);
+  const auto from = follower_->ahead_of(follower_->at(), again_m);
+  std::optional<TrackPlace> to;
+  for (const double room_m : {stop_short_m, 0.0}) {
+    if (!from || to) break;
+    const auto is_free = [&](const Pose2& at) {
+      return seen.gap(setup_.footprint, at, Surroundings::most_m) >= setup_.motion.margin_m + room_m;
+    };
+    to = follower_->next_free(*from, is_free, setup_.footprint.outer_m());
+  }
+  follower_->skip_to(to);
+  comes_back_ = to;
+}
+
+/// Returns the next twist on the way back to the track.
+Twist2 Navigator::back_to_track() {
+  on_track_s_ = time_s_;
+  const GoTo order = order_to(*comes_back_);
+  const Twist2 twist = go(order);
+  if (progress_.state == Progress::State::arrived) {
+    comes_back_.reset();
+    comes_in_ = true;
+    skip_m_ = first_skip_m;
+  } else if (progress_.state == Progress::State::blocked || recoveries_ >= (left_s_ ? most_tries : 1)) {
+    leave_track(skip_m_);
+    skip_m_ *= 2.0;
+  }
+  if (progress_.state == Progress::State::lost || (comes_back_ && order_to(*comes_back_) == order))
+    return twist;
+  order_.reset();
+  progress_ = {};
+  return {};
+}
+
+}  // namespace outrider
