@@ -39,8 +39,7 @@ std::vector<RoundedPolygon> footprints_above_floor(const World& world) {
   return all;
 }
 
-void log_scene(Log& log, outrider_msgs::RunInfo info, const World& world, double robot_height_m) {
-  log.append(topic::run, 0.0, std::move(info));
+void log_solids(Log& log, const World& world, double robot_height_m) {
   outrider_msgs::Solids solids;
   for (const Solid& solid : world.solids) {
     if (!rises_above_floor(solid, world)) continue;
@@ -50,6 +49,11 @@ void log_scene(Log& log, outrider_msgs::RunInfo info, const World& world, double
                              box.low.z < world.floor_z_m + robot_height_m});
   }
   log.append(topic::solids, 0.0, std::move(solids));
+}
+
+void log_scene(Log& log, outrider_msgs::RunInfo info, const World& world, double robot_height_m) {
+  log.append(topic::run, 0.0, std::move(info));
+  log_solids(log, world, robot_height_m);
 }
 
 }  // namespace outrider

@@ -8,7 +8,7 @@ namespace outrider {
 namespace {
 
 constexpr double beyond_m = 0.3;  // that is looked at ahead of where the robot could stop
-constexpr double stands_mps = 0.03;
+constexpr double moved_m = 0.01, moved_rad = radians(2.0);  // by which a robot has moved
 constexpr double stop_short_m = 0.1;    // before what stands on the track, with room to turn away
 constexpr double wait_s = 1.0;          // for what stands on the track to go
 constexpr double first_skip_m = 0.3;    // of the track, where no way leads back; then twice that, and so on
@@ -59,30 +59,42 @@ Twist2 Navigator::along_track(const Follow& order) {
     comes_back_ = follower_->at();
     return {};
   }
-  const MotionState state = state_of({follower_->pose_at(follower_->at()).position, order.beside_m});
-  // The track keeps its own distance from the edges of the ground.
-  constexpr double touches_m = 0.0;
-  if (const auto heading_rad = follower_->heading_to_turn_to(here)) {
-    const Twist2 turn = turn_to(state, *heading_rad, touches_m);
-    if (turn.turn_radps != 0.0) on_track_s_ = time_s_;
-    if (time_s_ - on_track_s_ > wait_s) leave_track(first_skip_m);
-    return turn;
+  note_motion(here);
+  if (time_s_ - on_track_s_ > wait_s) {
+    leave_track(first_skip_m);
+    return {};
   }
-  Surroundings seen;
+  // The track keeps its own distance from the edges of the ground; from what was seen the robot keeps its
+  // own.
   const double speed_mps = std::abs(twist_.ahead_mps);
   const double look_m = speed_mps * speed_mps / setup_.robot.acceleration_mps2 + beyond_m;
+  Surroundings seen;
   seen.look(map_, here.position, look_m + setup_.footprint.outer_m(), false);
+  const GoTo next{follower_->pose_at(follower_->at()).position, order.beside_m};
+  const MotionState state = state_of(next, near_), among_seen = state_of(next, seen);
+  const auto is_safe = [&](const Twist2& twist) {
+    return can_brake(state, twist, 0.0) && can_brake(among_seen, twist, setup_.motion.margin_m);
+  };
+  if (const auto heading_rad = follower_->heading_to_turn_to(here)) {
+    const Twist2 turn = turn_to(here, *heading_rad);
+    return is_safe(turn) ? turn : Twist2{};
+  }
   const auto is_free = [&](const Pose2& at) {
     return seen.gap(setup_.footprint, at, Surroundings::most_m) >= setup_.motion.margin_m;
   };
   const double free_m = follower_->free_m(is_free, look_m);
   const double room_m = free_m < look_m ? std::max(0.0, free_m - stop_short_m) : look_m;
   Twist2 twist = follower_->twist(here, setup_.robot, setup_.options.period_s, room_m);
-  for (int i = 0; i < 3 && !can_brake(state, twist, touches_m); ++i) twist = 0.5 * twist;
-  if (!can_brake(state, twist, touches_m)) twist = {};
-  if (speed_mps > stands_mps || std::abs(twist.ahead_mps) > stands_mps) on_track_s_ = time_s_;
-  if (time_s_ - on_track_s_ > wait_s) leave_track(free_m < look_m ? free_m : first_skip_m);
-  return twist;
+  for (int i = 0; i < 3 && !is_safe(twist); ++i) twist = 0.5 * twist;
+  return is_safe(twist) ? twist : Twist2{};
+}
+
+/// Notes when the robot last moved.
+void Navigator::note_motion(const Pose2& here) {
+  const double turned_rad = std::abs(wrap_angle(here.heading_rad - stood_.heading_rad));
+  if (distance(here.position, stood_.position) < moved_m && turned_rad < moved_rad) return;
+  stood_ = here;
+  on_track_s_ = time_s_;
 }
 
 /// Leaves out the track up to where it is free again, with room to come in if there is such a place, and

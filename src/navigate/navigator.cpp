@@ -195,8 +195,8 @@ void Navigator::judge(const GoTo& order) {
 
 // ---- Acting --------------------------------------------------------------------------------------
 
-MotionState Navigator::state_of(const GoTo& order) const {
-  return {pose(),      twist_,         setup_.footprint,        setup_.robot, near_, field_,
+MotionState Navigator::state_of(const GoTo& order, const Surroundings& near) const {
+  return {pose(),      twist_,         setup_.footprint,        setup_.robot, near, field_,
           order.place, order.within_m, setup_.options.period_s, &moving_};
 }
 
@@ -222,9 +222,11 @@ Twist2 Navigator::go(const GoTo& order) {
   plan(order);
   note_progress(order);
   if (progress_.state != Progress::State::underway) return {};
-  const MotionState state = state_of(order);
+  const MotionState state = state_of(order, near_);
   if (recovery_ == Recovery::turn || recovery_ == Recovery::back_off) return recovery_twist(state);
-  return at_place_ ? turn_to(state, *order.heading_rad, setup_.motion.margin_m) : rule_->choose(state);
+  if (!at_place_) return rule_->choose(state);
+  const Twist2 turn = turn_to(state.pose, *order.heading_rad);
+  return can_brake(state, turn, setup_.motion.margin_m) ? turn : Twist2{};
 }
 
 /// Goes from place to place until the robot recognises where it is, or gives up.
@@ -358,13 +360,13 @@ void Navigator::note_progress(const GoTo& order) {
 }
 
 /// Returns the twist of a turn in place.
-Twist2 Navigator::turn_to(const MotionState& state, double heading_rad, double margin_m) const {
-  const double off_rad = wrap_angle(heading_rad - state.pose.heading_rad);
+Twist2 Navigator::turn_to(const Pose2& here, double heading_rad) const {
+  const double off_rad = wrap_angle(heading_rad - here.heading_rad);
   // From that rate it comes to rest at the heading.
   const double rate = std::sqrt(setup_.robot.turn_acceleration_radps2 * std::abs(off_rad));
-  const double most = std::min({rate, setup_.robot.turn_rate_radps, std::abs(off_rad) / state.period_s});
-  const Twist2 turn{0.0, 0.0, std::copysign(most, off_rad)};
-  return can_brake(state, turn, margin_m) ? turn : Twist2{};
+  const double most =
+      std::min({rate, setup_.robot.turn_rate_radps, std::abs(off_rad) / setup_.options.period_s});
+  return {0.0, 0.0, std::copysign(most, off_rad)};
 }
 
 /// Begins the next way out, or gives up.

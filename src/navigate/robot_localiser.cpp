@@ -123,7 +123,8 @@ Made make_laser_on_map(LocaliserStart start) {
 
 const std::vector<RobotLocaliserRow>& robot_localisers() {
   static const std::vector<RobotLocaliserRow> rows = {
-      {"odometry", "the odometry is believed", make_odometry},
+      {"exact", "the odometry is the truth, as of a robot that is measured from outside", make_odometry},
+      {"odometry", "the odometry of the wheels is believed", make_odometry},
       {"laser_mapping", "scans are matched with each other on a map that grows", make_laser_mapping},
       {"laser_on_map", "scans are matched with a known map, from anywhere", make_laser_on_map},
   };

@@ -19,7 +19,7 @@ constexpr double look_step_m = 0.025;    // between places that are looked at
 
 }  // namespace
 
-std::vector<PathPiece> pieces_of(const Track& track, const TrackSection& section) {
+std::vector<PathPiece> pieces_of(const TrackPieces& track, const TrackSection& section) {
   std::vector<PathPiece> pieces;
   for (std::size_t i = section.from.piece; i < track.size() && i <= section.to.piece; ++i) {
     const double from = i == section.from.piece ? section.from.part : 0.0;

@@ -20,8 +20,11 @@ outrider_msgs::RunInfo run_info(std::string job, std::optional<std::uint64_t> se
 /// Returns the footprints of the solids that rise above the floor, each over its whole height. O(solids).
 std::vector<RoundedPolygon> footprints_above_floor(const World& world);
 
-/// Logs the description, and the solids of the world that rise above the floor. Solids that begin below
-/// `robot_height_m` above the floor block the robot. O(solids).
+/// Logs the solids of the world that rise above the floor. Those that begin below `robot_height_m` above the
+/// floor block the robot. O(solids).
+void log_solids(Log& log, const World& world, double robot_height_m);
+
+/// Logs the description and the solids.
 void log_scene(Log& log, outrider_msgs::RunInfo info, const World& world, double robot_height_m);
 
 }  // namespace outrider

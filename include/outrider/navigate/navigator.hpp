@@ -48,8 +48,8 @@ struct GoTo {
 };
 /// Drive this track, and leave it only around what stands on it. What was left out is told at the end.
 struct Follow {
-  std::shared_ptr<const Track> track;  ///< at least one piece; another object is another order
-  double beside_m = 0.05;              ///< a robot so far beside it drives back to it
+  std::shared_ptr<const TrackPieces> track;  ///< at least one piece; another object is another order
+  double beside_m = 0.05;                    ///< a robot so far beside it drives back to it
 };
 /// Stand where it is.
 struct Hold {};
@@ -131,7 +131,7 @@ class Navigator {
   void judge(const GoTo& order);
   void recover(const GoTo& order);
   [[nodiscard]] Twist2 recovery_twist(const MotionState& state) const;
-  [[nodiscard]] Twist2 turn_to(const MotionState& state, double heading_rad, double margin_m) const;
+  [[nodiscard]] Twist2 turn_to(const Pose2& here, double heading_rad) const;
   Twist2 go(const GoTo& order);
   Twist2 look_for_itself();
   void look_around();
@@ -140,6 +140,7 @@ class Navigator {
   void begin_track(const Follow& order);
   Twist2 along_track(const Follow& order);
   Twist2 back_to_track();
+  void note_motion(const Pose2& here);
   void leave_track(double again_m);
   [[nodiscard]] GoTo order_to(const TrackPlace& place) const;
   [[nodiscard]] Progress progress() const;
@@ -150,7 +151,7 @@ class Navigator {
   [[nodiscard]] GoalQuery query_of(const GoTo& order) const;
   void note_progress(const GoTo& order);
   [[nodiscard]] bool is_blind();
-  [[nodiscard]] MotionState state_of(const GoTo& order) const;
+  [[nodiscard]] MotionState state_of(const GoTo& order, const Surroundings& near) const;
 
   struct TimedOdometry {
     double time_s = 0.0;
@@ -191,7 +192,8 @@ class Navigator {
   std::optional<TrackPlace> comes_back_;  // to that place of the track, by the present GoTo
   bool comes_in_ = false;                 // it was beside the track, and is steered to it
   double skip_m_ = 0.0;                   // of the track, where no way leads back to it
-  double on_track_s_ = 0.0;               // when it last got on there
+  Pose2 stood_;                           // on the track, until it moved from there
+  double on_track_s_ = 0.0;               // when it last moved there
   Progress progress_;
 };
 

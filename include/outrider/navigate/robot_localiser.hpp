@@ -1,7 +1,8 @@
 // RobotLocaliser: where a robot is, by its odometry and what else it senses.
 //
 // Rows of robot_localisers():
-//   odometry       the odometry is believed
+//   exact          the odometry is the truth, as of a robot that is measured from outside
+//   odometry       the odometry of the wheels is believed
 //   laser_mapping  scans are matched with each other on a map that grows (laser_slam.hpp)
 //   laser_on_map   scans are matched with a known map, from anywhere (map_localiser.hpp)
 //

@@ -23,7 +23,7 @@
 
 namespace outrider {
 
-using Track = std::vector<PathPiece>;
+using TrackPieces = std::vector<PathPiece>;
 
 /// A place on a track: so far along one of its pieces.
 struct TrackPlace {
@@ -38,15 +38,15 @@ struct TrackSection {
 };
 
 /// Returns the pieces of a track between two places.
-std::vector<PathPiece> pieces_of(const Track& track, const TrackSection& section);
+std::vector<PathPiece> pieces_of(const TrackPieces& track, const TrackSection& section);
 
 class TrackFollower {
  public:
   using IsFree = std::function<bool(const Pose2&)>;
 
-  explicit TrackFollower(std::shared_ptr<const Track> track) : track_(std::move(track)) {}
+  explicit TrackFollower(std::shared_ptr<const TrackPieces> track) : track_(std::move(track)) {}
 
-  [[nodiscard]] const std::shared_ptr<const Track>& track() const { return track_; }
+  [[nodiscard]] const std::shared_ptr<const TrackPieces>& track() const { return track_; }
   [[nodiscard]] bool is_done() const { return at_.piece >= track_->size(); }
   [[nodiscard]] TrackPlace at() const { return at_; }
   [[nodiscard]] Pose2 pose_at(const TrackPlace& place) const;
@@ -79,7 +79,7 @@ class TrackFollower {
   [[nodiscard]] bool joins_smoothly(std::size_t piece) const;
   [[nodiscard]] double curvature_soon(double speed_mps, const RobotModel& model, double period_s) const;
 
-  std::shared_ptr<const Track> track_;
+  std::shared_ptr<const TrackPieces> track_;
   TrackPlace at_;
   bool looks_along_ = false;  // the robot has turned to the present piece
   std::vector<TrackSection> left_out_;

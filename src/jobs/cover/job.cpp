@@ -51,38 +51,58 @@ FaultyResult result_of(const FaultyDrive& faulty, const CoverRun& run, const Cov
 
 /// Drives a track, logs that, and measures what it covers.
 struct Driver {
-  const CoverProblem& problem;
-  const TrackFaults& faults;
+  const CoverTask& task;
+  const CoverScenario& scenario;
   std::uint64_t seed;
   RunWatch watch;
 
-  /// Fault: cancelled.
-  Status drive(CoverRun& run, CoverLog& log, const std::stop_token& stop) const {
-    const CoverTrack& track = run.plan.track;
-    const auto& ground = run.plan.ground.ground;
-    if (!faults.any()) {
-      run.drive = drive_track(track, *ground, problem.pace, problem.tracking_error_m, seed, watch,
-                              [&](const PieceDrive& so_far) { log.note(so_far); });
-      if (auto ok = measure(run, run.finished() ? stop : std::stop_token{}); !ok) return ok;
-      if (run.finished()) check_promises(run);
-      log.finish(run.drive, run.driven);
-      return {};
-    }
+  /// Fault: cancelled; those of drive_with_navigator().
+  Status drive(CoverRun& run, Log& to, CoverLog& log, const std::stop_token& stop) const {
+    if (scenario.sim == "navigator") return drive_navigated(run, to, log, stop);
+    return scenario.faults.any() ? drive_faulty(run, log, stop) : drive_ideal(run, log, stop);
+  }
+
+ private:
+  Status drive_ideal(CoverRun& run, CoverLog& log, const std::stop_token& stop) const {
+    run.drive =
+        drive_track(run.plan.track, *run.plan.ground.ground, task.problem.pace, task.problem.tracking_error_m,
+                    seed, watch, [&](const PieceDrive& so_far) { log.note(so_far); });
+    if (auto ok = measure(run, run.finished() ? stop : std::stop_token{}); !ok) return ok;
+    if (run.finished()) check_promises(run);
+    log.note(run.drive);
+    log.finish(run.drive, run.driven, {.finished = run.finished()});
+    return {};
+  }
+
+  Status drive_navigated(CoverRun& run, Log& to, CoverLog& log, const std::stop_token& stop) const {
+    auto done = drive_with_navigator(task.problem, task.method, scenario.options, run.plan,
+                                     scenario.navigation, scenario.things, seed, to, watch,
+                                     [&](const PieceDrive& so_far) { log.note(so_far); });
+    if (!done) return pass_on(done);
+    run.drive = std::exchange(done->drive, {});
+    run.navigated = std::move(*done);
+    if (auto ok = measure(run, run.finished() ? stop : std::stop_token{}); !ok) return ok;
+    const bool kept = cover_report(task.problem, run, {}).status == "done";
+    log.finish(run.drive, run.driven, {run.finished(), kept});
+    return {};
+  }
+
+  Status drive_faulty(CoverRun& run, CoverLog& log, const std::stop_token& stop) const {
+    const CoverProblem& problem = task.problem;
     const FaultyDrive faulty = drive_with_faults(
-        track, problem, ground, faults, seed, watch,
+        run.plan.track, problem, run.plan.ground.ground, scenario.faults, seed, watch,
         [&](const PieceDrive& so_far, const CoverRecovery& mission) { log.note(so_far, mission); });
     run.drive = faulty.drive;
     if (auto ok = measure(run, faulty.finished ? stop : std::stop_token{}); !ok) return ok;
     run.faulty = result_of(faulty, run, problem);
-    log.finish(run.drive, run.driven, &*run.faulty);
+    log.finish(run.drive, run.driven, {faulty.finished, run.faulty->kept_promise});
     return {};
   }
 
- private:
   /// Measures the coverage of the drive. That of a stopped drive is measured too: pass a token that never
   /// stops. The measuring of a finished drive can be stopped.
   Status measure(CoverRun& run, const std::stop_token& stop) const {
-    run.driven = cover::coverage_of_drive(run.drive, problem, run.plan.ground.reach, stop);
+    run.driven = cover::coverage_of_drive(run.drive, task.problem, run.plan.ground.reach, stop);
     return stop.stop_requested() ? cancelled() : Status{};
   }
 };
@@ -138,12 +158,20 @@ Outcome<Warnings> CoverJob::load() {
 
 Status CoverJob::run(Run& run, const RunWatch& watch) {
   if (!task) throw std::logic_error("a task is loaded before it runs");
-  const CoverProblem& problem = task->problem;
+  CoverTask planned_task = *task;
+  if (scenario.sim == "navigator") {
+    auto inside = kept_inside(task->problem);
+    if (!inside) return pass_on(inside);
+    planned_task.problem = std::move(*inside);
+  }
+  const CoverProblem& problem = planned_task.problem;
   RunSteps steps(watch, 3);
-  const auto promise =
-      plan_and_prove(*task, scenario.options, plan_key(options(), {"seed", "faults"}), steps, watch);
+  const auto promise = plan_and_prove(planned_task, scenario.options,
+                                      plan_key(options(), {"seed", "faults", "things", "laser", "wheels",
+                                                           "walk_ins", "navigator", "live_map", "motion"}),
+                                      steps, watch);
   if (!promise) return pass_on(promise);
-  CoverRun driven{(*promise)->plan, (*promise)->proof, {}, {}, {}, {}};
+  CoverRun driven{(*promise)->plan, (*promise)->proof, {}, {}, {}, {}, {}};
   const CoverPlan& planned = driven.plan;
   driven.bound = time_bound(planned.track, problem.pace, problem.tracking_error_m, scenario.error_factor);
   if (auto ok = steps.next("driving it"); !ok) return ok;
@@ -151,8 +179,8 @@ Status CoverJob::run(Run& run, const RunWatch& watch) {
   const std::string name = std::filesystem::path(scenario.area).filename().string();
   CoverLog log(run.log, problem, planned, seed, name);
   if (task->problem.frame.moved()) log_event(run.log, 0.0, "frame", sentence_of(task->problem.frame));
-  const Driver driver{problem, scenario.faults, seed, steps.inner()};
-  if (auto ok = driver.drive(driven, log, watch.stop); !ok) return ok;
+  const Driver driver{*task, scenario, seed, steps.inner()};
+  if (auto ok = driver.drive(driven, run.log, log, watch.stop); !ok) return ok;
   run.report = cover_report(problem, driven, name);
   run.report.settings = settled_settings(scenario, planned.method);
   if (!driven.finished()) mark_cancelled(run.report, run.log, driven.drive.time_s);

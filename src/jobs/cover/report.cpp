@@ -19,6 +19,7 @@ namespace {
 
 constexpr int covered_steps = 60;
 constexpr double arc_step_rad = radians(4.0);
+constexpr double good_part = 0.005;  // of the reach, that a steered drive may cover less than its track
 
 std::vector<std::vector<Vec2>> outlines(const Region& region) {
   std::vector<std::vector<Vec2>> rings;
@@ -146,6 +147,40 @@ std::string why_missed(const FaultyResult& faulty, const CoverProblem& problem) 
                               counted(faulty.hold_ups.size(), "time"), first.time_s, first.sentence);
 }
 
+/// Returns the reason why a drive with the navigator is not done; empty if it is.
+std::string why_not_done(const NavigatedCover& done, const CoverProof& proof) {
+  std::string reason;
+  const auto add = [&](const std::string& one) { reason += (reason.empty() ? "" : "; ") + one; };
+  if (done.left_ground > 0)
+    add(fmt::format("the robot came out of the area {}", counted(done.left_ground, "time")));
+  if (done.contacts > 0)
+    add(fmt::format("the robot touched something {}",
+                    counted(static_cast<std::size_t>(done.contacts), "time")));
+  if (!done.believed_complete) add(done.reason);
+  const double missed = 1.0 - done.driven.fraction, planned = 1.0 - proof.planned.fraction;
+  if (missed > planned + good_part)
+    add(fmt::format("{:.4g} m2 are not covered of the {:.4g} m2 that can be, among what stands there",
+                    done.driven.missed_m2, area_of(done.reach)));
+  return reason;
+}
+
+/// Adds the metrics of a drive with the navigator.
+void add_metrics(std::vector<std::pair<std::string, double>>& metrics, const NavigatedCover& done,
+                 const CoverProof& proof) {
+  const bool missed = 1.0 - done.driven.fraction > 1.0 - proof.planned.fraction + good_part;
+  const std::vector<std::pair<std::string, double>> more = {
+      {"reachable_m2", area_of(done.reach)},
+      {"reachable_fraction", done.driven.fraction},
+      {"left_m2", done.left_m2},
+      {"rounds", static_cast<double>(done.rounds)},
+      {"recoveries", static_cast<double>(done.recoveries)},
+      {"contacts", static_cast<double>(done.contacts)},
+      {"walked_into", static_cast<double>(done.walked_into)},
+      {"left_ground", static_cast<double>(done.left_ground)},
+      {"false_covered", done.believed_complete && missed ? 1.0 : 0.0}};
+  metrics.insert(metrics.end(), more.begin(), more.end());
+}
+
 /// Adds the metrics of a drive with faults.
 void add_metrics(std::vector<std::pair<std::string, double>>& metrics, const FaultyResult& faulty) {
   const bool false_covered = faulty.believed_complete && !faulty.kept_promise;
@@ -161,7 +196,7 @@ void add_metrics(std::vector<std::pair<std::string, double>>& metrics, const Fau
 }
 
 std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& problem, const CoverRun& run) {
-  const auto& [plan, proof, bound, drive, driven, faulty] = run;
+  const auto& [plan, proof, bound, drive, driven, faulty, navigated] = run;
   const auto number = [](std::size_t count) { return static_cast<double>(count); };
   return {{"covered_fraction", driven.fraction},
           {"covered_m2", driven.covered_m2},
@@ -295,13 +330,11 @@ void CoverLog::note_drive(const PieceDrive& drive) {
   queue_.flush(log_, drive.time_s);
 }
 
-void CoverLog::finish(const PieceDrive& drive, const Coverage& driven, const FaultyResult* faulty) {
-  if (faulty == nullptr) note(drive);
+void CoverLog::finish(const PieceDrive& drive, const Coverage& driven, const CoverEnding& ending) {
   note_poses(drive, drive.track.size());
   if (measured_s_ < drive.time_s) note_coverage(drive, drive.time_s);
-  const bool kept = faulty == nullptr || faulty->kept_promise;
-  if (faulty != nullptr ? faulty->finished : drive.ends_s.size() == plan_.track.pieces.size())
-    queue_.note_event(drive.time_s, kept ? "done" : "not_done",
+  if (ending.finished)
+    queue_.note_event(drive.time_s, ending.kept ? "done" : "not_done",
                       fmt::format("{:.2f} % of the reach is covered, {:.4g} m2 of it more than once",
                                   100.0 * driven.fraction, driven.overlap_m2));
   area_.missed = outlines_of(outlines(driven.missed));
@@ -316,6 +349,7 @@ Report cover_report(const CoverProblem& problem, const CoverRun& run, const std:
   report.world_name = name;
   report.metrics = metrics_of(problem, run);
   if (run.faulty) add_metrics(report.metrics, *run.faulty);
+  if (run.navigated) add_metrics(report.metrics, *run.navigated, run.proof);
   if (run.proof.fields.size() > 1) report.tables.push_back(areas_table(run.proof));
   if (!run.proof.complete) {
     report.status = "not_done";
@@ -326,6 +360,11 @@ Report cover_report(const CoverProblem& problem, const CoverRun& run, const std:
     const std::string before = report.reason.empty() ? "" : report.reason + "; ";
     report.status = "not_done";
     report.reason = before + why_missed(*run.faulty, problem);
+  }
+  if (!run.navigated) return report;
+  if (const std::string why = why_not_done(*run.navigated, run.proof); !why.empty()) {
+    report.status = "not_done";
+    report.reason += (report.reason.empty() ? "" : "; ") + why;
   }
   return report;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "outrider/core/units.hpp"
 #include "outrider/io/files/text.hpp"
@@ -13,6 +14,8 @@
 
 namespace outrider {
 namespace {
+
+constexpr double least_tracking_error_m = 0.01;  // of a robot that is steered
 
 Outcome<Units> units_of(const CoverScenario& scenario) {
   if (scenario.units == "auto") return Units::told_by_size;
@@ -43,6 +46,38 @@ Status check_faults(const CoverScenario& scenario) {
   return {};
 }
 
+/// Checks that the navigator can drive the robot, and that what it needs is asked for with it only.
+Status check_sim(const CoverScenario& scenario) {
+  const CoverProblem& problem = scenario.problem;
+  if (scenario.sim != "navigator") {
+    if (scenario.things.empty()) return {};
+    return bad_input("a track that is driven as it is meets nothing; give sim: navigator, or leave it out",
+                     "things");
+  }
+  if (scenario.faults.any())
+    return bad_input("a drive with the navigator has no such faults; leave them out, or give sim: ideal",
+                     "faults");
+  if (problem.bar() || problem.curves() || problem.transfers)
+    return bad_input(
+        fmt::format("'navigator' drives a disk that turns in place, on one area; leave {} out, or give sim: "
+                    "ideal",
+                    problem.bar()      ? "the bar"
+                    : problem.curves() ? "the turning_radius"
+                                       : "the transfers"),
+        "sim");
+  if (problem.tracking_error_m < least_tracking_error_m)
+    return bad_input(
+        fmt::format(
+            "'{:g}' is not valid; a robot that is steered is up to {:g} m beside its track: give that, "
+            "and an overlap for it",
+            problem.tracking_error_m, least_tracking_error_m),
+        "tracking_error");
+  if (scenario.navigation.navigator.localiser == "laser_on_map")
+    return bad_input("'laser_on_map' needs a map of cells; take exact, odometry or laser_mapping",
+                     "navigator.localiser");
+  return check(scenario.navigation.laser);
+}
+
 /// Reads the area: the free space of a saved map, or polygons. `start` is in its coordinates.
 Outcome<CoverArea> load_area(const CoverScenario& scenario, Units units, const std::optional<Pose2>& start) {
   auto map = saved_map(scenario.area);
@@ -58,6 +93,15 @@ Outcome<CoverArea> load_area(const CoverScenario& scenario, Units units, const s
 }
 
 }  // namespace
+
+NavigationOptions CoverScenario::default_navigation() {
+  constexpr double never_s = 1e6;
+  NavigationOptions options;
+  options.laser.rate_hz = 10.0;
+  options.navigator.localiser = "exact";
+  options.live_map.forget_s = options.live_map.remember_s = never_s;
+  return options;
+}
 
 SavedMapOptions map_options(const CoverScenario& scenario, const std::optional<Pose2>& start) {
   SavedMapOptions options;
@@ -83,9 +127,15 @@ std::vector<OptionGroup> describe(CoverScenario& scenario) {
        &scenario.map_tolerance_m},
       {"error_factor", "", 1.0, 100.0, "how many times slower than its slowest pace the robot may be",
        &scenario.error_factor},
-      {"seed", "", 0, 1e15, "seed of the simulated drive", &scenario.seed}};
+      {"seed", "", 0, 1e15, "seed of the simulated drive", &scenario.seed},
+      choice_option("sim", "how the track is driven: as it is, or by a navigator around what stands there",
+                    &scenario.sim, {"ideal", "navigator"}),
+      {"things", "", 0, 0,
+       "x,y,length,width of each box and x,y,radius of each post that stands there and is on no map, m, with "
+       "blanks between; with sim: navigator",
+       &scenario.things}};
   top.insert(top.end(), rest.begin(), rest.end());
-  return {
+  std::vector<OptionGroup> groups = {
       {"", "the area and the robot", std::move(top)},
       {"tool", "what covers the ground", describe(scenario.problem.tool)},
       {"pace", "how fast the robot drives and turns", describe(scenario.problem.pace)},
@@ -93,11 +143,14 @@ std::vector<OptionGroup> describe(CoverScenario& scenario) {
       {"faults", "what goes wrong with the simulated drive without the robot being told",
        describe(scenario.faults)},
   };
+  std::ranges::move(describe(scenario.navigation), std::back_inserter(groups));
+  return groups;
 }
 
 Outcome<CoverTask> load_task(const CoverScenario& scenario) {
   if (auto ok = check_names(scenario); !ok) return pass_on(ok);
   if (auto ok = check_faults(scenario); !ok) return pass_on(ok);
+  if (auto ok = check_sim(scenario); !ok) return pass_on(ok);
   auto method = find_cover_method(scenario.method);
   if (!method) return pass_on(method);
   auto units = units_of(scenario);

@@ -9,6 +9,7 @@
 #include "outrider/io/map/map.hpp"
 #include "outrider/io/map/world_file.hpp"
 #include "outrider/io/scenario/scenario.hpp"
+#include "outrider/io/scenario/things.hpp"
 #include "outrider/io/scenario/values.hpp"
 #include "outrider/path/catalog.hpp"
 #include "tag_warnings.hpp"
@@ -83,30 +84,6 @@ Box2 around(const DriveTask& task, const std::optional<Pose2>& goal) {
   return box.grown(open_ground_m + task.radius_m);
 }
 
-/// Puts the things into the world that no map has.
-Status add_things(const DriveScenario& scenario, World& world) {
-  constexpr const char* key = "things";
-  for (const std::string_view word : words(scenario.things)) {
-    const bool round = std::ranges::count(word, ',') == 2;
-    auto n = parse_numbers(std::string(word), round ? 3 : 4, key,
-                           "x,y,length,width of a box or x,y,radius of a post, in m, such as 3,2,0.5,0.4");
-    if (!n) return pass_on(n);
-    for (std::size_t i = 2; i < n->size(); ++i) {
-      if ((*n)[i] < 0.01 || (*n)[i] > 100.0)
-        return bad_input(fmt::format("'{}' is not valid; sizes are from 0.01 to 100 m", excerpt(word)), key);
-    }
-    const double half_m = 0.5 * std::max(1.0, scenario.height_m);
-    const Pose3 pose{{(*n)[0], (*n)[1], world.floor_z_m + half_m}, {}};
-    const std::string name = fmt::format("thing {}", world.solids.size());
-    if (round) {
-      world.solids.push_back({name, pose, CylinderShape{(*n)[2], half_m}});
-    } else {
-      world.solids.push_back({name, pose, BoxShape{{0.5 * (*n)[2], 0.5 * (*n)[3], half_m}}});
-    }
-  }
-  return {};
-}
-
 Status load_ground(const DriveScenario& scenario, const std::optional<Pose2>& goal, DriveSetup& setup) {
   World& world = setup.task.world;
   const std::string& file = scenario.world.empty() ? scenario.map : scenario.world;
@@ -126,7 +103,7 @@ Status load_ground(const DriveScenario& scenario, const std::optional<Pose2>& go
   } else if (file.empty()) {
     world.bounds = around(setup.task, goal);
   }
-  return add_things(scenario, world);
+  return add_things(scenario.things, scenario.height_m, world);
 }
 
 /// Loads the map that the robot has.

@@ -117,8 +117,9 @@ void CoverMissionNode::finish() {
   const Region& reach = work_->plan.ground.reach;
   const Coverage driven =
       bar ? coverage_of(poses, *bar, reach) : coverage_of(drive_.way, problem.body_radius_m(), reach);
-  work_->log.finish(drive_, driven);
   const bool good = driven.fraction >= work_->proof.planned.fraction - good_part;
+  work_->log.note(drive_);
+  work_->log.finish(drive_, driven, {.finished = true, .kept = good});
   const bool strayed = drive_.tracking_error_m > problem.tracking_error_m;
   end(good ? NodeLevel::info : NodeLevel::error, good ? "done" : "not_done",
       fmt::format(

@@ -28,6 +28,7 @@ TwistBody::TwistBody(const World& world, const Pose2& start, const RobotModel& r
       ground_(world, robot, wheels.climbs_m),
       walk_ins_(world, start.position, wheels.climbs_m, faults.walk_ins, walk_in_rng),
       wheel_rng_(wheel_rng),
+      start_(start),
       pose_(start) {
   left_scale_ += wheels_.scale_error * wheel_rng_.normal();
   right_scale_ += wheels_.scale_error * wheel_rng_.normal();

@@ -14,7 +14,7 @@ namespace outrider {
 namespace {
 
 /// A lane, a turn in place, a lane, a smooth half circle, a lane, and one backwards.
-Track winding() {
+TrackPieces winding() {
   return {{{0.0, 0.0}, {3.0, 0.0}, {}, 0.0}, {{3.0, 0.0}, {3.0, 1.0}, {}, 0.0},
           {{3.0, 1.0}, {1.0, 1.0}, {}, 0.0}, {{1.0, 1.0}, {1.0, 2.0}, {1.0, 1.5}, -pi},
           {{1.0, 2.0}, {3.0, 2.0}, {}, 0.0}, {{3.0, 2.0}, {2.0, 2.0}, {}, 0.0, true}};
@@ -29,7 +29,7 @@ RobotModel quick() {
   return robot;
 }
 
-double to_track_m(const Track& track, Vec2 place) {
+double to_track_m(const TrackPieces& track, Vec2 place) {
   double least = 1e9;
   for (const PathPiece& piece : track)
     least = std::min(least, distance(place, point_on(piece, nearest_part(piece, place))));
@@ -45,7 +45,7 @@ struct Driven {
   std::vector<TrackSection> left_out;
 };
 
-Driven drive(const World& world, const Track& track, std::optional<AllowedGround> allowed = {}) {
+Driven drive(const World& world, const TrackPieces& track, std::optional<AllowedGround> allowed = {}) {
   NavigatorSetup setup;
   setup.robot = quick();
   setup.footprint = Footprint::disk(0.15);
@@ -56,7 +56,7 @@ Driven drive(const World& world, const Track& track, std::optional<AllowedGround
   params.wheels.scale_error = params.wheels.noise_m = 0.0;
   SimulatedRobot robot = simulated_explorer(world, {}, setup.robot, params, 3);
   auto navigator = Navigator::make(setup, Pose2{});
-  const Follow order{std::make_shared<const Track>(track)};
+  const Follow order{std::make_shared<const TrackPieces>(track)};
   Driven driven;
   while (robot.time_s() < 200.0) {
     driven.progress = navigator->perceive(robot.sense()).progress;
@@ -72,7 +72,7 @@ Driven drive(const World& world, const Track& track, std::optional<AllowedGround
 }
 
 TEST(TrackFollower, StaysOnLegsAndArcsForwardsAndBackwards) {
-  const Track track = winding();
+  const TrackPieces track = winding();
   const Driven driven = drive({}, track);
   EXPECT_EQ(driven.progress.state, Progress::State::arrived);
   EXPECT_LT(driven.beside_m, 0.01);
@@ -131,7 +131,7 @@ TEST(TrackFollower, LeavesOutWhatNoWayLeadsTo) {
 }
 
 TEST(TrackFollower, TellsPlacesAlongTheTrack) {
-  const TrackFollower follower(std::make_shared<const Track>(winding()));
+  const TrackFollower follower(std::make_shared<const TrackPieces>(winding()));
   const auto place = follower.ahead_of({}, 3.5);
   ASSERT_TRUE(place);
   EXPECT_EQ(place->piece, 1U);

@@ -10,6 +10,7 @@
 
 #include "outrider/jobs/cover/bounds/time_bound.hpp"
 #include "outrider/jobs/cover/mission/mission.hpp"
+#include "outrider/jobs/cover/mission/navigated.hpp"
 #include "outrider/jobs/cover/strokes/plan.hpp"
 #include "outrider/log/log.hpp"
 #include "outrider/log/log_queue.hpp"
@@ -33,17 +34,25 @@ struct FaultyResult {
   bool kept_promise = false;        ///< that is no more than the measuring is off
 };
 
+/// The end of a drive: nobody stopped it, and it covers what was promised.
+struct CoverEnding {
+  bool finished = true;
+  bool kept = true;
+};
+
 /// A track, its proofs, and its simulated drive.
 struct CoverRun {
   CoverPlan plan;
   CoverProof proof;
   TimeBound bound;
   PieceDrive drive;
-  Coverage driven;                          ///< coverage of the reach by the drive
-  std::optional<FaultyResult> faulty = {};  ///< set if faults were asked for
+  Coverage driven;                               ///< coverage of the reach by the drive
+  std::optional<FaultyResult> faulty = {};       ///< set if faults were asked for
+  std::optional<NavigatedCover> navigated = {};  ///< set if the navigator drove; its drive is `drive`
 
   /// Returns false if the drive was stopped.
   [[nodiscard]] bool finished() const {
+    if (navigated) return navigated->finished;
     return faulty ? faulty->finished : drive.ends_s.size() == plan.track.pieces.size();
   }
 };
@@ -59,9 +68,8 @@ class CoverLog {
   void note(const PieceDrive& drive);
   /// The same of a robot that may be held up.
   void note(const PieceDrive& drive, const CoverRecovery& mission);
-  /// Logs the end: what the drive has covered, what it missed, and what it covered more than once. With
-  /// faults also whether that is what was promised.
-  void finish(const PieceDrive& drive, const Coverage& driven, const FaultyResult* faulty = nullptr);
+  /// Logs the end: what the drive has covered, what it missed, and what it covered more than once.
+  void finish(const PieceDrive& drive, const Coverage& driven, const CoverEnding& ending);
 
  private:
   void note_drive(const PieceDrive& drive);
@@ -99,6 +107,10 @@ class CoverLog {
 /// - for every tracking error up to tracking_error_limit_m: sure_fraction of the reach, and
 /// sure_inner_fraction
 ///   of the reach without its rim;
+/// - with the navigator: reachable_m2 and reachable_fraction (what a robot can cover that keeps its room from
+///   what truly stands there, and the covered part of that), left_m2 (that the robot knows of), rounds (of
+///   planning what was left), recoveries, contacts, walked_into (people who walked into it), left_ground (how
+///   often it came out of the area), and false_covered;
 /// - with faults: held_up (how often), left_out_m (of the track), strayed_m, contacts (with the edge),
 ///   post_contacts, promised_missed_m2 (surely covered by the proof, and not by the drive), and
 ///   false_covered: the robot believes that all is covered, and it is not.

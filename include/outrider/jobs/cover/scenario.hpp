@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
+#include "outrider/job/navigation.hpp"
 #include "outrider/jobs/cover/ground/saved_map.hpp"
 #include "outrider/jobs/cover/strokes/plan.hpp"
 #include "outrider/sim/faults/track_faults.hpp"
@@ -24,6 +25,12 @@ struct CoverScenario {
   CoverProblem problem;          ///< its numbers are options; its polygons come from the file
   CoverOptions options;          ///< of the planner
   TrackFaults faults;            ///< of the simulated drive; the robot is not told
+  std::string sim = "ideal";     ///< ideal: the track as it is; navigator: around what stands there
+  std::string things;            ///< that stand there and are on no map (add_things())
+  NavigationOptions navigation = default_navigation();  ///< of a drive with the navigator
+
+  /// Returns the options of a robot that knows where it is, and forgets nothing that it has seen.
+  static NavigationOptions default_navigation();
 };
 
 /// Describes the options: the top-level keys, then the sections tool, pace, order and faults.

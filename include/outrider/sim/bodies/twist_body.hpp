@@ -41,7 +41,8 @@ class TwistBody {
   [[nodiscard]] double time_s() const { return time_s_; }
   [[nodiscard]] const Pose2& pose() const { return pose_; }          ///< world_T_robot; heading not wrapped
   [[nodiscard]] const Twist2& twist() const { return twist_; }       ///< present twist, without slip
-  [[nodiscard]] const Pose2& odometry() const { return odometry_; }  ///< start_T_robot measured by the wheels
+  /// Returns start_T_robot as the wheels measure it, or as it is.
+  [[nodiscard]] Pose2 odometry() const { return wheels_.exact ? relative_pose(start_, pose_) : odometry_; }
   [[nodiscard]] std::int64_t contacts() const { return contacts_; }
   /// Returns how often somebody walked into the robot, whose motion did not bring it nearer to them.
   [[nodiscard]] std::int64_t walked_into() const { return walked_into_; }
@@ -70,6 +71,7 @@ class TwistBody {
   double left_scale_ = 1.0;  // scale of the distance counted by each wheel
   double right_scale_ = 1.0;
   double time_s_ = 0.0;
+  Pose2 start_;
   Pose2 pose_;
   Twist2 wanted_;
   Twist2 twist_;

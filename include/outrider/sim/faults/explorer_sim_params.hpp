@@ -43,6 +43,7 @@ struct ExplorerWheels {
   double climbs_m = 0.1;
   double scale_error = 0.01;  ///< standard deviation of the relative scale error, drawn once per wheel
   double noise_m = 0.002;     ///< standard deviation after 1 m; grows with the square root of the distance
+  bool exact = false;  ///< the odometry is the true motion, as of a robot that is measured from outside
 };
 std::vector<Option> describe(ExplorerWheels& wheels);
 

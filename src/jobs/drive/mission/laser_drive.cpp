@@ -15,7 +15,6 @@
 #include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/sim/simulated_robot.hpp"
-#include "outrider/world/occupancy.hpp"
 
 namespace outrider {
 namespace {
@@ -26,37 +25,17 @@ constexpr double most_way_m = 20.0;  // of the planned way that is logged
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 NavigatorSetup setup_of(const DriveTask& task, double height_m, const LaserDriveOptions& options,
-                        Footprint footprint) {
-  NavigatorSetup setup;
-  setup.robot.radius_m = footprint.outer_m();
-  setup.robot.height_m = height_m;
-  setup.robot.speed_mps = task.follow.speed_mps;
-  setup.robot.acceleration_mps2 = task.follow.acceleration_mps2;
-  setup.robot.turn_rate_radps = task.follow.turn_rate_radps;
-  setup.robot.turn_acceleration_radps2 = task.follow.turn_acceleration_radps2;
-  setup.footprint = std::move(footprint);
-  setup.robot_T_laser = options.laser.robot_T_laser;
-  setup.options = options.navigator;
-  setup.map = options.live_map;
-  setup.motion = options.motion;
+                        const Footprint& footprint) {
+  RobotModel robot;
+  robot.radius_m = footprint.outer_m();
+  robot.height_m = height_m;
+  robot.speed_mps = task.follow.speed_mps;
+  robot.acceleration_mps2 = task.follow.acceleration_mps2;
+  robot.turn_rate_radps = task.follow.turn_rate_radps;
+  robot.turn_acceleration_radps2 = task.follow.turn_acceleration_radps2;
+  NavigatorSetup setup = setup_of(options, robot, footprint);
   setup.known = task.known;
   return setup;
-}
-
-ExplorerSimParams devices_of(const LaserDriveOptions& options, const Footprint& footprint) {
-  ExplorerSimParams params;
-  params.laser = options.laser;
-  params.wheels = options.wheels;
-  params.footprint = footprint;
-  params.faults.walk_ins = options.walk_ins;
-  return params;
-}
-
-/// The cells of the live map as an occupancy map: what is not marked is not known.
-Grid<std::uint8_t> occupancy_of(const LiveMap& map) {
-  Grid<std::uint8_t> cells(map.frame(), unknown_cell);
-  for (const Mark& mark : map.marks()) cells[map.frame().cell_at(mark.place)] = occupied_cell;
-  return cells;
 }
 
 /// The waypoints one after another, each an order.
@@ -223,24 +202,19 @@ Report LaserDrive::report() const {
 }  // namespace
 
 std::vector<OptionGroup> describe(LaserDriveOptions& options) {
-  std::vector<Option> navigator = describe(options.navigator);
-  navigator.insert(
-      navigator.begin(),
-      {{"footprint", "", 0, 0,
-        "corners x,y of the robot in m, counter-clockwise, with blanks between, or a radius; empty: "
-        "its disk",
-        &options.footprint},
-       {"within", "m", 0.01, 10.0, "distance from a waypoint within which it is reached", &options.within_m},
-       {"within_heading", "deg", 0.1, 180.0, "the same of the heading at a stop", &options.within_rad},
-       {"start_unknown", "", 0, 0, "the robot is not told where on its map it starts",
-        &options.start_unknown}});
-  return {{"laser", "its range finder, of a drive by laser", describe(options.laser)},
-          {"wheels", "its wheels and how they count wrong, of a drive by laser", describe(options.wheels)},
-          {"walk_ins", "who walks there, and what is put in the way of a drive by laser",
-           describe(options.walk_ins)},
-          {"navigator", "how it gets there by laser", navigator},
-          {"live_map", "what it remembers of what it sees", describe(options.live_map)},
-          {"motion", "how the next motion is found", describe(options.motion)}};
+  const std::vector<Option> more = {
+      {"footprint", "", 0, 0,
+       "corners x,y of the robot in m, counter-clockwise, with blanks between, or a radius; empty: "
+       "its disk",
+       &options.footprint},
+      {"within", "m", 0.01, 10.0, "distance from a waypoint within which it is reached", &options.within_m},
+      {"within_heading", "deg", 0.1, 180.0, "the same of the heading at a stop", &options.within_rad},
+      {"start_unknown", "", 0, 0, "the robot is not told where on its map it starts",
+       &options.start_unknown}};
+  std::vector<OptionGroup> groups = describe(static_cast<NavigationOptions&>(options));
+  const auto navigator = std::ranges::find(groups, "navigator", &OptionGroup::name);
+  navigator->options.insert(navigator->options.begin(), more.begin(), more.end());
+  return groups;
 }
 
 Outcome<Report> run_laser_drive(const DriveTask& task, double height_m, const LaserDriveOptions& options,

@@ -7,27 +7,20 @@
 #include <string>
 #include <vector>
 
+#include "outrider/job/navigation.hpp"
 #include "outrider/job/watch.hpp"
 #include "outrider/jobs/drive/task.hpp"
 #include "outrider/log/log.hpp"
-#include "outrider/navigate/navigator.hpp"
 #include "outrider/report/report.hpp"
-#include "outrider/sim/faults/explorer_sim_params.hpp"
 
 namespace outrider {
 
 /// Options of a drive by laser.
-struct LaserDriveOptions {
+struct LaserDriveOptions : NavigationOptions {
   std::string footprint;             ///< corners or radius (parse_footprint()); empty: the disk of the robot
   double within_m = 0.15;            ///< distance from a waypoint at which the robot has arrived
   double within_rad = radians(5.0);  ///< the same of the heading at a stop
   bool start_unknown = false;        ///< the robot is not told where on its map it starts
-  RangeFinderModel laser;
-  ExplorerWheels wheels;
-  WalkInOptions walk_ins;
-  NavigatorOptions navigator;
-  LiveMapOptions live_map;
-  LocalMotionOptions motion;
 };
 /// Describes the options, by section of a scenario.
 std::vector<OptionGroup> describe(LaserDriveOptions& options);

@@ -1,0 +1,33 @@
+// The options of a job whose simulated robot is taken where it should be by the navigator.
+#pragma once
+
+#include <vector>
+
+#include "outrider/core/options.hpp"
+#include "outrider/navigate/navigator.hpp"
+#include "outrider/sim/faults/explorer_sim_params.hpp"
+
+namespace outrider {
+
+struct NavigationOptions {
+  RangeFinderModel laser;
+  ExplorerWheels wheels;
+  WalkInOptions walk_ins;
+  NavigatorOptions navigator;
+  LiveMapOptions live_map;
+  LocalMotionOptions motion;
+};
+/// Describes the options, by section of a scenario.
+std::vector<OptionGroup> describe(NavigationOptions& options);
+
+/// Returns the devices of the simulated robot.
+ExplorerSimParams devices_of(const NavigationOptions& options, const Footprint& footprint);
+
+/// Returns the setup of the navigator, without a known map.
+NavigatorSetup setup_of(const NavigationOptions& options, const RobotModel& robot,
+                        const Footprint& footprint);
+
+/// Returns the cells of a live map as an occupancy map: what is not marked is not known.
+Grid<std::uint8_t> occupancy_of(const LiveMap& map);
+
+}  // namespace outrider

@@ -1,0 +1,184 @@
+#include "outrider/jobs/cover/mission/orders.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "outrider/core/units.hpp"
+#include "outrider/geometry/polyline.hpp"
+#include "outrider/path/pieces.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double bend_m = 0.1, bend_rad = radians(2.0);  // between two points of the way
+constexpr double speck_m = 0.015;                        // narrower places that are left do not count
+constexpr int most_rounds = 6;
+constexpr double least_gain = 0.1;  // of what was left, that a round has to cover
+constexpr int corners = 8;          // of what stands around a mark
+constexpr double chord_m = 0.003;   // between an arc and its chords
+constexpr double simpler_m = 0.01;  // by which what stands there may seem larger or smaller
+
+/// Returns the polygon that contains a place, or else the nearest.
+const RingedPolygon& part_around(const Region& region, Vec2 place) {
+  return *std::ranges::min_element(region, {}, [&](const RingedPolygon& part) {
+    return contains(part, place) ? 0.0 : distance_to_border(part, place);
+  });
+}
+
+/// Returns the region with fewer corners: each ring within `simpler_m` of what it was.
+Region simpler(const Region& region) {
+  const auto ring_of = [](std::vector<Vec2> ring) {
+    ring.push_back(ring.front());
+    ring = simplified(ring, simpler_m);
+    ring.pop_back();
+    return ring;
+  };
+  std::vector<Region> parts;
+  for (const RingedPolygon& part : region) {
+    std::vector<std::vector<Vec2>> holes;
+    std::ranges::transform(part.holes, std::back_inserter(holes), ring_of);
+    std::erase_if(holes, [](const auto& hole) { return hole.size() < 3; });
+    parts.push_back(region_of(ring_of(part.outer), holes));
+  }
+  return united(parts);
+}
+
+}  // namespace
+
+CoverOrders::CoverOrders(const CoverProblem& problem, const CoverMethod& method, const CoverOptions& options,
+                         const CoverPlan& plan, double rim_m, Budget budget)
+    : problem_(problem),
+      method_(method),
+      options_(options),
+      plan_(plan),
+      rim_m_(rim_m),
+      budget_(std::move(budget)),
+      tracks_{std::make_shared<const TrackPieces>(plan.track.pieces)} {}
+
+double CoverOrders::driven_part(const Navigator& navigator) const {
+  const auto behind = static_cast<double>(all_tracks_ - tracks_.size());
+  const TrackFollower* track = navigator.track();
+  const bool follows = track != nullptr && !tracks_.empty() && track->track() == tracks_.front();
+  const double part =
+      follows ? static_cast<double>(track->at().piece) / static_cast<double>(track->track()->size()) : 0.0;
+  return (behind + part) / static_cast<double>(all_tracks_);
+}
+
+/// Notes the way: its points are where it bends, so that chords are at most 2 mm beside it.
+void CoverOrders::note(const Pose2& pose) {
+  const bool bends = std::abs(wrap_angle(pose.heading_rad - heading_rad_)) > bend_rad;
+  if (!way_.empty() && distance(way_.back(), pose.position) < (bends ? 1e-3 : bend_m)) return;
+  way_.push_back(pose.position);
+  heading_rad_ = pose.heading_rad;
+}
+
+std::optional<Order> CoverOrders::next(const Situation& now, const Navigator& navigator) {
+  note(now.pose);
+  if (complete_ || !reason_.empty()) return std::nullopt;
+  if (now.progress.state == Progress::State::lost) {
+    reason_ = now.progress.why;
+    return std::nullopt;
+  }
+  const TrackFollower* track = navigator.track();
+  const bool ended = track != nullptr && track->track() == tracks_.front() && track->is_done();
+  if (ended) {
+    tracks_.pop_front();
+    if (tracks_.empty() && !plan_rest(navigator)) return std::nullopt;
+  }
+  return Follow{tracks_.front(), std::max(0.02, 2.0 * problem_.tracking_error_m)};
+}
+
+/// Returns what stands in the area as far as it was seen, with a rim, and where the robot does not fit in.
+Region CoverOrders::things(const Navigator& navigator) const {
+  std::vector<Region> all;
+  const auto add = [&](Vec2 place) {
+    std::vector<Vec2> around;
+    for (int i = 0; i < corners; ++i)
+      around.push_back(place + rim_m_ / std::cos(pi / corners) * direction(2.0 * pi * i / corners));
+    all.push_back(region_of(around, {}));
+  };
+  for (const Mark& mark : navigator.map().marks()) {
+    if (!mark.moving) add(mark.place);
+  }
+  const GridFrame& frame = navigator.map().frame();
+  for (const Mark& mark : navigator.map().behind()) {
+    if (!frame.contains(frame.cell_at(mark.place))) add(mark.place);
+  }
+  const double radius_m = problem_.body_radius_m() + simpler_m;
+  return simpler(shrunk(grown(united(all), radius_m, chord_m), radius_m - simpler_m, chord_m));
+}
+
+/// Plans how to cover what is left. Returns false if that is nothing, or no more can be done.
+bool CoverOrders::plan_rest(const Navigator& navigator) {
+  const Region ground = without(plan_.ground.area, things(navigator));
+  if (ground.empty()) {
+    reason_ = "nothing of the area is free";
+    return false;
+  }
+  const RingedPolygon& part = part_around(ground, way_.back());
+  CoverProblem rest = problem_;
+  rest.boundary = part.outer;
+  rest.holes = part.holes;
+  rest.start.reset();
+  auto plan = method_.plan(rest, options_, budget_);
+  if (!plan) {
+    reason_ = fmt::format("what is left cannot be planned: {}", plan.error().sentence);
+    return false;
+  }
+  const Region reach = common(plan->ground.reach, plan_.ground.reach);
+  const Coverage so_far = coverage_of(way_, problem_.body_radius_m(), reach, budget_.stop);
+  const double before_m2 = rounds_ == 0 ? std::numeric_limits<double>::infinity() : area_of(left_);
+  left_ = shrunk(so_far.missed, speck_m, chord_m);
+  left_ = common(grown(left_, speck_m, chord_m), so_far.missed);
+  const double left_m2 = area_of(left_);
+  complete_ = left_m2 <= problem_.uncovered * area_of(reach);
+  if (complete_) return false;
+  if (rounds_ == most_rounds || left_m2 > (1.0 - least_gain) * before_m2) {
+    reason_ = fmt::format("{:.3g} m2 are left that no round more covers", left_m2);
+    return false;
+  }
+  ++rounds_;
+  take_needed(*plan);
+  if (tracks_.empty()) reason_ = fmt::format("no track covers the {:.3g} m2 that are left", left_m2);
+  return !tracks_.empty();
+}
+
+/// Takes the sections of the track that cover something that is left, each chain of them as a track.
+void CoverOrders::take_needed(const CoverPlan& plan) {
+  const double radius_m = problem_.body_radius_m();
+  Region left = left_;
+  TrackPieces chain;
+  const auto end_chain = [&] {
+    if (!chain.empty()) tracks_.push_back(std::make_shared<const TrackPieces>(std::exchange(chain, {})));
+  };
+  for (const PathPiece& piece : plan.track.pieces) {
+    const Region strip = coverage_of(points_along(piece.from, {piece}, bend_rad), radius_m, left).covered;
+    if (shrunk(strip, 0.5 * speck_m, chord_m).empty()) {
+      end_chain();
+      continue;
+    }
+    double from = 1.0, to = 0.0;
+    for (const RingedPolygon& part : strip) {
+      for (const Vec2 corner : part.outer) {
+        const double at = nearest_part(piece, corner);
+        from = std::min(from, at);
+        to = std::max(to, at);
+      }
+    }
+    const double reach = radius_m / std::max(length_of(piece), 1e-9);
+    const PathPiece section =
+        section_of(piece, std::max(0.0, from - 0.5 * reach), std::min(1.0, to + 0.5 * reach));
+    if (!chain.empty() && distance(chain.back().to, section.from) > 1e-6) end_chain();
+    chain.push_back(section);
+    left = without(left, strip);
+  }
+  end_chain();
+  all_tracks_ = std::max<std::size_t>(tracks_.size(), 1);
+}
+
+}  // namespace outrider
