@@ -25,6 +25,7 @@ fresh_debian() {
     [ ! -f "$settings" ] || cp "$settings" "$root/etc/apt/apt.conf.d/"
   done
   cp /etc/resolv.conf "$root/etc/resolv.conf"
+  echo "127.0.0.1 localhost" >"$root/etc/hosts"  # as the installer of Debian does
   mkdir -p "$root/etc/trusted"
   cp /etc/ssl/certs/ca-certificates.crt "$root/etc/trusted/"  # npm needs the certificates of this machine's network, too
   inside apt-get -qq update

@@ -20,6 +20,9 @@ export function likeness(text: string, letters: string): number | null {
   return spread;
 }
 
+/** After which a server that was too busy is asked again, while the palette is open. */
+const againMs = 1000;
+
 const ofKeys = (): Command[] => keys.list().flatMap(([group, list]) => list.map(({ key, words, act }) => ({ group, words, key, act })));
 
 export function showPalette(): void {
@@ -40,6 +43,7 @@ export function showPalette(): void {
   const run = (command: Command | undefined): void => {
     if (!command) return;
     dialog.close();
+    dialog.remove(); // at once: a key that follows must not go to its field
     command.act();
   };
   const show = (): void => {
@@ -61,5 +65,6 @@ export function showPalette(): void {
   document.body.append(dialog);
   dialog.showModal();
   show();
-  void more().then((others) => { commands = [...commands, ...others]; show(); }, () => undefined);
+  const ask = (): void => void more().then((others) => { commands = [...commands, ...others]; show(); }, () => { if (dialog.isConnected) setTimeout(ask, againMs); });
+  ask();
 }

@@ -69,7 +69,7 @@ class CoverLog {
   /// The same of a robot that may be held up.
   void note(const PieceDrive& drive, const CoverRecovery& mission);
   /// Logs the end: what the drive has covered, what it missed, and what it covered more than once.
-  void finish(const PieceDrive& drive, const Coverage& driven, const CoverEnding& ending);
+  void finish(const PieceDrive& drive, const Coverage& driven, const CoverEnding& ending = {});
 
  private:
   void note_drive(const PieceDrive& drive);

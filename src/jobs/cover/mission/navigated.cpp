@@ -78,7 +78,7 @@ RobotModel robot_of(const CoverProblem& problem) {
 }
 
 /// Notes the true pose in the drive.
-void note(PieceDrive& drive, double time_s, const Pose2& pose) {
+void note_pose(PieceDrive& drive, double time_s, const Pose2& pose) {
   drive.time_s = time_s;
   if (!drive.track.empty()) {
     const Pose2& before = drive.track.back().pose;
@@ -118,6 +118,71 @@ Region reach_among(const CoverProblem& problem, const CoverPlan& plan, const Wor
   return common(grown({*from}, radius_m, arc_m), plan.ground.reach);
 }
 
+/// A robot, its navigator and its orders, until these end.
+class NavigatedDrive {
+ public:
+  NavigatedDrive(AllowedGround ground, double radius_m, Navigator navigator, SimulatedRobot robot,
+                 CoverOrders orders, Log& log)
+      : ground_(std::move(ground)),
+        radius_m_(radius_m),
+        navigator_(std::move(navigator)),
+        robot_(std::move(robot)),
+        orders_(std::move(orders)),
+        log_(log) {}
+
+  /// Drives; `look` receives the drive so far.
+  void run(const RunWatch& watch, const std::function<void(const PieceDrive&)>& look) {
+    while (!done_.finished) {
+      const Observation seen = robot_.sense();
+      const Situation now = navigator_.perceive(seen);
+      note(seen, now);
+      look(done_.drive);
+      if (watch.stopped()) return;
+      const auto order = orders_.next(now, navigator_);
+      done_.finished = !order;
+      if (!order) return;
+      robot_.act(navigator_.act(*order));
+      done_.recoveries = std::max(done_.recoveries, navigator_.recoveries());
+      watch.part(orders_.driven_part(navigator_));
+    }
+  }
+
+  /// Returns what it came to, but for what was covered.
+  NavigatedCover result() {
+    const auto& body = robot_.body<TwistBody>();
+    done_.believed_complete = orders_.believes_complete();
+    done_.reason = orders_.reason();
+    done_.contacts = body.contacts();
+    done_.walked_into = body.walked_into();
+    done_.rounds = orders_.rounds();
+    done_.left_m2 = area_of(orders_.left());
+    return std::move(done_);
+  }
+
+ private:
+  void note(const Observation& seen, const Situation& now) {
+    const Pose2& truth = robot_.pose();
+    note_pose(done_.drive, robot_.time_s(), truth);
+    const bool out = !ground_.contains(truth.position) || ground_.to_edge_m(truth.position) < radius_m_;
+    if (out && !outside_) ++done_.left_ground;
+    outside_ = out;
+    if (seen.scan) log_scan(log_, now.time_s, *seen.scan);
+    if (now.time_s < next_map_s_) return;
+    next_map_s_ = now.time_s + map_every_s - 1e-9;
+    log_map(log_, occupancy_of(navigator_.map()), 0.0, now.time_s);
+  }
+
+  AllowedGround ground_;
+  double radius_m_;  // of the robot
+  Navigator navigator_;
+  SimulatedRobot robot_;
+  CoverOrders orders_;
+  Log& log_;
+  NavigatedCover done_;
+  bool outside_ = false;  // of the area, now
+  double next_map_s_ = 0.0;
+};
+
 }  // namespace
 
 Outcome<CoverProblem> kept_inside(const CoverProblem& problem) {
@@ -149,70 +214,37 @@ Outcome<NavigatedCover> drive_with_navigator(const CoverProblem& problem, const 
                                              const std::function<void(const PieceDrive&)>& look) {
   auto world = world_of_things(problem, things);
   if (!world) return pass_on(world);
-  const World only_things = *world;
-  const Region reach = reach_among(problem, plan, only_things, rim_of(navigation) + seen_off_m);
+  const Pose2& start = plan.track.start;
+  const double rim_m = rim_of(navigation);
+  const Region reach = reach_among(problem, plan, *world, rim_m + seen_off_m);
   if (reach.empty()) {
-    const Vec2 start = problem.frame.to_file(plan.track.start.position);
+    const Vec2 at = problem.frame.to_file(start.position);
     return bad_input(
-        fmt::format("one leaves the robot no room where it starts, at ({:.2f}, {:.2f}); move it, or "
-                    "give another start",
-                    start.x, start.y),
+        fmt::format("they leave the robot no room where it starts, at ({:.2f}, {:.2f}); move one, "
+                    "or give another start",
+                    at.x, at.y),
         "things");
   }
-  const Region area = region_of(problem.boundary, problem.holes);
-  const AllowedGround ground = allowed_of(area);
-  add_walls(area, *world);
-  world->bounds = bounds_of(plan.ground.area).grown(1.0);
-
-  const RobotModel model = robot_of(problem);
-  const Footprint footprint = Footprint::disk(model.radius_m);
-  NavigatorSetup setup = setup_of(navigation, model, footprint);
-  setup.allowed = ground;
-  auto navigator = Navigator::make(std::move(setup), plan.track.start);
-  if (!navigator) return pass_on(navigator);
-  SimulatedRobot robot =
-      simulated_explorer(*world, plan.track.start, model, devices_of(navigation, footprint), seed);
-  const auto& body = robot.body<TwistBody>();
-
-  log_solids(log, only_things, robot_height_m);
   const auto inside = kept_inside(problem);
   if (!inside) return pass_on(inside);
-  CoverOrders orders(*inside, method, options, plan, rim_of(navigation), watch.budget());
-  NavigatedCover done;
-  double next_map_s = 0.0;
-  bool outside = false;
-  for (;;) {
-    const Observation seen = robot.sense();
-    const Situation now = navigator->perceive(seen);
-    note(done.drive, robot.time_s(), robot.pose());
-    const Vec2 here = robot.pose().position;
-    const bool out = !ground.contains(here) || ground.to_edge_m(here) < model.radius_m;
-    if (out && !outside) ++done.left_ground;
-    outside = out;
-    if (seen.scan) log_scan(log, now.time_s, *seen.scan);
-    if (now.time_s >= next_map_s) {
-      next_map_s = now.time_s + map_every_s - 1e-9;
-      log_map(log, occupancy_of(navigator->map()), 0.0, now.time_s);
-    }
-    look(done.drive);
-    if (watch.stopped()) break;
-    const auto order = orders.next(now, *navigator);
-    if (!order) {
-      done.finished = true;
-      break;
-    }
-    robot.act(navigator->act(*order));
-    done.recoveries = std::max(done.recoveries, navigator->recoveries());
-    watch.part(orders.driven_part(*navigator));
-  }
-  done.believed_complete = orders.believes_complete();
-  done.reason = orders.reason();
-  done.contacts = body.contacts();
-  done.walked_into = body.walked_into();
-  done.rounds = orders.rounds();
-  done.left_m2 = area_of(orders.left());
+  const RobotModel model = robot_of(problem);
+  const Footprint footprint = Footprint::disk(model.radius_m);
+  const Region area = region_of(problem.boundary, problem.holes);
+  NavigatorSetup setup = setup_of(navigation, model, footprint);
+  setup.allowed = allowed_of(area);
+  auto navigator = Navigator::make(setup, start);
+  if (!navigator) return pass_on(navigator);
+
+  log_solids(log, *world, robot_height_m);
+  add_walls(area, *world);
+  world->bounds = bounds_of(area).grown(1.0);
+  NavigatedDrive drive(*setup.allowed, model.radius_m, std::move(*navigator),
+                       simulated_explorer(*world, start, model, devices_of(navigation, footprint), seed),
+                       CoverOrders(*inside, method, options, plan, rim_m, watch.budget()), log);
+  drive.run(watch, look);
+  NavigatedCover done = drive.result();
+  done.driven = coverage_of(done.drive.way, model.radius_m, reach);
   done.reach = reach;
-  done.driven = coverage_of(done.drive.way, model.radius_m, done.reach);
   return done;
 }
 
