@@ -16,7 +16,7 @@
 namespace outrider {
 namespace {
 
-constexpr double wall_m = 0.05, wall_height_m = 1.0;
+constexpr double wall_m = 0.001, wall_height_m = 1.0;  // thin: at sharp corners it must not reach inside
 constexpr double robot_height_m = 0.5;
 constexpr double seen_off_m = 0.03;  // by which marks may be beside what they are of
 constexpr double noted_m = 0.01, noted_rad = radians(2.0);

@@ -30,11 +30,11 @@ const RingedPolygon& part_around(const Region& region, Vec2 place) {
   });
 }
 
-/// Returns the region with fewer corners: each ring within `simpler_m` of what it was.
-Region simpler(const Region& region) {
-  const auto ring_of = [](std::vector<Vec2> ring) {
+/// Returns the region with fewer corners: each ring within `off_m` of what it was.
+Region simpler(const Region& region, double off_m) {
+  const auto ring_of = [off_m](std::vector<Vec2> ring) {
     ring.push_back(ring.front());
-    ring = simplified(ring, simpler_m);
+    ring = simplified(ring, off_m);
     ring.pop_back();
     return ring;
   };
@@ -110,28 +110,40 @@ Region CoverOrders::things(const Navigator& navigator) const {
     if (!frame.contains(frame.cell_at(mark.place))) add(mark.place);
   }
   const double radius_m = problem_.body_radius_m() + simpler_m;
-  return simpler(shrunk(grown(united(all), radius_m, chord_m), radius_m - simpler_m, chord_m));
+  return simpler(shrunk(grown(united(all), radius_m, chord_m), radius_m - simpler_m, chord_m), simpler_m);
+}
+
+/// Plans the area without what was seen in it; where it falls apart, the part where the robot is. A passage
+/// that is hardly wider than the robot may be none for the planner: then it counts as none.
+Outcome<CoverPlan> CoverOrders::plan_here(const Region& things) const {
+  const Region ground = without(plan_.ground.area, things);
+  Outcome<CoverPlan> plan = fault(FaultCode::no_path, "nowhere in the area is room among what stands there");
+  for (const double wider_m : {0.002, 0.01, 0.03}) {
+    const double radius_m = problem_.body_radius_m() + wider_m;
+    const Region standing = shrunk(ground, radius_m, chord_m);
+    if (standing.empty()) break;
+    const Region room = grown({part_around(standing, way_.back())}, radius_m, chord_m);
+    const Region here = simpler(common(room, ground), chord_m);
+    CoverProblem rest = problem_;
+    rest.boundary = here.front().outer;
+    rest.holes = here.front().holes;
+    rest.start.reset();
+    plan = method_.plan(rest, options_, budget_);
+    if (plan || plan.error().code == FaultCode::cancelled) break;
+  }
+  return plan;
 }
 
 /// Plans how to cover what is left. Returns false if that is nothing, or no more can be done.
 bool CoverOrders::plan_rest(const Navigator& navigator) {
-  const Region ground = without(plan_.ground.area, things(navigator));
-  if (ground.empty()) {
-    reason_ = "nothing of the area is free";
-    return false;
-  }
-  const RingedPolygon& part = part_around(ground, way_.back());
-  CoverProblem rest = problem_;
-  rest.boundary = part.outer;
-  rest.holes = part.holes;
-  rest.start.reset();
-  auto plan = method_.plan(rest, options_, budget_);
+  const auto plan = plan_here(things(navigator));
   if (!plan) {
     reason_ = fmt::format("what is left cannot be planned: {}", plan.error().sentence);
     return false;
   }
+  const double radius_m = problem_.body_radius_m();
   const Region reach = common(plan->ground.reach, plan_.ground.reach);
-  const Coverage so_far = coverage_of(way_, problem_.body_radius_m(), reach, budget_.stop);
+  const Coverage so_far = coverage_of(way_, radius_m, reach, budget_.stop);
   const double before_m2 = rounds_ == 0 ? std::numeric_limits<double>::infinity() : area_of(left_);
   left_ = shrunk(so_far.missed, speck_m, chord_m);
   left_ = common(grown(left_, speck_m, chord_m), so_far.missed);

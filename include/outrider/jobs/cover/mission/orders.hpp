@@ -45,6 +45,7 @@ class CoverOrders {
  private:
   void note(const Pose2& pose);
   [[nodiscard]] Region things(const Navigator& navigator) const;
+  [[nodiscard]] Outcome<CoverPlan> plan_here(const Region& things) const;
   bool plan_rest(const Navigator& navigator);
   void take_needed(const CoverPlan& plan);
 

@@ -96,11 +96,15 @@ TEST(NavigatedCover, CoversWhatItCanReachAmongThingsThatItWasNotToldOf) {
     }
     ASSERT_GT(looked_at, 200);
     EXPECT_LE(missed, looked_at / 100);
+    double gap_m = 1e9;
     for (const Vec2 place : done->drive.way) {
-      for (const Post& post : one.posts) EXPECT_GT(distance(place, post.at), post.radius_m + radius_m);
+      for (const Post& post : one.posts)
+        gap_m = std::min(gap_m, distance(place, post.at) - post.radius_m - radius_m);
     }
-    std::printf("%d: %.1f m for %.1f m planned, %.1f s, %d rounds, %.4f\n", k, done->drive.length_m,
-                one.plan.sums.length_m, done->drive.time_s, done->rounds, done->driven.fraction);
+    EXPECT_GT(gap_m, 0.0);
+    std::printf("%d: gap %.4f, %.1f m for %.1f m planned, %.1f s, %d rounds, %.4f\n", k, gap_m,
+                done->drive.length_m, one.plan.sums.length_m, done->drive.time_s, done->rounds,
+                done->driven.fraction);
   }
 }
 
@@ -127,17 +131,6 @@ TEST(NavigatedCover, DoesNotCallCompleteWhatIsBehindAWall) {
   EXPECT_GT(done->driven.fraction, 0.99);
   EXPECT_LT(area_of(done->reach), 9.0);
   EXPECT_EQ(done->contacts, 0);
-}
-
-TEST(NavigatedCover, IsLostWithoutScansAndNotComplete) {
-  CoverCase one = make_case(0);
-  NavigationOptions navigation = CoverScenario::default_navigation();
-  navigation.laser.missed = 1.0;
-  navigation.laser.rate_hz = 0.1;
-  const auto done = drive(one, navigation);
-  ASSERT_TRUE(done);
-  EXPECT_FALSE(done->believed_complete);
-  EXPECT_FALSE(done->reason.empty());
 }
 
 }  // namespace
