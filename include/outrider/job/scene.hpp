@@ -9,6 +9,7 @@
 #include "outrider/log/log.hpp"
 #include "outrider/log/messages/scene_messages.hpp"
 #include "outrider/world/world.hpp"
+#include "outrider/world/zone.hpp"
 
 namespace outrider {
 
@@ -23,5 +24,8 @@ std::vector<RoundedPolygon> footprints_above_floor(const World& world);
 /// Logs the description, and the solids of the world that rise above the floor. Solids that begin below
 /// `robot_height_m` above the floor block the robot. O(solids).
 void log_scene(Log& log, outrider_msgs::RunInfo info, const World& world, double robot_height_m);
+
+/// Logs the outlines of zones at time 0, those of each kind, if there are any.
+void log_zones(Log& log, const std::vector<Zone>& zones);
 
 }  // namespace outrider
