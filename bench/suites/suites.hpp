@@ -111,7 +111,7 @@ Outcome<BenchResult> measure_cover(const CoverRequest& request, const BenchObser
 struct BarnRequest {
   std::string data;                 ///< folder with static_even.json.gz
   std::vector<std::string> worlds;  ///< numbers; empty: all
-  std::vector<std::string> rules = {"sampled", "dwa"};
+  std::vector<std::string> rules = {"sampled", "dwa", "steer"};
   std::int64_t seeds = 10;  ///< runs of each rule in each world, seeds from 1
 };
 Outcome<BenchResult> measure_barn(const BarnRequest& request, const BenchObserver& observer);

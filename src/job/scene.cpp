@@ -56,4 +56,19 @@ void log_scene(Log& log, outrider_msgs::RunInfo info, const World& world, double
   log_solids(log, world, robot_height_m);
 }
 
+void log_zones(Log& log, const std::vector<Zone>& zones) {
+  for (const auto& [kind, name] :
+       {std::pair{Zone::Kind::keep_out, topic::keep_out}, {Zone::Kind::slow, topic::slow_zones}}) {
+    outrider_msgs::Outlines message;
+    for (const Zone& zone : zones) {
+      if (zone.kind != kind) continue;
+      for (const std::vector<Vec2>& ring : zone.rings) {
+        outrider_msgs::Outline& outline = message.outlines.emplace_back();
+        for (const Vec2 corner : ring) outline.points.push_back(point_of(corner));
+      }
+    }
+    if (!message.outlines.empty()) log.append(name, 0.0, std::move(message));
+  }
+}
+
 }  // namespace outrider

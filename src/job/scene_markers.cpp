@@ -158,6 +158,10 @@ void log_markers(Log& log, const std::vector<MarkerBox>& targets) {
   if (const auto* terrain = log.latest<outrider_msgs::Terrain>(topic::terrain)) add_terrain(scene, *terrain);
   if (const auto* walls = log.latest<outrider_msgs::Outlines>(topic::walls))
     add_outlines(scene, "walls", walls->outlines, {0.3F, 0.36F, 0.4F, 1.0F});
+  if (const auto* zones = log.latest<outrider_msgs::Outlines>(topic::keep_out))
+    add_outlines(scene, "keep_out", zones->outlines, {0.77F, 0.1F, 0.1F, 1.0F});
+  if (const auto* zones = log.latest<outrider_msgs::Outlines>(topic::slow_zones))
+    add_outlines(scene, "slow", zones->outlines, {0.9F, 0.62F, 0.0F, 1.0F});
   if (const auto* area = log.latest<outrider_msgs::CoverageArea>(topic::coverage_area))
     add_outlines(scene, "area", area->area, {0.1F, 0.1F, 0.1F, 1.0F});
   if (const auto* tags = log.latest<outrider_msgs::Tags>(topic::tags)) add_tags(scene, *tags);

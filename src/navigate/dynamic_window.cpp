@@ -26,7 +26,8 @@ class DynamicWindow final : public LocalMotion {
     Twist2 low = twist_after(state.twist, {0.0, 0.0, -robot.turn_rate_radps}, robot, reach_s);
     Twist2 high = twist_after(state.twist, {robot.speed_mps, 0.0, robot.turn_rate_radps}, robot, reach_s);
     const double to_goal_m = distance(state.pose.position, state.goal);
-    high.ahead_mps = std::min(high.ahead_mps, std::sqrt(robot.acceleration_mps2 * to_goal_m));
+    high.ahead_mps =
+        std::min({high.ahead_mps, robot.speed_mps, std::sqrt(robot.acceleration_mps2 * to_goal_m)});
     low.ahead_mps = std::clamp(low.ahead_mps, 0.0, high.ahead_mps);
     const Vec2 aim =
         to_goal_m < lookahead_m ? state.goal : state.field.way(state.pose.position, lookahead_m).back();

@@ -52,10 +52,11 @@ Twist2 Navigator::along_track(const Follow& order) {
   const Pose2 here = pose();
   follower_->note(here);
   if (follower_->is_done()) return {};
+  follow_zones();
   look_around();
   const double beside_m = follower_->beside_m(here.position);
   comes_in_ = comes_in_ && beside_m > 0.5 * order.beside_m;
-  if (beside_m > (comes_in_ ? 2.0 * back_m : order.beside_m)) {
+  if (in_zone_ || beside_m > (comes_in_ ? 2.0 * back_m : order.beside_m)) {
     comes_back_ = follower_->at();
     return {};
   }
@@ -84,7 +85,7 @@ Twist2 Navigator::along_track(const Follow& order) {
   };
   const double free_m = follower_->free_m(is_free, look_m);
   const double room_m = free_m < look_m ? std::max(0.0, free_m - stop_short_m) : look_m;
-  Twist2 twist = follower_->twist(here, setup_.robot, setup_.options.period_s, room_m);
+  Twist2 twist = follower_->twist(here, limits_, setup_.options.period_s, room_m);
   for (int i = 0; i < 3 && !is_safe(twist); ++i) twist = 0.5 * twist;
   return is_safe(twist) ? twist : Twist2{};
 }

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "navigate_grid.hpp"
+#include "passage_sides.hpp"
 
 namespace outrider {
 namespace {
@@ -13,12 +14,11 @@ namespace {
 constexpr double slowest_part = 0.25;  // of the speed, where the robot just has room
 constexpr double settled_s = 2.5;      // cells so much further away than the robot are not asked for
 constexpr double fast_units = 16.0;    // to cross a cell at full speed
-constexpr std::size_t ring = 128;      // more than a diagonal step takes
+constexpr double slowest_units = 255;  // the same where it goes slowest
+constexpr std::size_t ring = 1024;     // more than a diagonal step takes
 constexpr double most_units = 1e9;
 constexpr std::uint8_t out_of_room = 70;  // to cross a cell beside the robot that has no room
 constexpr double beside_m = 0.15;
-constexpr std::array<Cell, 8> neighbours = {
-    {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
 }  // namespace
 
@@ -27,7 +27,10 @@ void GoalField::compute(const GoalGround& ground, const Footprint& footprint, co
   frame_ = ground.frame;
   unit_s_ = frame_.resolution_m / robot.speed_mps / fast_units;
   find_room(ground, footprint, query);
-  if (place) let_out(*place);
+  if (ground.zones != nullptr) slow_down(*ground.zones, robot);
+  if (place) let_out(*place, ground.zones);
+  wrong_.clear();
+  if (query.side != 0) find_wrong_sides(frame_, ground.obstacles, query.passage_m, query.side, wrong_);
   time_.assign(frame_.size(), unknown);
   buckets_.resize(ring);
   for (auto& bucket : buckets_) bucket.clear();
@@ -43,6 +46,8 @@ void GoalField::find_room(const GoalGround& ground, const Footprint& footprint, 
   spread_distances(frame_, ground.obstacles, aligned + query.wide_m, distance_m_);
   pace_.resize(frame_.size());
   for (std::size_t i = 0; i < frame_.size(); ++i) {
+    const bool has_zones = ground.zones != nullptr && !ground.zones->room_m.empty();
+    if (has_zones) distance_m_[i] = std::min(distance_m_[i], ground.zones->room_m[i]);
     const auto room_m = static_cast<double>(distance_m_[i]);
     const double part =
         slowest_part + (1.0 - slowest_part) * std::clamp((room_m - aligned) / query.wide_m, 0.0, 1.0);
@@ -55,14 +60,24 @@ void GoalField::find_room(const GoalGround& ground, const Footprint& footprint, 
     pace_[frame_.index({0, y})] = pace_[frame_.index({frame_.width - 1, y})] = 0;
 }
 
-/// A robot that stands too near to something can leave.
-void GoalField::let_out(Vec2 place) {
+/// Where a zone is slow the robot is not faster.
+void GoalField::slow_down(const ZoneCells& zones, const RobotModel& robot) {
+  for (std::size_t i = 0; i < zones.speed_mps.size(); ++i) {
+    const double units = fast_units * robot.speed_mps / static_cast<double>(zones.speed_mps[i]);
+    if (pace_[i] == 0 || units <= pace_[i]) continue;
+    pace_[i] = static_cast<std::uint8_t>(std::lround(std::min(units, slowest_units)));
+  }
+}
+
+/// A robot that stands too near to something can leave, but not into a zone.
+void GoalField::let_out(Vec2 place, const ZoneCells* zones) {
   const Cell low = frame_.cell_at(place - Vec2{beside_m, beside_m}),
              high = frame_.cell_at(place + Vec2{beside_m, beside_m});
   for (int y = std::max(low.y, 1); y <= std::min(high.y, frame_.height - 2); ++y) {
     for (int x = std::max(low.x, 1); x <= std::min(high.x, frame_.width - 2); ++x) {
-      std::uint8_t& pace = pace_[frame_.index({x, y})];
-      if (pace == 0) pace = out_of_room;
+      const std::size_t cell = frame_.index({x, y});
+      if (zones != nullptr && !zones->room_m.empty() && zones->room_m[cell] < 0.0F) continue;
+      if (pace_[cell] == 0) pace_[cell] = out_of_room;
     }
   }
 }
@@ -132,7 +147,8 @@ void GoalField::spread(std::optional<Vec2> place) {
       if (at == robot) last = now + static_cast<Units>(settled_s / unit_s_);
       for (std::size_t n = 0; n < to.size(); ++n) {
         const std::size_t next = at + to[n];
-        const Units step = (Units{pace_[at]} + pace_[next]) / 2;
+        Units step = (Units{pace_[at]} + pace_[next]) / 2;
+        if (!wrong_.empty() && ((wrong_[next] >> n) & 1U) != 0) step += step / 2;
         reach(next, now + (n < 4 ? step : (step * 181) / 128));  // 181 / 128: the square root of 2
       }
     }

@@ -5,6 +5,7 @@
 
 #include "dynamic_window.hpp"
 #include "sampled_motion.hpp"
+#include "steer.hpp"
 
 namespace outrider {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 constexpr double brake_step_s = 0.02;
 constexpr double moving_room_m = 0.1;  // from what moves
 constexpr double rounding_m = 1e-4;    // by which a gap may become less because of rounding
+constexpr double instant_m = 1e-9;     // the same of a gap to a keep-out zone, which never closes
 
 /// Returns the point of a segment that is nearest to a place.
 Vec2 nearest_between(Vec2 from, Vec2 to, Vec2 place) {
@@ -40,6 +42,7 @@ const std::vector<LocalMotionRow>& local_motions() {
   static const std::vector<LocalMotionRow> rows = {
       {"sampled", "optimises motions of the footprint in time by sampling", make_sampled_motion},
       {"dwa", "the dynamic window approach, as a baseline", make_dynamic_window},
+      {"steer", "pure pursuit of the planned way, as a baseline", make_steer},
   };
   return rows;
 }
@@ -61,6 +64,9 @@ bool can_brake(const MotionState& state, const Twist2& commanded, double margin_
   const double enough_m = 0.5 * Surroundings::most_m;
   double gap_m = state.near.gap(state.footprint, state.pose, enough_m);
   const double least_m = std::min(margin_m, gap_m - rounding_m);
+  const double zone_most_m = state.near.zone_margin_m() + enough_m;
+  double zone_m = state.near.zone_gap(state.footprint, state.pose, zone_most_m);
+  const double least_zone_m = std::min(state.near.zone_margin_m(), zone_m - instant_m);
   double passed_s = 0.0;
   Pose2 pose = state.pose;
   Twist2 twist = state.twist;
@@ -78,6 +84,9 @@ bool can_brake(const MotionState& state, const Twist2& commanded, double margin_
     // Between the two poses no point of the footprint is more than half the way from where it is at one of
     // them.
     if (gap_m < least_m || (before_m + gap_m - moved_m < 0.0 && least_m >= 0.0)) return false;
+    const double zone_before_m = zone_m;
+    zone_m = state.near.zone_gap(state.footprint, pose, zone_most_m);
+    if (zone_m < least_zone_m || zone_before_m + zone_m - moved_m < 0.0) return false;
     twist = next;
     left_s -= step_s;
     passed_s += step_s;

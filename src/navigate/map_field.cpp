@@ -74,9 +74,11 @@ MapField::MapField(const KnownMap& map) {
     closed_[i] = turned.free(turned.cell_at(frame_.centre(frame_.cell(i)))) ? 0 : 1;
 }
 
+void MapField::keep_to(const Zones& zones, double most_m) { zones_ = zones.cells(frame_, most_m); }
+
 void MapField::compute(const LiveMap& live, const Footprint& footprint, const RobotModel& robot,
                        const GoalQuery& query, bool remembered) {
-  GoalGround ground{frame_, live.places(), &closed_};
+  GoalGround ground{frame_, live.places(), &closed_, &zones_};
   const Box2 window = live.frame().bounds();
   for (const Vec2 wall : *walls_) {
     if (!window.contains(wall)) ground.obstacles.push_back(wall);

@@ -31,4 +31,9 @@ void spread_distances(const GridFrame& frame, const std::vector<Vec2>& places, d
   for (float& squared : distance_m) squared = std::sqrt(squared);
 }
 
+void add_points(Segment edge, double apart_m, std::vector<Vec2>& points) {
+  const double parts = std::max(1.0, std::ceil(distance(edge.a, edge.b) / apart_m));
+  for (double i = 0.0; i <= parts; i += 1.0) points.push_back(edge.a + i / parts * (edge.b - edge.a));
+}
+
 }  // namespace outrider

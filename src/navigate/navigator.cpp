@@ -61,7 +61,7 @@ Outcome<Navigator> Navigator::make(NavigatorSetup setup, const std::optional<Pos
   if (name == "auto") name = setup.known ? "laser_on_map" : "laser_mapping";
   auto known = find_row(robot_localisers(), "localiser", name, "localiser");
   if (!known) return pass_on(known);
-  auto localiser = known->make({start, setup.robot_T_laser, setup.known});
+  auto localiser = known->make({start, setup.robot_T_laser, setup.known, std::move(setup.tags)});
   if (!localiser) return pass_on(localiser);
   auto rule = row->make(setup.motion);
   return Navigator(std::move(setup), std::move(*localiser), std::move(rule));
@@ -72,10 +72,13 @@ Navigator::Navigator(NavigatorSetup setup, std::unique_ptr<RobotLocaliser> local
     : setup_(std::move(setup)),
       localiser_(std::move(localiser)),
       rule_(std::move(motion)),
-      map_(setup_.map, localiser_->world_T_odometry().position) {
+      map_(setup_.map, localiser_->world_T_odometry().position),
+      zones_(std::exchange(setup_.zones, {}), setup_.keep.margin_m),
+      limits_(setup_.robot) {
   if (setup_.allowed) map_.limit(*setup_.allowed);
   if (!setup_.known) return;
   far_.emplace(*setup_.known);
+  far_->keep_to(zones_, room_of_zones_m());
   setup_.known.reset();
   if (localiser_->is_located()) map_.know(far_->walls());
 }
@@ -113,33 +116,9 @@ Pose2 Navigator::odometry_at(double time_s) const {
   return track_.front().odometry;
 }
 
-/// Takes a scan. If it corrects earlier poses too, what is marked moves along, since it was seen from about
-/// here.
-void Navigator::take(const LaserScan& scan) {
-  const Pose2 then = odometry_at(scan.time_s);
-  const Pose2 before = localiser_->world_T_odometry();
-  const bool was_located = localiser_->is_located();
-  const Pose2 about = compose(compose(before, then), setup_.robot_T_laser);
-  followed_.note(scan, about);
-  const bool corrected = localiser_->take(followed_.without(scan, about), then);
-  const Pose2 after = localiser_->world_T_odometry();
-  if (corrected) map_.correct(compose(after, inverse(before)));
-  if (corrected) followed_.clear();
-  if (localiser_->is_located() != was_located) {
-    order_.reset();
-    progress_ = {};
-    search_.begin();
-    map_.follow(pose().position);
-    map_.know(was_located || !far_ ? nullptr : far_->walls());
-  }
-  const Pose2 world_T_laser = compose(compose(after, then), setup_.robot_T_laser);
-  map_.note(scan, world_T_laser);
-  scan_s_ = scan.time_s;
-  if (!localiser_->is_located()) search_.look(scan, world_T_laser);
-}
-
 Situation Navigator::perceive(const Observation& seen) {
   note_odometry(seen);
+  if (seen.image) see(*seen.image);
   if (seen.scan && check(*seen.scan)) take(*seen.scan);
   const Pose2 here = pose();
   map_.follow(here.position);
@@ -196,7 +175,7 @@ void Navigator::judge(const GoTo& order) {
 // ---- Acting --------------------------------------------------------------------------------------
 
 MotionState Navigator::state_of(const GoTo& order, const Surroundings& near) const {
-  return {pose(),      twist_,         setup_.footprint,        setup_.robot, near, field_,
+  return {pose(),      twist_,         setup_.footprint,        limits_, near, field_,
           order.place, order.within_m, setup_.options.period_s, &moving_};
 }
 
@@ -212,6 +191,7 @@ Command Navigator::act(const Order& order) {
     commanded_ = look_for_itself();
   else
     commanded_ = go != nullptr ? this->go(*go) : follow(*track);
+  commanded_.ahead_mps = std::clamp(commanded_.ahead_mps, -limits_.speed_mps, limits_.speed_mps);
   return DriveTwist{commanded_, until_s};
 }
 
@@ -219,7 +199,9 @@ Command Navigator::act(const Order& order) {
 Twist2 Navigator::go(const GoTo& order) {
   if (!order_ || *order_ != order) begin(order);
   if (progress_.state != Progress::State::underway || is_blind()) return {};
+  follow_zones();
   plan(order);
+  if (in_zone_) return leave_zone(state_of(order, near_));
   note_progress(order);
   if (progress_.state != Progress::State::underway) return {};
   const MotionState state = state_of(order, near_);
@@ -291,18 +273,27 @@ void Navigator::plan(const GoTo& order) {
 void Navigator::look_around() {
   const double reach_m =
       setup_.robot.speed_mps * setup_.motion.horizon_s + setup_.footprint.outer_m() + around_m;
-  near_.look(map_, pose().position, std::min(reach_m, setup_.map.reach_m));
+  near_.look(map_, pose().position, std::min(reach_m, setup_.map.reach_m), true,
+             localiser_->is_located() && !in_zone_ ? &zones_ : nullptr, setup_.motion.margin_m);
 }
 
 GoalQuery Navigator::query_of(const GoTo& order) const {
-  return {order.place, order.within_m, setup_.motion.wide_m, setup_.motion.margin_m};
+  const std::string& side = setup_.keep.side;
+  return {order.place,
+          order.within_m,
+          setup_.motion.wide_m,
+          setup_.motion.margin_m,
+          {},
+          side == "right" ? -1 : (side == "left" ? 1 : 0),
+          setup_.keep.passage_m};
 }
 
 void Navigator::plan_window(const GoTo& order) {
   const Vec2 here = pose().position;
   GoalQuery query = query_of(order);
   if (planned_far_s_) query.beyond = [this](Vec2 place) { return far_->time_s(place); };
-  field_.compute({map_.frame(), map_.places()}, setup_.footprint, setup_.robot, query, here);
+  field_.compute({map_.frame(), map_.places(), nullptr, zones_on_window()}, setup_.footprint, setup_.robot,
+                 query, here);
   planned_s_ = time_s_;
   planned_changes_ = map_.changes();
   planned_at_ = here;
@@ -395,7 +386,7 @@ Twist2 Navigator::recovery_twist(const MotionState& state) const {
     const double off_rad = down ? wrap_angle(heading_of(*down) - state.pose.heading_rad) : 1.0;
     twist.turn_radps = std::clamp(off_rad, -setup_.robot.turn_rate_radps, setup_.robot.turn_rate_radps);
   } else {
-    twist.ahead_mps = -std::min(back_off_mps, setup_.robot.speed_mps);
+    twist.ahead_mps = -std::min(back_off_mps, state.robot.speed_mps);
   }
   return can_brake(state, twist, setup_.motion.margin_m) ? twist : Twist2{};
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "outrider/slam/laser/laser_slam.hpp"
+#include "tag_localiser.hpp"
 
 namespace outrider {
 namespace {
@@ -87,8 +88,8 @@ using Made = Outcome<std::unique_ptr<RobotLocaliser>>;
 
 Status needs_start(const LocaliserStart& start) {
   if (start.pose && finite(*start.pose)) return {};
-  return bad_input("this localiser has to be told where the robot starts; only laser_on_map finds that",
-                   "start");
+  return bad_input(
+      "this localiser has to be told where the robot starts; only laser_on_map and tags find that", "start");
 }
 
 LaserSlamOptions slam_options(const LocaliserStart& start) {
@@ -127,6 +128,7 @@ const std::vector<RobotLocaliserRow>& robot_localisers() {
       {"odometry", "the odometry of the wheels is believed", make_odometry},
       {"laser_mapping", "scans are matched with each other on a map that grows", make_laser_mapping},
       {"laser_on_map", "scans are matched with a known map, from anywhere", make_laser_on_map},
+      {"tags", "tags that a camera sees tell where the robot is, from anywhere", make_tag_localiser},
   };
   return rows;
 }

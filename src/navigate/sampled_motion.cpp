@@ -64,6 +64,7 @@ class SampledMotion final : public LocalMotion {
 
   Twist2 choose(const MotionState& state) override {
     shift(state.period_s);
+    for (Twist2& twist : plan_.at) twist = within_limits(twist, state.robot);
     const double gap_m = state.near.gap(state.footprint, state.pose, options_.wide_m);
     least_m_ = std::min(options_.margin_m, gap_m - 1e-3);
     for (std::int64_t round = 0; round < options_.rounds; ++round) improve(state, round == 0);

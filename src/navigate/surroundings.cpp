@@ -12,7 +12,8 @@ constexpr double tile_m = 0.2;
 
 }  // namespace
 
-void Surroundings::look(const LiveMap& map, Vec2 middle, double reach_m, bool edges) {
+void Surroundings::look(const LiveMap& map, Vec2 middle, double reach_m, bool edges, const Zones* zones,
+                        double margin_m) {
   const double cell_m = map.options().resolution_m;
   const Cell low = map.frame().cell_at(middle - Vec2{reach_m, reach_m});
   frame_.resolution_m = cell_m;
@@ -29,6 +30,21 @@ void Surroundings::look(const LiveMap& map, Vec2 middle, double reach_m, bool ed
   if (edges) std::ranges::for_each(map.edges(), take);
   sort_into_tiles();
   spread_distances(frame_, places_, most_m, distance_m_);
+  edges_.clear();
+  if (zones != nullptr) take_zones(*zones, middle, reach_m, margin_m);
+}
+
+void Surroundings::take_zones(const Zones& zones, Vec2 middle, double reach_m, double margin_m) {
+  zone_margin_m_ = std::max(zones.margin_m(), margin_m);
+  nearer_m_ = zone_margin_m_ - margin_m;
+  edges_ = zones.edges_near(middle, reach_m + most_m + nearer_m_);
+  if (edges_.empty()) return;
+  std::vector<Vec2> points;
+  for (const Segment& edge : edges_) add_points(edge, 0.5 * frame_.resolution_m, points);
+  std::vector<float> edge_m;
+  spread_distances(frame_, points, most_m + nearer_m_, edge_m);
+  for (std::size_t i = 0; i < edge_m.size(); ++i)
+    distance_m_[i] = std::min(distance_m_[i], std::max(0.0F, edge_m[i] - static_cast<float>(nearer_m_)));
 }
 
 void Surroundings::sort_into_tiles() {
@@ -73,7 +89,16 @@ double Surroundings::gap(const Footprint& footprint, const Pose2& pose, double m
       least = std::min(least, footprint.gap_m(unrotated(pose.heading_rad, off)));
     }
   }
-  return least;
+  return edges_.empty() ? least : std::min(least, zone_gap(footprint, pose, most + nearer_m_) - nearer_m_);
+}
+
+double Surroundings::zone_gap(const Footprint& footprint, const Pose2& pose, double most) const {
+  double least = most;
+  for (const Segment& edge : edges_) {
+    if (distance(pose.position, edge) - footprint.outer_m() >= least) continue;
+    least = std::min(least, footprint.gap_m(pose, {{edge.a, edge.b}, 0.0}));
+  }
+  return std::max(least, 0.0);
 }
 
 }  // namespace outrider

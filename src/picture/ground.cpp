@@ -180,6 +180,10 @@ void draw_ground(Sheet& sheet, const Log& log) {
   } else if (walls != nullptr) {
     draw_obstacle(sheet, "wall", outlines_of(walls->outlines), 1.0, radius_m, mapped);
   }
+  if (const auto* zones = log.latest<Outlines>(topic::keep_out))
+    sheet.area("keep_out", outlines_of(zones->outlines));
+  if (const auto* zones = log.latest<Outlines>(topic::slow_zones))
+    sheet.area("slow", outlines_of(zones->outlines));
   if (const auto* axis = log.latest<Outlines>(topic::medial_axis)) {
     for (const std::vector<Vec2>& line : outlines_of(axis->outlines)) sheet.line("axis", line);
   }

@@ -101,12 +101,14 @@ void SimulatedRobot::run_until(double time_s) {
 }
 
 SimulatedRobot simulated_explorer(const World& world, const Pose2& start, const RobotModel& robot,
-                                  const ExplorerSimParams& params, std::uint64_t seed) {
+                                  const ExplorerSimParams& params, std::uint64_t seed,
+                                  std::optional<SimulatedTagCamera> camera) {
   const Rng rng(seed);
   return SimulatedRobot(
       TwistBody(world, start, robot, params.wheels, rng.child("wheels"), params.faults, rng.child("walk-ins"),
                 params.footprint),
-      {.laser = SimulatedLaser(world, params.laser, rng.child("laser"), params.faults, params.link)},
+      {.laser = SimulatedLaser(world, params.laser, rng.child("laser"), params.faults, params.link),
+       .camera = std::move(camera)},
       params.faults.kidnapping, params.faults.clock);
 }
 

@@ -206,7 +206,7 @@ void add_barn_suite(Command& bench) {
   bench::BarnRequest& request = asked->request;
   barn.option("--data", &request.data, "folder with static_even.json.gz").required().type("DIR");
   add_names(barn, "--worlds", request.worlds, "numbers of worlds, such as 0,60; all unless given");
-  add_names(barn, "--rules", request.rules, "rules of motion [sampled,dwa]");
+  add_names(barn, "--rules", request.rules, "rules of motion [sampled,dwa,steer]");
   add_seeds(barn, request.seeds, "runs of each rule in each world, with seeds from 1 on [10]");
   finish(barn, "bench barn", bench::measure_barn, asked);
   barn.footer("\nExample: outrider bench barn --data DIR --worlds 0,60 --seeds 1");

@@ -9,6 +9,7 @@
 #include "outrider/log/log.hpp"
 #include "outrider/log/messages/scene_messages.hpp"
 #include "outrider/world/world.hpp"
+#include "outrider/world/zone.hpp"
 
 namespace outrider {
 
@@ -26,5 +27,8 @@ void log_solids(Log& log, const World& world, double robot_height_m);
 
 /// Logs the description and the solids.
 void log_scene(Log& log, outrider_msgs::RunInfo info, const World& world, double robot_height_m);
+
+/// Logs the outlines of zones at time 0, those of each kind, if there are any.
+void log_zones(Log& log, const std::vector<Zone>& zones);
 
 }  // namespace outrider

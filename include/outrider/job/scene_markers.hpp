@@ -17,9 +17,9 @@ struct MarkerBox {
   Vec3 size;  ///< length, width and height, m
 };
 
-/// Logs the solids, the terrain, the walls, the area to cover, the tags and the stations that the log has,
-/// and `targets`, as markers at time 0. A solid is a prism over its footprint; one without end is 1 m high;
-/// large terrain is coarser. Logs nothing if there is nothing of that. O(their corners).
+/// Logs the solids, the terrain, the walls, the zones, the area to cover, the tags and the stations that the
+/// log has, and `targets`, as markers at time 0. A solid is a prism over its footprint; one without end is 1
+/// m high; large terrain is coarser. Logs nothing if there is nothing of that. O(their corners).
 void log_markers(Log& log, const std::vector<MarkerBox>& targets = {});
 
 }  // namespace outrider

@@ -3,8 +3,9 @@
 // The robot is a point that goes from cell to cell, more slowly where less room is beside it: nowhere nearer
 // to an obstacle than the largest disk in its footprint, at a quarter of its speed where it may have to
 // align, and at full speed where nothing is within `wide_m` of its footprint. What nobody has seen counts as
-// open. A goal outside the grid is reached from its edge: in the time that is told for places out there
-// (map_field.hpp), or else in a straight line.
+// open. Keep-out zones are not entered, and slow zones crossed with their speed, at least a sixteenth of the
+// full one. The wrong side of a passage takes half as long again. A goal outside the grid is reached from its
+// edge: in the time that is told for places out there (map_field.hpp), or else in a straight line.
 //
 // Dijkstra from the goal over eight neighbours, with times in small units in a ring of buckets (Dial, 1969);
 // it ends once the surroundings of the robot are reached. O(cells + obstacles * cells within most room).
@@ -18,6 +19,7 @@
 
 #include "outrider/motion/footprint.hpp"
 #include "outrider/motion/robot_model.hpp"
+#include "outrider/navigate/zones.hpp"
 #include "outrider/world/grid.hpp"
 
 namespace outrider {
@@ -27,7 +29,8 @@ struct GoalGround {
   GridFrame frame;
   std::vector<Vec2> obstacles;  ///< points that it keeps clear of
   const std::vector<std::uint8_t>* closed =
-      nullptr;  ///< cells that are not 0 may not be entered; null: all may
+      nullptr;                       ///< cells that are not 0 may not be entered; null: all may
+  const ZoneCells* zones = nullptr;  ///< zones on these cells; null: none
 };
 
 /// The goal of a GoalField, and the room that a robot wants.
@@ -39,6 +42,8 @@ struct GoalQuery {
   /// Returns the time to the goal from a place at the edge of the grid, s; nothing where there is no way.
   /// Empty: what lies beyond is not known.
   std::function<std::optional<double>(Vec2)> beyond = {};
+  int side = 0;            ///< of passages that is preferred: -1 right, 1 left, 0 none; the other costs time
+  double passage_m = 3.0;  ///< width of the widest passage that has sides
 };
 
 class GoalField {
@@ -59,7 +64,8 @@ class GoalField {
   static constexpr Units unknown = 0xffffffff;
 
   void find_room(const GoalGround& ground, const Footprint& footprint, const GoalQuery& query);
-  void let_out(Vec2 place);
+  void slow_down(const ZoneCells& zones, const RobotModel& robot);
+  void let_out(Vec2 place, const ZoneCells* zones);
   void seed(const GoalQuery& query);
   void seed_edge(const GoalQuery& query);
   void spread(std::optional<Vec2> place);
@@ -70,9 +76,10 @@ class GoalField {
 
   GridFrame frame_;
   double unit_s_ = 1.0;
-  std::vector<float> distance_m_;   // to the nearest obstacle, by cell
-  std::vector<std::uint8_t> pace_;  // to cross a cell, by cell; 0: no room
-  std::vector<Units> time_;         // to the goal, by cell
+  std::vector<float> distance_m_;    // to the nearest obstacle, by cell
+  std::vector<std::uint8_t> pace_;   // to cross a cell, by cell; 0: no room
+  std::vector<std::uint8_t> wrong_;  // by cell, a bit for each way that is on the wrong side; empty: none
+  std::vector<Units> time_;          // to the goal, by cell
   std::vector<std::vector<std::uint32_t>> buckets_;
   std::vector<std::pair<Units, std::uint32_t>>
       edge_;                 // cells at the edge to be reached from outside, latest first

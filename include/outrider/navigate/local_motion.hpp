@@ -7,10 +7,13 @@
 //            model predictive control (IEEE Transactions on Robotics, 2018).
 //   dwa      the dynamic window approach: the best pair of constant speed and turn rate within reach. Source:
 //            Fox, Burgard and Thrun, The dynamic window approach to collision avoidance (1997).
+//   steer    pure pursuit of the planned way, more slowly until it can brake. Source: Coulter, Implementation
+//   of
+//            the pure pursuit path tracking algorithm (1992).
 //
 // Whatever a rule proposes passes the same test before it is commanded: after it for one period, the robot
-// can brake without touching anything that is marked (can_brake()). If no proposal passes, it brakes.
-// Deterministic. Thread rule: one at a time.
+// can brake without touching anything that is marked, or entering a keep-out zone (can_brake()). If no
+// proposal passes, it brakes. Deterministic. Thread rule: one at a time.
 #pragma once
 
 #include <memory>
@@ -75,10 +78,10 @@ struct LocalMotionRow {
 };
 const std::vector<LocalMotionRow>& local_motions();
 
-/// Returns true if the robot touches nothing that is marked when it is commanded a twist for a period and
-/// then brakes: the gap is at least `margin_m` then, or as it is now if that is less. Exact in space, with
-/// steps in time between which nothing can be reached. Nor does it come near to what moves, as long as that
-/// goes on as it does or stops.
+/// Returns true if the robot enters no keep-out zone and touches nothing that is marked when it is commanded
+/// a twist for a period and then brakes: the gap is at least `margin_m` then, or as it is now if that is
+/// less. Exact in space, with steps in time between which nothing can be reached. Nor does it come near to
+/// what moves, as long as that goes on as it does or stops.
 bool can_brake(const MotionState& state, const Twist2& commanded, double margin_m);
 
 }  // namespace outrider

@@ -24,6 +24,8 @@ class MapField {
   /// Returns the places of the cells that bound the free ones, and are walls to a robot.
   [[nodiscard]] const LiveMap::Walls& walls() const { return walls_; }
 
+  /// Keeps to zones from now on.
+  void keep_to(const Zones& zones, double most_m);
   /// Computes the times to a goal, around what was seen outside the window too if it is `remembered`.
   void compute(const LiveMap& live, const Footprint& footprint, const RobotModel& robot,
                const GoalQuery& query, bool remembered);
@@ -34,6 +36,7 @@ class MapField {
   GridFrame frame_;
   std::vector<std::uint8_t> closed_;  // by cell
   LiveMap::Walls walls_;
+  ZoneCells zones_;
   GoalField field_;
 };
 

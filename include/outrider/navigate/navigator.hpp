@@ -13,7 +13,8 @@
 // recovers when nothing goes on: it forgets what it has not seen lately, turns to where the way leads, backs
 // off, and after all of that several times in vain gives up with a reason. Every
 // answer is a DriveTwist for one period. It never commands a motion from which the robot could not brake
-// before what is marked.
+// before what is marked, nor one into a keep-out zone (zones.hpp); a robot that was carried into one drives
+// straight out of it, and does nothing else.
 //
 // Deterministic: a pure function of the observations and orders so far. Thread rule: one at a time.
 #pragma once
@@ -32,6 +33,7 @@
 #include "outrider/navigate/place_search.hpp"
 #include "outrider/navigate/robot_localiser.hpp"
 #include "outrider/navigate/track_follower.hpp"
+#include "outrider/navigate/zones.hpp"
 #include "outrider/robot/command.hpp"
 #include "outrider/robot/observation.hpp"
 
@@ -94,6 +96,9 @@ struct NavigatorSetup {
   LocalMotionOptions motion;
   std::optional<KnownMap> known = {};         ///< the map that the robot is given
   std::optional<AllowedGround> allowed = {};  ///< what it may not leave; none: nothing
+  std::optional<TagView> tags = {};           ///< the tags that it may see
+  std::vector<Zone> zones = {};               ///< in the world of the localiser
+  ZoneOptions keep = {};                      ///< how it keeps to them, and to a side of passages
 };
 
 class Navigator {
@@ -126,6 +131,8 @@ class Navigator {
   [[nodiscard]] Pose2 odometry_at(double time_s) const;
   [[nodiscard]] Pose2 pose() const { return compose(localiser_->world_T_odometry(), track_.back().odometry); }
   void take(const LaserScan& scan);
+  void see(const TagImage& image);
+  void note_localised(const Pose2& before, bool was_located, bool corrected);
   void note_moving();
   void note_lost();
   void judge(const GoTo& order);
@@ -151,6 +158,11 @@ class Navigator {
   [[nodiscard]] GoalQuery query_of(const GoTo& order) const;
   void note_progress(const GoTo& order);
   [[nodiscard]] bool is_blind();
+  void follow_zones();
+  [[nodiscard]] double room_of_zones_m() const;
+  [[nodiscard]] const ZoneCells* zones_on_window();
+  [[nodiscard]] Twist2 leave_zone(const MotionState& state);
+  [[nodiscard]] std::optional<Vec2> way_out(Vec2 here) const;
   [[nodiscard]] MotionState state_of(const GoTo& order, const Surroundings& near) const;
 
   struct TimedOdometry {
@@ -164,6 +176,12 @@ class Navigator {
   LiveMap map_;
   MovingThings followed_;
   std::vector<MovingThing> moving_;  // now
+  Zones zones_;
+  GridFrame zones_frame_;
+  ZoneCells zone_cells_;      // on that frame
+  bool in_zone_ = false;      // it overlaps a keep-out zone, into which it was carried
+  std::optional<Vec2> exit_;  // the place outside to which it goes then
+  RobotModel limits_;         // of the robot now, in or before a slow zone
   Surroundings near_;
   GoalField field_;
   std::optional<MapField> far_;  // on the known map
@@ -171,6 +189,7 @@ class Navigator {
 
   double time_s_ = 0.0;
   std::optional<double> scan_s_;
+  double image_s_ = -1.0;            // of the last image that was used
   std::deque<TimedOdometry> track_;  // the last second
   Twist2 twist_;
 

@@ -12,6 +12,7 @@
 
 #include "outrider/motion/footprint.hpp"
 #include "outrider/navigate/live_map.hpp"
+#include "outrider/navigate/zones.hpp"
 
 namespace outrider {
 
@@ -21,8 +22,10 @@ class Surroundings {
   static constexpr double most_m = 0.6;
 
   /// Takes the marks of a map that do not move, within `reach_m` of a place, in x and in y; with `edges`
-  /// those of the allowed ground too.
-  void look(const LiveMap& map, Vec2 middle, double reach_m, bool edges = true);
+  /// those of the allowed ground too, and the keep-out zones there. These count as marks that are nearer by
+  /// the margin of the zones less `margin_m`, that of the motion.
+  void look(const LiveMap& map, Vec2 middle, double reach_m, bool edges = true, const Zones* zones = nullptr,
+            double margin_m = 0.0);
 
   /// Returns the places of the marks that were taken, tile by tile.
   [[nodiscard]] const std::vector<Vec2>& places() const { return places_; }
@@ -31,15 +34,23 @@ class Surroundings {
   /// Returns the distance from the footprint of a robot at a pose to the nearest mark, m, at most `most`; it
   /// is negative where they overlap.
   [[nodiscard]] double gap(const Footprint& footprint, const Pose2& pose, double most) const;
+  /// Returns the distance to the nearest edge of a keep-out zone, without the margin; 0 where they overlap.
+  [[nodiscard]] double zone_gap(const Footprint& footprint, const Pose2& pose, double most) const;
+  /// Returns the room that a motion keeps from keep-out zones, m.
+  [[nodiscard]] double zone_margin_m() const { return zone_margin_m_; }
 
  private:
   void sort_into_tiles();
+  void take_zones(const Zones& zones, Vec2 middle, double reach_m, double margin_m);
 
   GridFrame frame_;
   GridFrame tiles_;
   std::vector<Vec2> places_;
   std::vector<std::uint32_t> first_;  // tile -> its first place, one more at the end
   std::vector<float> distance_m_;     // by cell
+  std::vector<Segment> edges_;        // of keep-out zones
+  double zone_margin_m_ = 0.0;
+  double nearer_m_ = 0.0;  // by which edges count as nearer than they are
 };
 
 }  // namespace outrider

@@ -103,8 +103,9 @@ class SimulatedRobot final : public Robot {
   bool waited_ = false;  // the newest event is a wait
 };
 
-/// Makes a differential-drive robot with a bumper and a range finder, at rest at the start.
+/// Makes a differential-drive robot with a bumper, a range finder and perhaps a camera, at rest at the start.
 SimulatedRobot simulated_explorer(const World& world, const Pose2& start, const RobotModel& robot,
-                                  const ExplorerSimParams& params, std::uint64_t seed);
+                                  const ExplorerSimParams& params, std::uint64_t seed,
+                                  std::optional<SimulatedTagCamera> camera = {});
 
 }  // namespace outrider

@@ -15,6 +15,7 @@ using AreaRings = std::vector<AreaRing>;
 /// The polygons of a file, and what it says of its coordinates.
 struct AreaFile {
   std::vector<AreaRings> polygons;
+  std::vector<std::string> properties = {};  ///< for each polygon those of its feature as JSON text
   std::string crs = {};       ///< the member "crs" of GeoJSON as JSON text
   std::string crs_name = {};  ///< the name in it; empty: none
   Units units = Units::told_by_size;

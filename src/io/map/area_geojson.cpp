@@ -16,23 +16,30 @@ using GeoJson = nlohmann::json;
 
 constexpr int deepest = 64;
 
-/// A list of rings, and its position in the document.
-using FoundPolygon = std::pair<const GeoJson*, std::string>;
+/// A list of rings, its position in the document, and the feature that it belongs to, if there is one.
+struct FoundPolygon {
+  const GeoJson* coordinates;
+  std::string where;
+  const GeoJson* feature;
+};
 
 /// Collects the polygons of a GeoJSON object.
-Status find_polygons(const GeoJson& object, const std::string& where, int depth,
+Status find_polygons(const GeoJson& object, const std::string& where, int depth, const GeoJson* feature,
                      std::vector<FoundPolygon>& found) {
   if (depth > deepest) return bad_input("it nests too deep; give polygons in features", where);
   const auto type = object.is_object() ? object.find("type") : object.end();
   if (!object.is_object() || type == object.end() || !type->is_string()) {
     return bad_input("it is no GeoJSON object with a type", where);
   }
+  if (*type == "Feature") feature = &object;
   const auto into = [&](const char* key) -> Status {
     const auto inner = object.find(key);
     if (inner == object.end() || inner->is_null()) return {};
-    if (!inner->is_array()) return find_polygons(*inner, fmt::format("{}.{}", where, key), depth + 1, found);
+    if (!inner->is_array())
+      return find_polygons(*inner, fmt::format("{}.{}", where, key), depth + 1, feature, found);
     for (std::size_t i = 0; i < inner->size(); ++i) {
-      auto good = find_polygons((*inner)[i], fmt::format("{}.{}[{}]", where, key, i), depth + 1, found);
+      auto good =
+          find_polygons((*inner)[i], fmt::format("{}.{}[{}]", where, key, i), depth + 1, feature, found);
       if (!good) return good;
     }
     return {};
@@ -46,9 +53,9 @@ Status find_polygons(const GeoJson& object, const std::string& where, int depth,
   if (coordinates == object.end() || !coordinates->is_array()) {
     return bad_input("it has no coordinates", where);
   }
-  if (!many) found.emplace_back(&*coordinates, where + ".coordinates");
+  if (!many) found.push_back({&*coordinates, where + ".coordinates", feature});
   for (std::size_t i = 0; many && i < coordinates->size(); ++i) {
-    found.emplace_back(&(*coordinates)[i], fmt::format("{}.coordinates[{}]", where, i));
+    found.push_back({&(*coordinates)[i], fmt::format("{}.coordinates[{}]", where, i), feature});
   }
   return {};
 }
@@ -67,7 +74,7 @@ Outcome<AreaRing> ring_of(const GeoJson& points, const std::string& where) {
 }
 
 Outcome<AreaRings> polygon_of(const FoundPolygon& found) {
-  const auto& [coordinates, where] = found;
+  const auto& [coordinates, where, feature] = found;
   if (!coordinates->is_array() || coordinates->empty()) {
     return bad_input("a polygon has a list of rings here", where);
   }
@@ -115,7 +122,7 @@ Outcome<AreaFile> area_from_geojson(std::string_view text, const std::string& na
   const GeoJson object = GeoJson::parse(text, nullptr, false);
   if (object.is_discarded()) return bad_input("it is no JSON; write a GeoJSON polygon", name);
   std::vector<FoundPolygon> found;
-  if (auto good = find_polygons(object, name + ": $", 0, found); !good) return pass_on(good);
+  if (auto good = find_polygons(object, name + ": $", 0, nullptr, found); !good) return pass_on(good);
   if (found.empty()) {
     return bad_input("it holds no polygon; give one or more, with their holes as further rings", name);
   }
@@ -125,6 +132,10 @@ Outcome<AreaFile> area_from_geojson(std::string_view text, const std::string& na
     auto rings = polygon_of(one);
     if (!rings) return pass_on(rings);
     file.polygons.push_back(std::move(*rings));
+    const auto* const feature = one.feature;
+    const bool has = feature != nullptr && feature->contains("properties");
+    file.properties.push_back(
+        has ? feature->at("properties").dump(-1, ' ', false, GeoJson::error_handler_t::replace) : "");
   }
   return file;
 }

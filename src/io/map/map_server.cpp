@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "files/yaml.hpp"
@@ -77,13 +78,30 @@ Outcome<MapKeys> map_keys(std::string_view text, const std::string& name) {
   return keys;
 }
 
-Occupancy occupancy_of(std::uint8_t value, const MapKeys& keys) {
+/// Returns the occupancy as a share of 1; nothing if it is unknown.
+std::optional<double> share_of(std::uint8_t value, const MapKeys& keys) {
   const bool raw = keys.mode == "raw";
-  if (raw && value > 100) return unknown_cell;
+  if (raw && value > 100) return std::nullopt;
   const double shade = keys.negate ? value / 255.0 : (255 - value) / 255.0;
-  const double p = raw ? value / 100.0 : shade;
-  if (p > keys.occupied_thresh) return occupied_cell;
-  return p < keys.free_thresh ? free_cell : unknown_cell;
+  return raw ? value / 100.0 : shade;
+}
+
+Occupancy occupancy_of(std::uint8_t value, const MapKeys& keys) {
+  const auto p = share_of(value, keys);
+  if (!p) return unknown_cell;
+  if (*p > keys.occupied_thresh) return occupied_cell;
+  return *p < keys.free_thresh ? free_cell : unknown_cell;
+}
+
+/// Returns the value of a pixel in percent, as map_server publishes it.
+std::int8_t percent_of(std::uint8_t value, const MapKeys& keys) {
+  const auto p = share_of(value, keys);
+  if (!p) return -1;
+  if (keys.mode == "raw") return static_cast<std::int8_t>(value);
+  if (*p > keys.occupied_thresh) return 100;
+  if (*p < keys.free_thresh) return 0;
+  const double between = (*p - keys.free_thresh) / (keys.occupied_thresh - keys.free_thresh);
+  return keys.mode == "scale" ? static_cast<std::int8_t>(std::lround(100.0 * between)) : std::int8_t{-1};
 }
 
 /// Returns the grey value that map_server writes.
@@ -92,22 +110,32 @@ std::uint8_t shade_of(std::uint8_t occupancy) {
   return occupancy == occupied_cell ? 0 : 205;
 }
 
-Outcome<MapServerMap> map_from_bytes(std::string_view bytes, const std::string& path, const MapKeys& keys) {
+/// Fills a grid with what `value_of` makes of each pixel; a transparent one has the value `hidden`.
+template <class T, class ValueOf>
+Outcome<Grid<T>> grid_from_bytes(std::string_view bytes, const std::string& path, const MapKeys& keys,
+                                 T hidden, ValueOf value_of) {
   auto image = image_from_bytes(bytes, path);
   if (!image) return pass_on(image);
-
-  MapServerMap map;
-  map.yaw_rad = keys.origin[2];
-  map.occupancy =
-      Grid<std::uint8_t>({{keys.origin[0], keys.origin[1]}, keys.resolution_m, image->width, image->height});
-  const GridFrame& frame = map.occupancy.frame;
+  Grid<T> grid({{keys.origin[0], keys.origin[1]}, keys.resolution_m, image->width, image->height});
   for (std::size_t pixel = 0; pixel < image->values.size(); ++pixel) {
-    const Cell from_top = frame.cell(pixel);
-    const bool hidden = !image->transparent.empty() && image->transparent[pixel];
-    map.occupancy[{from_top.x, frame.height - 1 - from_top.y}] =
-        hidden ? unknown_cell : occupancy_of(image->values[pixel], keys);
+    const Cell from_top = grid.frame.cell(pixel);
+    const bool is_hidden = !image->transparent.empty() && image->transparent[pixel];
+    grid[{from_top.x, grid.frame.height - 1 - from_top.y}] =
+        is_hidden ? hidden : static_cast<T>(value_of(image->values[pixel], keys));
   }
-  return map;
+  return grid;
+}
+
+Outcome<MapServerMap> map_from_bytes(std::string_view bytes, const std::string& path, const MapKeys& keys) {
+  auto grid = grid_from_bytes<std::uint8_t>(bytes, path, keys, unknown_cell, occupancy_of);
+  if (!grid) return pass_on(grid);
+  return MapServerMap{std::move(*grid), keys.origin[2]};
+}
+
+/// Reads the image that a YAML file of that name names.
+Outcome<std::string> image_beside(const std::string& name, const MapKeys& keys, std::string& path) {
+  path = (fs::path(name).parent_path() / keys.image).string();
+  return read_file(path);
 }
 
 Status check_frame(const GridFrame& frame, const std::string& path) {
@@ -130,10 +158,23 @@ Outcome<MapServerMap> load_map_server(const std::string& path) {
 Outcome<MapServerMap> map_server_from_text(std::string_view text, const std::string& name) {
   auto keys = map_keys(text, name);
   if (!keys) return pass_on(keys);
-  const std::string path = (fs::path(name).parent_path() / keys->image).string();
-  const auto bytes = read_file(path);
+  std::string path;
+  const auto bytes = image_beside(name, *keys, path);
   if (!bytes) return pass_on(bytes);
   return map_from_bytes(*bytes, path, *keys);
+}
+
+Outcome<MapServerValues> load_map_server_values(const std::string& path) {
+  const auto text = read_file(path);
+  if (!text) return pass_on(text);
+  const auto keys = map_keys(*text, path);
+  if (!keys) return pass_on(keys);
+  std::string image;
+  const auto bytes = image_beside(path, *keys, image);
+  if (!bytes) return pass_on(bytes);
+  auto grid = grid_from_bytes<std::int8_t>(*bytes, image, *keys, -1, percent_of);
+  if (!grid) return pass_on(grid);
+  return MapServerValues{std::move(*grid), keys->origin[2]};
 }
 
 Outcome<MapServerMap> map_image_from_bytes(std::string_view bytes, const std::string& name,

@@ -27,7 +27,10 @@ Status DriveJob::run(Run& run, const RunWatch& watch) {
   RunSteps steps(watch, 1);
   if (auto ok = steps.next("driving"); !ok) return ok;
   if (scenario.loop == "laser") {
-    auto report = run_laser_drive(setup->task, scenario.height_m, scenario.laser,
+    LaserDriveOptions options = scenario.laser;
+    options.rendered = setup->rendered;
+    options.hung = setup->sim.tags;
+    auto report = run_laser_drive(setup->task, scenario.height_m, options,
                                   static_cast<std::uint64_t>(scenario.seed), run.log, steps.inner());
     if (!report) return pass_on(report);
     run.report = std::move(*report);

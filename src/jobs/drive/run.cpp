@@ -251,20 +251,23 @@ outrider_msgs::Waypoints waypoints_message(const DriveTask& task) {
   return message;
 }
 
-void log_start(Log& log, const DriveTask& task, std::uint64_t seed) {
-  constexpr double any_m = std::numeric_limits<double>::infinity();  // every solid is in its way
-  log_scene(log, run_info("drive", seed, task.world, task.radius_m), task.world, any_m);
+void log_tags(Log& log, const DriveTask& task) {
+  if (task.tags.tags.empty()) return;
   outrider_msgs::Tags tags;
   for (const Tag& tag : task.tags.tags) {
     tags.tags.push_back({tag.id, point_of(tag.world_T_tag.position),
                          heading_of(xy(-1.0 * tag.world_T_tag.rotation.axes[2])), tag.size_m});
   }
-  const bool sees = task.closed_loop && !tags.tags.empty();
-  if (!tags.tags.empty()) log.append(topic::tags, 0.0, std::move(tags));
-  if (sees) {
-    log_camera(log, task.eye.camera);
-    log_mount(log, "camera", {{task.eye.ahead_m, 0.0}, 0.0}, task.eye.height_m);
-  }
+  log.append(topic::tags, 0.0, std::move(tags));
+  if (!task.closed_loop) return;
+  log_camera(log, task.eye.camera);
+  log_mount(log, "camera", {{task.eye.ahead_m, 0.0}, 0.0}, task.eye.height_m);
+}
+
+void log_start(Log& log, const DriveTask& task, std::uint64_t seed) {
+  constexpr double any_m = std::numeric_limits<double>::infinity();  // every solid is in its way
+  log_scene(log, run_info("drive", seed, task.world, task.radius_m), task.world, any_m);
+  log_tags(log, task);
   std::vector<Vec2> way = {task.start.position};
   for (const Waypoint& waypoint : task.waypoints) way.push_back(waypoint.pose.position);
   log_plan(log, 0.0, way);

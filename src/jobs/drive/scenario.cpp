@@ -144,8 +144,11 @@ Status check_laser(const DriveScenario& scenario) {
   if (!scenario.planner.empty())
     return bad_input("a drive by laser finds its way itself; leave the planner out and give waypoints",
                      "planner");
-  if (scenario.laser.start_unknown && scenario.map.empty())
-    return bad_input("a robot that is not told where it starts needs a map; give one",
+  const bool by_tags = scenario.laser.navigator.localiser == "tags";
+  if (by_tags && scenario.tags.empty() && scenario.map_tags.empty())
+    return bad_input("'tags' needs tags; give their places, or take laser_mapping", "navigator.localiser");
+  if (scenario.laser.start_unknown && scenario.map.empty() && !by_tags)
+    return bad_input("a robot that is not told where it starts needs a map or tags; give them",
                      "navigator.start_unknown");
   if (scenario.laser.navigator.localiser == "laser_on_map" && scenario.map.empty())
     return bad_input("'laser_on_map' needs a map; give one, or laser_mapping", "navigator.localiser");
@@ -229,6 +232,45 @@ Outcome<DriveTask> robot_from(const DriveScenario& scenario) {
   return task;
 }
 
+/// Checks that neither the start nor a waypoint is in a keep-out zone.
+Status check_outside(const DriveTask& task, const Footprint& footprint) {
+  const Zones zones(task.zones, 0.0);
+  for (std::size_t i = 0; i <= task.waypoints.size(); ++i) {
+    const Pose2& pose = i == 0 ? task.start : task.waypoints[i - 1].pose;
+    if (!zones.overlap(footprint, pose)) continue;
+    const auto in = std::ranges::min_element(task.zones, {}, [&](const Zone& zone) {
+      return std::pair(zone.kind != Zone::Kind::keep_out, zone.distance_to(pose.position));
+    });
+    return bad_input(
+        fmt::format("{} at {:g},{:g} is in the keep-out zone {} ({}), with a part of the robot at least; "
+                    "move one of them",
+                    i == 0 ? "the start" : fmt::format("waypoint {}", i), pose.position.x, pose.position.y,
+                    in - task.zones.begin() + 1, in->where),
+        i == 0 ? "start" : "waypoints");
+  }
+  return {};
+}
+
+Status take_zones(const DriveScenario& scenario, DriveSetup& setup) {
+  DriveTask& task = setup.task;
+  auto loaded = load_zones(scenario.zones, task.follow.speed_mps, task.world.bounds);
+  if (!loaded) return pass_on(loaded);
+  if (loaded->zones.empty()) return {};
+  if (scenario.loop != "laser")
+    return bad_input("only a drive by laser keeps to zones; give loop: laser, or leave them out", "zones");
+  task.zones = std::move(loaded->zones);
+  std::ranges::move(loaded->warnings, std::back_inserter(setup.warnings));
+  const bool forbids =
+      std::ranges::any_of(task.zones, [](const Zone& zone) { return zone.kind == Zone::Kind::keep_out; });
+  if (forbids && scenario.laser.start_unknown)
+    return bad_input(
+        "a robot that does not know where it is cannot keep out of zones; tell it where it starts",
+        "navigator.start_unknown");
+  const auto footprint = footprint_of(scenario.laser, task.radius_m);
+  if (!footprint) return tl::unexpected(footprint.error());
+  return check_outside(task, *footprint);
+}
+
 }  // namespace
 
 std::vector<OptionGroup> describe(DriveScenario& scenario) {
@@ -294,6 +336,10 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
       {"link", "how commands travel to the simulated robot", link},
   };
   std::ranges::move(describe(scenario.laser), std::back_inserter(groups));
+  std::vector<Option> zones = describe(scenario.zones);
+  std::ranges::move(describe(scenario.laser.keep), std::back_inserter(zones));
+  groups.push_back(
+      {"zones", "where a robot with a laser may not go, goes slowly, and keeps to a side", zones});
   return groups;
 }
 
@@ -328,6 +374,7 @@ Outcome<DriveSetup> load_drive(const DriveScenario& given) {
     setup.task.known = std::move(*known);
   }
   if (auto ok = load_ground(scenario, goal, setup); !ok) return pass_on(ok);
+  if (auto ok = take_zones(scenario, setup); !ok) return pass_on(ok);
   const CollisionMap ground = CollisionMap::of(setup.task.world, scenario.height_m);
   if (goal && !scenario.planner.empty()) {
     auto route = plan_route(setup.task, ground, *goal, scenario.planner, scenario.route,

@@ -84,6 +84,27 @@ TEST_P(EachRule, GivesTheSameCommandsAgain) {
   EXPECT_EQ(end(), end());
 }
 
+TEST_P(EachRule, CommandsAreFiniteAndWithinTheLimits) {
+  Rng rng(23);
+  const auto one = rule();
+  for (int i = 0; i < 60; ++i) {
+    ObedientRobot any;
+    for (int k = 0; k < 40; ++k) any.map.note_touch({rng.uniform(-3, 3), rng.uniform(-3, 3)}, 0.0);
+    any.robot.speed_mps = rng.uniform(0.05, 2.0);  // that of a slow zone may change at once
+    const Vec2 goal{rng.uniform(-4, 4), rng.uniform(-4, 4)};
+    GoalField field;
+    if (i % 4 != 0) field.compute({any.map.frame(), any.map.places()}, body, any.robot, {goal}, Vec2{});
+    Surroundings near;
+    near.look(any.map, {}, 4.0);
+    const Twist2 now{rng.uniform(-0.5, 1.5), 0.0, rng.uniform(-2.0, 2.0)};
+    const Twist2 chosen = one->choose({{{}, rng.uniform(-3, 3)}, now, body, any.robot, near, field, goal});
+    EXPECT_TRUE(std::isfinite(chosen.ahead_mps) && std::isfinite(chosen.turn_radps));
+    EXPECT_EQ(chosen.left_mps, 0.0);
+    EXPECT_LE(std::abs(chosen.ahead_mps), any.robot.speed_mps + 1e-9);
+    EXPECT_LE(std::abs(chosen.turn_radps), any.robot.turn_rate_radps + 1e-9);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(LocalMotions, EachRule, testing::ValuesIn(names_of(local_motions())),
                          [](const auto& info) { return std::string(info.param); });
 

@@ -163,5 +163,23 @@ TEST(Navigator, RefusesUnknownRows) {
   EXPECT_FALSE(Navigator::make(setup, Pose2{}));
 }
 
+TEST(Navigator, StandsWhenItIsBlindByAnyRule) {
+  for (const std::string& rule : names_of(local_motions())) {
+    NavigatorSetup setup = small_robot();
+    setup.motion.rule = rule;
+    auto navigator = Navigator::make(setup, Pose2{});
+    ASSERT_TRUE(navigator);
+    Progress::State end = Progress::State::underway;
+    for (double time_s = 0.0; time_s < 15.0; time_s += 0.05) {
+      Observation seen;
+      seen.time_s = time_s;
+      end = navigator->perceive(seen).progress.state;
+      const Command command = navigator->act(GoTo{{3.0, 0.0}});
+      EXPECT_EQ(std::get<DriveTwist>(command).twist, Twist2{}) << rule;
+    }
+    EXPECT_EQ(end, Progress::State::lost) << rule;
+  }
+}
+
 }  // namespace
 }  // namespace outrider

@@ -23,6 +23,8 @@ export const topic = {
   solids: "/solids",
   terrain: "/terrain",
   walls: "/walls",
+  keepOutZones: "/keep_out_zones",
+  slowZones: "/slow_zones",
   shots: "/shots",
   firingMap: "/firing_map",
   blockedFlights: "/blocked_flights",

@@ -14,7 +14,7 @@ const bodies = once(({ solids }: Solids): Body[] => solids.map(({ name, kind, lo
   ({ name, kind, low: low_z, high: high_z, blocks_driving, footprint: shapes(footprint) })));
 const slopes = once(({ contours, steep }: Terrain): Slopes =>
   ({ contours: contours.map(({ height, points }) => ({ height, points: points.map(vec2) })), steep: shapes(steep) }));
-const walls = once(({ outlines }: OutlinesMessage): Outlines => rings(outlines));
+const outlined = once(({ outlines }: OutlinesMessage): Outlines => rings(outlines));
 
 /** The same list as long as no newer message comes. */
 export function bodiesOf({ log }: Run): Body[] {
@@ -24,8 +24,10 @@ export function bodiesOf({ log }: Run): Body[] {
 
 export function slopesOf({ terrain }: Run): Slopes | null { return terrain ? slopes(terrain) : null; }
 
-/** Null where the log has none. */
-export function wallsOf({ log }: Run): Outlines | null {
-  const message = log.latest<OutlinesMessage>(topic.walls);
-  return message ? walls(message) : null;
+/** The outlines on a topic; null where the log has none. */
+export function outlinesOf({ log }: Run, name: string): Outlines | null {
+  const message = log.latest<OutlinesMessage>(name);
+  return message ? outlined(message) : null;
 }
+
+export const wallsOf = (run: Run): Outlines | null => outlinesOf(run, topic.walls);

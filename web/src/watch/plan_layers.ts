@@ -22,11 +22,12 @@ import { tags } from "./tag_layer";
 import { targets } from "./target_layer";
 import { tour } from "./tour_layer";
 import { way } from "./way_layer";
+import { zones } from "./zone_layer";
 
 /** A layer of a run, with its name where it can be switched off. */
 export interface Named { name: string; layer: Layer }
 
-const makers: [string, LayerOf][] = [["obstacles", ground], ["pursuit", pursuit], ["covered area", cover], ["map", map], ["landmarks", mapping], ["firing map", firingMap], ["planned tour", tour], ["path", way],
+const makers: [string, LayerOf][] = [["obstacles", ground], ["pursuit", pursuit], ["covered area", cover], ["map", map], ["zones", zones], ["landmarks", mapping], ["firing map", firingMap], ["planned tour", tour], ["path", way],
   ["range finder", scan], ["blocked flights", blocked], ["shots", flights], ["tags", tags], ["stations", stations], ["targets", targets], ["candidates", candidates], ["robot", robot], ["belief", believed]];
 
 /** Returns the layers that the log has messages for; `bare` ones without scales; with the scenario, until the log tells more. */

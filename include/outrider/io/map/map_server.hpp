@@ -40,6 +40,13 @@ Outcome<MapServerMap> load_map_server(const std::string& path);
 /// Reads a map from the text of the YAML file `name`. The image is searched beside that file.
 Outcome<MapServerMap> map_server_from_text(std::string_view text, const std::string& name);
 
+/// The values of a map in percent; -1: unknown. In mode scale those between the thresholds are kept, rounded.
+struct MapServerValues {
+  Grid<std::int8_t> percent;
+  double yaw_rad = 0.0;  ///< rotation of the Grid about its origin
+};
+Outcome<MapServerValues> load_map_server_values(const std::string& path);
+
 /// Reads an image without a YAML file. Its lowest corner is at the origin; the thresholds are the usual ones.
 Outcome<MapServerMap> map_image_from_bytes(std::string_view bytes, const std::string& name,
                                            double resolution_m);

@@ -43,6 +43,8 @@ struct DriveLegs {
 };
 DriveLegs straight_legs(const DriveTask& task);
 
+/// Logs the tags that the robot knows, and the camera that sees them, if there are any.
+void log_tags(Log& log, const DriveTask& task);
 /// Logs what stands still: the world, the tags, the camera and the waypoints.
 void log_start(Log& log, const DriveTask& task, std::uint64_t seed);
 

@@ -16,13 +16,14 @@
 //   map: office.yaml                        # the map that the robot has, or none
 //   things: "3,2,0.5,0.4 5,1,0.2"           # boxes x,y,length,width and posts x,y,radius that no map has
 //   goal: "6.5,4.6,90"                      # or waypoints
+//   zones: {areas: "keep_out 1,1 2,1 2,2"}  # and slow ones, GeoJSON, filter masks of Nav2 (zone_file.hpp)
 //
 // Without a world the map is the world as well.
 //
 // describe() has the other keys: the robot, its loop (closed, open or laser), the source of images (rendered
 // or modelled), and the sections follow, pid, reckoning, localise, camera, rules, route, laser, wheels,
-// walk_ins, navigator, live_map, motion, faults and link. The sections faults and link hold what the robot
-// does not know.
+// walk_ins, navigator, live_map, motion, zones, faults and link. The sections faults and link hold what the
+// robot does not know.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +32,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
+#include "outrider/io/map/zone_file.hpp"
 #include "outrider/io/sdf/robot_file.hpp"
 #include "outrider/jobs/drive/mission/laser_drive.hpp"
 #include "outrider/jobs/drive/route.hpp"
@@ -67,6 +69,7 @@ struct DriveScenario {
   DriveRouteOptions route;                 ///< of planned paths
   DriveSimParams sim;                      ///< errors of the simulated robot
   LaserDriveOptions laser;                 ///< options of a drive by laser
+  ZoneSources zones;                       ///< zones of a drive by laser
   DriveTask task;                          ///< the other settings
 };
 

@@ -14,6 +14,7 @@
 #include "outrider/jobs/drive/localisation/dead_reckoning.hpp"
 #include "outrider/slam/map/map_localiser.hpp"
 #include "outrider/world/world.hpp"
+#include "outrider/world/zone.hpp"
 
 namespace outrider {
 
@@ -56,6 +57,7 @@ struct DriveTask {
   World world;                         ///< obstacles
   TagMap tags;                         ///< poses of the tags
   std::optional<KnownMap> known = {};  ///< the map that a robot with a laser has
+  std::vector<Zone> zones = {};        ///< the zones that it keeps to
   Chassis chassis = mecanum_chassis(0.03, 0.1225);
   double radius_m = 0.15;           ///< of a disk that contains the robot
   Pose2 start;                      ///< exact

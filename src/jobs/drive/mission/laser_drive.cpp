@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mission/zone_judge.hpp"
 #include "outrider/job/map_log.hpp"
 #include "outrider/job/scene.hpp"
 #include "outrider/job/scene_markers.hpp"
@@ -24,6 +25,8 @@ constexpr double map_every_s = 1.0;
 constexpr double most_way_m = 20.0;  // of the planned way that is logged
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+bool sees_tags(const LaserDriveOptions& options) { return options.navigator.localiser == "tags"; }
+
 NavigatorSetup setup_of(const DriveTask& task, double height_m, const LaserDriveOptions& options,
                         const Footprint& footprint) {
   RobotModel robot;
@@ -35,18 +38,34 @@ NavigatorSetup setup_of(const DriveTask& task, double height_m, const LaserDrive
   robot.turn_acceleration_radps2 = task.follow.turn_acceleration_radps2;
   NavigatorSetup setup = setup_of(options, robot, footprint);
   setup.known = task.known;
+  if (sees_tags(options)) setup.tags = TagView{task.tags, robot_camera(task.eye), task.localise};
+  setup.zones = task.zones;
+  setup.keep = options.keep;
   return setup;
+}
+
+/// Returns the camera that sees tags, if the robot is localised by them.
+std::optional<SimulatedTagCamera> camera_of(const DriveTask& task, const LaserDriveOptions& options,
+                                            std::uint64_t seed) {
+  if (!sees_tags(options)) return std::nullopt;
+  TagCameraOptions camera;
+  camera.rate_hz = task.eye.rate_hz;
+  camera.exposure_s = task.eye.exposure_s;
+  camera.latency_s = task.eye.latency_s;
+  return SimulatedTagCamera({task.world, options.hung.value_or(task.tags)}, robot_camera(task.eye), camera,
+                            {}, options.rendered, Rng(seed));
 }
 
 /// The waypoints one after another, each an order.
 class LaserDrive {
  public:
   LaserDrive(const DriveTask& task, const LaserDriveOptions& options, Navigator navigator,
-             SimulatedRobot robot, Log& log)
+             SimulatedRobot robot, ZoneJudge zones, Log& log)
       : task_(task),
         options_(options),
         navigator_(std::move(navigator)),
         robot_(std::move(robot)),
+        zones_(std::move(zones)),
         log_(log),
         waypoints_(waypoints_message(task)),
         outcomes_(task.waypoints.size(), "not reached") {
@@ -57,6 +76,7 @@ class LaserDrive {
   bool run(const RunWatch& watch) {
     while (next_ < task_.waypoints.size() && reason_.empty()) {
       const Observation seen = robot_.sense();
+      zones_.note(robot_.time_s(), robot_.pose());
       const Situation now = navigator_.perceive(seen);
       if (navigator_.is_located()) note_belief(now);
       note(seen, now);
@@ -155,6 +175,7 @@ class LaserDrive {
   const LaserDriveOptions& options_;
   Navigator navigator_;
   SimulatedRobot robot_;
+  ZoneJudge zones_;
   Log& log_;
   outrider_msgs::Waypoints waypoints_;
   std::vector<std::string> outcomes_;
@@ -179,6 +200,7 @@ Report LaserDrive::report() const {
   };
   report.reason = reason_;
   if (body.contacts() > 0) add("something was touched");
+  if (zones_.entered() > 0) add("the robot entered a keep-out zone");
   if (false_arrivals_ > 0)
     add(fmt::format("{} waypoint{} called reached where the robot was not", false_arrivals_,
                     false_arrivals_ == 1 ? " was" : "s were"));
@@ -194,7 +216,9 @@ Report LaserDrive::report() const {
                     {"recoveries", static_cast<double>(recoveries_)},
                     {"located_m", located_m_},
                     {"belief_error_m", belief_error_m_},
-                    {"false_arrivals", static_cast<double>(false_arrivals_)}};
+                    {"false_arrivals", static_cast<double>(false_arrivals_)},
+                    {"kept_out", static_cast<double>(zones_.entered())},
+                    {"over_slow_s", zones_.over_slow_s()}};
   report.tables = {table()};
   return report;
 }
@@ -217,23 +241,29 @@ std::vector<OptionGroup> describe(LaserDriveOptions& options) {
   return groups;
 }
 
+Outcome<Footprint> footprint_of(const LaserDriveOptions& options, double radius_m) {
+  if (options.footprint.empty()) return Footprint::disk(radius_m);
+  auto shape = parse_footprint(options.footprint);
+  if (!shape) return pass_on(shape);
+  return Footprint(std::move(*shape));
+}
+
 Outcome<Report> run_laser_drive(const DriveTask& task, double height_m, const LaserDriveOptions& options,
                                 std::uint64_t seed, Log& log, const RunWatch& watch) {
-  Footprint footprint = Footprint::disk(task.radius_m);
-  if (!options.footprint.empty()) {
-    auto shape = parse_footprint(options.footprint);
-    if (!shape) return pass_on(shape);
-    footprint = Footprint(std::move(*shape));
-  }
-  const NavigatorSetup setup = setup_of(task, height_m, options, footprint);
+  const auto footprint = footprint_of(options, task.radius_m);
+  if (!footprint) return tl::unexpected(footprint.error());
+  const NavigatorSetup setup = setup_of(task, height_m, options, *footprint);
   auto navigator = Navigator::make(setup, options.start_unknown ? std::nullopt : std::optional(task.start));
   if (!navigator) return pass_on(navigator);
   log_scene(log, run_info("drive", seed, task.world, setup.robot.radius_m), task.world, height_m);
   log_mount(log, "laser", options.laser.robot_T_laser, options.laser.height_m);
+  if (sees_tags(options)) log_tags(log, task);
+  log_zones(log, task.zones);
   log_markers(log);
-  LaserDrive drive(
-      task, options, std::move(*navigator),
-      simulated_explorer(task.world, task.start, setup.robot, devices_of(options, footprint), seed), log);
+  LaserDrive drive(task, options, std::move(*navigator),
+                   simulated_explorer(task.world, task.start, setup.robot, devices_of(options, *footprint),
+                                      seed, camera_of(task, options, seed)),
+                   ZoneJudge(task.zones, *footprint), log);
   const bool finished = drive.run(watch);
   Report report = drive.report();
   if (!finished) mark_cancelled(report, log, drive.time_s());

@@ -6,6 +6,7 @@
 
 #include "outrider/jobs/drive/job.hpp"
 #include "outrider/log/messages/motion_messages.hpp"
+#include "outrider/log/messages/scene_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/building.hpp"
 #include "support/random_cases.hpp"
@@ -208,6 +209,108 @@ TEST(LaserDriveOnMap, PassesPeople) {
     const Report report = driven(task, how, log, static_cast<std::uint64_t>(seed));
     EXPECT_EQ(report.status, "done") << report.reason;
     EXPECT_EQ(metric(report, "contacts"), 0.0);
+  }
+}
+
+// ---- Zones ---------------------------------------------------------------------------------------
+
+Zone zone(Vec2 low, Vec2 high, double slow_mps = 0.0) {
+  return {.kind = slow_mps > 0.0 ? Zone::Kind::slow : Zone::Kind::keep_out,
+          .speed_mps = slow_mps,
+          .rings = {{low, {high.x, low.y}, high, {low.x, high.y}}},
+          .where = "zones.areas"};
+}
+
+TEST(LaserDriveInZones, KeepsOutAndIsSlowOnAMapAndOnNone) {
+  for (const bool on_map : {true, false}) {
+    DriveTask task = office_drive(office, first_room, last_room);
+    if (!on_map) task.known.reset();
+    // The direct way to the last room leads through its upper door; its other door is free.
+    task.zones = {zone({14.0, 3.0}, {16.5, 3.9}), zone({6.0, 0.0}, {9.0, 10.0}, 0.25)};
+    LaserDriveOptions how = near_sighted();
+    how.live_map.reach_m = on_map ? 4.0 : 12.0;
+    for (int seed = 1; seed <= testing::cases(2); ++seed) {
+      Log log;
+      const Report report = driven(task, how, log, static_cast<std::uint64_t>(seed));
+      EXPECT_EQ(report.status, "done") << on_map << report.reason;
+      EXPECT_EQ(metric(report, "kept_out"), 0.0);
+      EXPECT_EQ(metric(report, "over_slow_s"), 0.0);
+      EXPECT_GT(metric(report, "time_s"), 3.0 / 0.25);
+      EXPECT_NE(log.latest<outrider_msgs::Outlines>(topic::keep_out), nullptr);
+      EXPECT_NE(log.latest<outrider_msgs::Outlines>(topic::slow_zones), nullptr);
+    }
+  }
+}
+
+TEST(LaserDriveInZones, WhoTrulyEntersOneIsNotDone) {
+  // Its odometry, which it believes, counts so wrong that it enters the zone between the waypoints.
+  DriveTask task = hall();
+  task.zones = {zone({0.0, -0.9}, {4.0, -0.4}), zone({0.0, -0.9}, {4.0, -0.4}, 0.1)};
+  task.world.solids.pop_back();
+  task.waypoints = {{{{4.5, 0}, 0.0}}};
+  LaserDriveOptions how = options();
+  how.navigator.localiser = "odometry";
+  how.wheels.scale_error = 0.2;
+  how.wheels.noise_m = 0.0;
+  int entered = 0;
+  for (int seed = 1; seed <= testing::cases(6); ++seed) {
+    Log log;
+    const Report report = driven(task, how, log, static_cast<std::uint64_t>(seed));
+    if (metric(report, "kept_out") == 0.0) continue;
+    ++entered;
+    EXPECT_EQ(report.status, "not_done");
+    EXPECT_NE(report.reason.find("entered a keep-out zone"), std::string::npos) << report.reason;
+  }
+  EXPECT_GT(entered, 0);
+}
+
+TEST(LaserDriveInZones, WhatMakesNoSenseIsRefusedByKey) {
+  const auto where = [](const auto& change) {
+    DriveJob job;
+    job.scenario.loop = "laser";
+    job.scenario.bounds = "-5,-5,5,5";
+    job.scenario.goal = "2,0,0";
+    change(job.scenario);
+    const auto loaded = job.load();
+    return loaded ? std::string("loaded") : loaded.error().where;
+  };
+  EXPECT_EQ(where([](DriveScenario& s) { s.zones.areas = "keep_out 1,1 2,1 2,2"; }), "loaded");
+  EXPECT_EQ(where([](DriveScenario& s) { s.zones.areas = "keep_out 1,1 2,2 2,1 1,2"; }), "zones.areas");
+  EXPECT_EQ(where([](DriveScenario& s) { s.zones.areas = "keep_out 1,-1 3,-1 3,1 1,1"; }), "waypoints");
+  EXPECT_EQ(where([](DriveScenario& s) { s.zones.areas = "keep_out 0.1,-1 1,-1 1,1 0.1,1"; }), "start");
+  EXPECT_EQ(where([](DriveScenario& s) { s.zones.areas = "slow 0.2 1,-1 3,-1 3,1 1,1"; }), "loaded");
+  EXPECT_EQ(where([](DriveScenario& s) { s.zones.file = "missing.geojson"; }), "missing.geojson");
+  EXPECT_EQ(where([](DriveScenario& s) {
+              s.zones.areas = "keep_out 1,1 2,1 2,2";
+              s.loop = "closed";
+              s.goal.clear();
+              s.waypoints = "2,0,0";
+            }),
+            "zones");
+  EXPECT_EQ(where([](DriveScenario& s) { s.laser.navigator.localiser = "tags"; }), "navigator.localiser");
+}
+
+// ---- By tags -------------------------------------------------------------------------------------
+
+TEST(LaserDriveByTags, GoesAroundWhatStandsThereAndIsLocalisedByTags) {
+  DriveTask task = hall();
+  task.waypoints = {{{{5.5, 1.5}, 1.5}}, {{{-1.0, 0.0}, 3.0}}};
+  task.tags.tags = {
+      upright_tag(1, {6.85, 0.5, 0.25}, pi),        upright_tag(2, {5.0, 2.85, 0.25}, -0.5 * pi),
+      upright_tag(3, {-2.85, 0.0, 0.25}, 0.0),      upright_tag(4, {0.0, 2.85, 0.25}, -0.5 * pi),
+      upright_tag(5, {5.0, -2.85, 0.25}, 0.5 * pi), upright_tag(6, {0.0, -2.85, 0.25}, 0.5 * pi)};
+  LaserDriveOptions how = options();
+  how.rendered = false;
+  how.wheels.scale_error = 0.05;
+  for (int seed = 1; seed <= testing::cases(2); ++seed) {
+    Log log, believed;
+    how.navigator.localiser = "tags";
+    const Report report = driven(task, how, log, static_cast<std::uint64_t>(seed));
+    EXPECT_EQ(report.status, "done") << report.reason;
+    EXPECT_EQ(metric(report, "contacts"), 0.0);
+    how.navigator.localiser = "odometry";
+    const Report without = driven(task, how, believed, static_cast<std::uint64_t>(seed));
+    EXPECT_LT(metric(report, "belief_error_m"), 0.5 * metric(without, "belief_error_m"));
   }
 }
 
