@@ -8,11 +8,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "goal_drive.hpp"
 #include "outrider/core/parallel.hpp"
 #include "outrider/core/rng.hpp"
 #include "outrider/io/files/files.hpp"
-#include "outrider/navigate/navigator.hpp"
-#include "outrider/sim/simulated_robot.hpp"
 #include "rows.hpp"
 
 namespace outrider::bench {
@@ -21,7 +20,6 @@ namespace {
 constexpr double limit_s = 100.0;  // of a run
 constexpr double reached_m = 1.0;  // of the goal, by its true place
 constexpr double aimed_m = 0.6;    // of the goal, by its belief
-constexpr double set_off_m = 0.1;  // after which the time counts
 constexpr double ideal_mps = 2.0;  // of the score
 constexpr double post_m = 1.0;     // height of a cylinder
 
@@ -105,54 +103,16 @@ Outcome<std::vector<BarnWorld>> read_worlds(const std::string& path, const std::
   return worlds;
 }
 
-/// Returns the Clearpath Jackal of the challenge.
-NavigatorSetup jackal(const std::string& rule) {
-  NavigatorSetup setup;
-  setup.robot.speed_mps = 2.0;
-  setup.robot.acceleration_mps2 = 5.0;
-  setup.robot.turn_rate_radps = 1.57;
-  setup.robot.turn_acceleration_radps2 = 10.0;
-  setup.robot.height_m = 0.25;
-  setup.footprint = Footprint({{{-0.21, -0.165}, {0.21, -0.165}, {0.21, 0.165}, {-0.21, 0.165}}, 0.0});
-  setup.robot.radius_m = setup.footprint.outer_m();
-  setup.robot_T_laser = {{-0.065, 0.0}, 0.0};
-  setup.motion.rule = rule;
-  return setup;
-}
-
-ExplorerSimParams devices(const NavigatorSetup& setup) {
-  ExplorerSimParams params;
-  params.laser = {.beams = 960,
-                  .view_rad = radians(270.0),
-                  .rate_hz = 40.0,
-                  .least_m = 0.1,
-                  .most_m = 10.0,
-                  .noise_m = 0.01,
-                  .height_m = 0.2,
-                  .robot_T_laser = setup.robot_T_laser};
-  params.wheels = {.track_m = 0.37, .climbs_m = 0.05, .scale_error = 0.02, .noise_m = 0.002};
-  params.faults.slip = 0.01;
-  params.footprint = setup.footprint;
-  return params;
-}
-
 BarnRun drive(const BarnWorld& world, const std::string& rule, std::uint64_t seed) {
   const NavigatorSetup setup = jackal(rule);
-  SimulatedRobot robot = simulated_explorer(world.world, world.start, setup.robot, devices(setup),
-                                            Rng(seed).child(static_cast<std::uint64_t>(world.number)).bits());
-  auto navigator = Navigator::make(setup, world.start);
-  BarnRun run;
-  std::optional<double> set_off_s;
-  while (robot.time_s() < limit_s && !run.done && !run.touched) {
-    const Situation now = navigator->perceive(robot.sense());
-    if (now.progress.state == Progress::State::blocked || now.progress.state == Progress::State::lost) break;
-    robot.act(navigator->act(GoTo{world.goal, aimed_m}));
-    const auto& body = robot.body<TwistBody>();
-    if (!set_off_s && body.driven_m() > set_off_m) set_off_s = robot.time_s();
-    run.touched = body.contacts() > 0;
-    run.done = !run.touched && distance(body.pose().position, world.goal) < reached_m;
-  }
-  run.time_s = robot.time_s() - set_off_s.value_or(0.0);
+  const ExplorerSimParams devices = jackal_devices(setup);
+  GoalDrive drive{world.world, world.start, world.goal, setup, devices};
+  drive.aimed_m = aimed_m;
+  drive.reached_m = reached_m;
+  drive.limit_s = limit_s;
+  drive.ends_when_near = true;
+  const GoalRun driven = run(drive, Rng(seed).child(static_cast<std::uint64_t>(world.number)).bits());
+  BarnRun run{driven.done, driven.touched, driven.time_s};
   const double ideal_s = world.path_m / ideal_mps;
   if (run.done) run.score = ideal_s / std::clamp(run.time_s, 2.0 * ideal_s, 8.0 * ideal_s);
   return run;
@@ -176,10 +136,7 @@ BarnRow row_of(const std::string& rule, const std::vector<BarnRun>& runs) {
 Outcome<BenchResult> measure_barn(const BarnRequest& request, const BenchObserver& observer) {
   auto worlds = read_worlds(request.data + "/static_even.json.gz", request.worlds);
   if (!worlds) return pass_on(worlds);
-  for (const std::string& rule : request.rules) {
-    if (const auto row = find_row(local_motions(), "rule of motion", rule, "--rules"); !row)
-      return pass_on(row);
-  }
+  if (auto ok = check_rules(request.rules); !ok) return pass_on(ok);
   begin_steps(observer, request.rules.size());
   std::vector<BarnRow> rows;
   const auto seeds = static_cast<std::size_t>(request.seeds);

@@ -210,36 +210,6 @@ Grid<std::uint8_t> strewn(Rng rng) {
   return plan.solid;
 }
 
-/// The cells reached from one over free cells, by their indices.
-std::vector<std::size_t> part_of(const Grid<std::uint8_t>& blocked, std::size_t from,
-                                 Grid<std::uint8_t>& met) {
-  std::vector<std::size_t> part{from};
-  met.cells[from] = 1;
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    const Cell at = blocked.frame.cell(part[i]);
-    for (const Cell step : four_steps) {
-      const Cell next{at.x + step.x, at.y + step.y};
-      if (blocked.contains(next) && blocked[next] == 0 && std::exchange(met[next], std::uint8_t{1}) == 0)
-        part.push_back(blocked.frame.index(next));
-    }
-  }
-  return part;
-}
-
-/// The largest part in which the disk gets around.
-std::vector<std::size_t> largest_part(const Grid<std::uint8_t>& solid, double clearance_m) {
-  const auto blocked = inflated(solid, clearance_m);
-  std::vector<std::size_t> largest;
-  if (!blocked) return largest;
-  Grid<std::uint8_t> met(solid.frame, 0);
-  for (std::size_t i = 0; i < solid.cells.size(); ++i) {
-    if (blocked->cells[i] != 0 || met.cells[i] != 0) continue;
-    std::vector<std::size_t> part = part_of(*blocked, i, met);
-    if (part.size() > largest.size()) largest = std::move(part);
-  }
-  return largest;
-}
-
 /// A square of a published grid, magnified and closed.
 Grid<std::uint8_t> cut_out(const Grid<std::uint8_t>& blocked, int side, int magnified, Rng& rng) {
   const int wide = std::min(side, blocked.frame.width), high = std::min(side, blocked.frame.height);
@@ -294,6 +264,34 @@ Outcome<std::vector<ExploreMap>> published_explore_maps(const std::string& folde
     }
   }
   return maps;
+}
+
+std::vector<std::size_t> part_of(const Grid<std::uint8_t>& blocked, std::size_t from,
+                                 Grid<std::uint8_t>& met) {
+  std::vector<std::size_t> part{from};
+  met.cells[from] = 1;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const Cell at = blocked.frame.cell(part[i]);
+    for (const Cell step : four_steps) {
+      const Cell next{at.x + step.x, at.y + step.y};
+      if (blocked.contains(next) && blocked[next] == 0 && std::exchange(met[next], std::uint8_t{1}) == 0)
+        part.push_back(blocked.frame.index(next));
+    }
+  }
+  return part;
+}
+
+std::vector<std::size_t> largest_part(const Grid<std::uint8_t>& solid, double clearance_m) {
+  const auto blocked = inflated(solid, clearance_m);
+  std::vector<std::size_t> largest;
+  if (!blocked) return largest;
+  Grid<std::uint8_t> met(solid.frame, 0);
+  for (std::size_t i = 0; i < solid.cells.size(); ++i) {
+    if (blocked->cells[i] != 0 || met.cells[i] != 0) continue;
+    std::vector<std::size_t> part = part_of(*blocked, i, met);
+    if (part.size() > largest.size()) largest = std::move(part);
+  }
+  return largest;
 }
 
 Vec2 explore_start(const Grid<std::uint8_t>& solid, double clearance_m, std::uint64_t seed) {

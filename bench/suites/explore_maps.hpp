@@ -26,6 +26,13 @@ std::vector<ExploreMap> generated_explore_maps();
 /// Cut-outs of the grids that are found under the folder. Faults: those of find_grids().
 Outcome<std::vector<ExploreMap>> published_explore_maps(const std::string& folder);
 
+/// Returns the cells that are reached from one over free cells, by their indices, and sets them in `met`.
+std::vector<std::size_t> part_of(const Grid<std::uint8_t>& blocked, std::size_t from,
+                                 Grid<std::uint8_t>& met);
+
+/// Returns the cells of the largest part in which a disk of that radius gets around; empty if there is none.
+std::vector<std::size_t> largest_part(const Grid<std::uint8_t>& solid, double clearance_m);
+
 /// A place where a robot of that radius stands well, drawn from the seed; from it most of the map is reached.
 Vec2 explore_start(const Grid<std::uint8_t>& solid, double clearance_m, std::uint64_t seed);
 

@@ -116,4 +116,29 @@ struct BarnRequest {
 };
 Outcome<BenchResult> measure_barn(const BarnRequest& request, const BenchObserver& observer);
 
+/// Requests a benchmark of rules of motion among things and people that move (hall_worlds.hpp).
+struct HallsRequest {
+  std::vector<std::string> walkers = {"posts", "social", "inattentive"};
+  std::vector<std::string> worlds;  ///< numbers; empty: all
+  std::vector<std::string> rules = {"sampled", "dwa"};
+  std::int64_t seeds = 1;  ///< runs of each rule in each world, seeds from 1
+};
+Outcome<BenchResult> measure_halls(const HallsRequest& request, const BenchObserver& observer);
+
+/// Requests a benchmark of drives on known maps, with things, closed doors and people that the maps lack.
+struct MapsRequest {
+  std::vector<std::string> files = {"scenarios/explore/office_map.yaml", "scenarios/explore/cave_map.yaml"};
+  std::string data;               ///< folder with more maps; empty: none
+  std::vector<std::string> maps;  ///< names; empty: all
+  std::int64_t goals = 50;        ///< drives on each map
+};
+Outcome<BenchResult> measure_maps(const MapsRequest& request, const BenchObserver& observer);
+
+/// Requests a benchmark of the time that a step of the navigator takes, against beams, marks and things that
+/// move.
+struct NavigateRequest {
+  std::int64_t steps = 400;  ///< steps of each case
+};
+Outcome<BenchResult> measure_navigate(const NavigateRequest& request, const BenchObserver& observer);
+
 }  // namespace outrider::bench

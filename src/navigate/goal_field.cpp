@@ -94,7 +94,8 @@ void GoalField::reach(std::size_t cell, Units time) {
 void GoalField::seed(const GoalQuery& query) {
   const Cell goal = frame_.cell_at(query.goal);
   if (frame_.contains(goal)) {
-    const int near = static_cast<int>(query.within_m / frame_.resolution_m);
+    const int most = std::max(frame_.width, frame_.height);
+    const int near = static_cast<int>(std::min(query.within_m / frame_.resolution_m, 1.0 * most));
     for (int y = -near; y <= near; ++y) {
       for (int x = -near; x <= near; ++x) {
         const Cell cell{goal.x + x, goal.y + y};

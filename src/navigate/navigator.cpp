@@ -30,6 +30,19 @@ constexpr double longer_part = 1.15, longer_s = 1.5;  // than on the known map, 
 constexpr double moving_trail_s = 0.4, moving_rim_m = 0.1;  // around what moves, where marks are of it
 constexpr double look_within_m = 0.3;                       // of a place to look from
 constexpr double look_turn_rad = 2.0;                       // where there is none
+constexpr double most_time_s = 1e12, most_place_m = 1e6;    // of what makes sense
+constexpr double faster_part = 1.2;                         // of its limits, than which no robot is
+constexpr double least_step_rad = 1e-6;                     // from beam to beam
+
+bool makes_sense(const Pose2& pose) {
+  return std::abs(pose.position.x) <= most_place_m && std::abs(pose.position.y) <= most_place_m &&
+         std::abs(pose.heading_rad) <= most_place_m;
+}
+
+bool makes_sense(const GoTo& order) {
+  return makes_sense(Pose2{order.place, order.heading_rad.value_or(0.0)}) && order.within_m >= 0.0 &&
+         order.within_m <= most_place_m && order.within_rad >= 0.0;
+}
 
 std::vector<std::string> names_of_localisers() {
   auto names = names_of(robot_localisers());
@@ -87,22 +100,39 @@ Navigator::Navigator(NavigatorSetup setup, std::unique_ptr<RobotLocaliser> local
 
 /// Notes the odometry, and how fast the robot goes: as commanded, corrected by what was measured.
 void Navigator::note_odometry(const Observation& seen) {
-  Pose2 odometry = finite(seen.odometry) || track_.empty() ? seen.odometry : track_.back().odometry;
+  const TimedOdometry last = track_.empty() ? TimedOdometry{} : track_.back();
+  Pose2 odometry = makes_sense(seen.odometry) ? seen.odometry : last.odometry;
+  double time_s = std::abs(seen.time_s) <= most_time_s ? seen.time_s + clock_s_ : last.time_s;
   if (!track_.empty()) {
     // A heading that was wrapped is no whole turn.
-    const double before_rad = track_.back().odometry.heading_rad;
-    odometry.heading_rad = before_rad + wrap_angle(odometry.heading_rad - before_rad);
-    const double passed_s = seen.time_s - track_.back().time_s;
+    odometry.heading_rad =
+        last.odometry.heading_rad + wrap_angle(odometry.heading_rad - last.odometry.heading_rad);
+    if (time_s < last.time_s - remembered_s) {  // the clock was put back
+      clock_s_ += last.time_s + setup_.options.period_s - time_s;
+      time_s = last.time_s + setup_.options.period_s;
+    }
+    const double passed_s = time_s - last.time_s;
     if (passed_s <= 0.0) return;
     const Twist2 then = twist_after(twist_, commanded_, setup_.robot, passed_s);
     const Twist2 expected = 0.5 * (twist_ + then);
-    const Twist2 measured = twist_between(track_.back().odometry, odometry, passed_s);
-    twist_ = then + measured_part * (measured + -1.0 * expected);
-    twist_.left_mps = 0.0;
+    const Twist2 measured = twist_between(last.odometry, odometry, passed_s);
+    const Twist2 believed = then + measured_part * (measured + -1.0 * expected);
+    const double most_mps = faster_part * setup_.robot.speed_mps;
+    const double most_radps = faster_part * setup_.robot.turn_rate_radps;
+    twist_ = {std::clamp(believed.ahead_mps, -most_mps, most_mps), 0.0,
+              std::clamp(believed.turn_radps, -most_radps, most_radps)};
   }
-  track_.push_back({seen.time_s, odometry});
-  while (track_.size() > 2 && track_.front().time_s < seen.time_s - remembered_s) track_.pop_front();
-  time_s_ = seen.time_s;
+  track_.push_back({time_s, odometry});
+  while (track_.size() > 2 && track_.front().time_s < time_s - remembered_s) track_.pop_front();
+  time_s_ = time_s;
+}
+
+/// Returns the scan in the time of the navigator; nothing if it cannot be used or is too old to be placed.
+std::optional<LaserScan> Navigator::usable(const std::optional<LaserScan>& seen) const {
+  if (!seen || !check(*seen) || std::abs(seen->step_rad) < least_step_rad) return std::nullopt;
+  LaserScan scan = *seen;
+  scan.time_s += clock_s_;
+  return std::abs(scan.time_s - time_s_) <= remembered_s ? std::optional(std::move(scan)) : std::nullopt;
 }
 
 /// Returns the odometry at a time not long ago.
@@ -118,14 +148,18 @@ Pose2 Navigator::odometry_at(double time_s) const {
 
 Situation Navigator::perceive(const Observation& seen) {
   note_odometry(seen);
-  if (seen.image) see(*seen.image);
-  if (seen.scan && check(*seen.scan)) take(*seen.scan);
+  if (seen.image) {
+    TagImage image = *seen.image;
+    image.taken_s += clock_s_;
+    see(image);
+  }
+  if (const auto scan = usable(seen.scan)) take(*scan);
   const Pose2 here = pose();
   map_.follow(here.position);
   if (seen.touching) {
     const double bearing_rad = seen.touch_rad.value_or(twist_.ahead_mps < 0.0 ? pi : 0.0);
     const double away_m = setup_.footprint.outer_m() + touch_ahead_m;
-    map_.note_touch(here * (away_m * direction(bearing_rad)), seen.time_s);
+    map_.note_touch(here * (away_m * direction(bearing_rad)), time_s_);
   } else {
     map_.keep_open(here.position, 0.8 * setup_.footprint.inner_m());
   }
@@ -134,7 +168,7 @@ Situation Navigator::perceive(const Observation& seen) {
   note_lost();
   if (order_) judge(*order_);
   const bool looks = !localiser_->is_located() && progress_.state != Progress::State::lost;
-  return {time_s_, here, localiser_->covariance(), twist_, looks ? Progress{} : progress()};
+  return {time_s_ - clock_s_, here, localiser_->covariance(), twist_, looks ? Progress{} : progress()};
 }
 
 /// Notes what moves now. What is marked of it does not stand.
@@ -180,7 +214,7 @@ MotionState Navigator::state_of(const GoTo& order, const Surroundings& near) con
 }
 
 Command Navigator::act(const Order& order) {
-  const double until_s = time_s_ + setup_.options.period_s;
+  const double until_s = time_s_ - clock_s_ + setup_.options.period_s;
   commanded_ = {};
   const auto* const go = std::get_if<GoTo>(&order);
   const auto* const track = std::get_if<Follow>(&order);
@@ -197,6 +231,11 @@ Command Navigator::act(const Order& order) {
 
 /// Returns the next twist on the way to a place.
 Twist2 Navigator::go(const GoTo& order) {
+  if (!makes_sense(order)) {
+    order_.reset();
+    progress_ = {Progress::State::blocked, {}, "the order is no place to go to"};
+    return {};
+  }
   if (!order_ || *order_ != order) begin(order);
   if (progress_.state != Progress::State::underway || is_blind()) return {};
   follow_zones();

@@ -212,6 +212,46 @@ void add_barn_suite(Command& bench) {
   barn.footer("\nExample: outrider bench barn --data DIR --worlds 0,60 --seeds 1");
 }
 
+void add_halls_suite(Command& bench) {
+  Command& halls = bench.add("halls", "driving among posts and people that move, in worlds drawn at random");
+  auto asked = std::make_shared<Asked<bench::HallsRequest>>();
+  bench::HallsRequest& request = asked->request;
+  add_names(halls, "--walkers", request.walkers, "who moves [posts,social,inattentive]");
+  add_names(halls, "--worlds", request.worlds,
+            "numbers of worlds, such as 1,20; all unless given, 60 of posts and 20 halls");
+  add_names(halls, "--rules", request.rules, "rules of motion [sampled,dwa]");
+  add_seeds(halls, request.seeds, "runs of each rule in each world, with seeds from 1 on [1]");
+  finish(halls, "bench halls", bench::measure_halls, asked);
+  halls.footer("\nExample: outrider bench halls --walkers social --worlds 1,10");
+}
+
+void add_maps_suite(Command& bench) {
+  Command& maps = bench.add("maps", "driving on known maps, around what they lack: are all claims true?");
+  auto asked = std::make_shared<Asked<bench::MapsRequest>>();
+  bench::MapsRequest& request = asked->request;
+  maps.option("--files", &request.files, "map files [scenarios/explore/office_map.yaml,.../cave_map.yaml]")
+      .separated_by(',')
+      .type("FILE,...");
+  maps.option("--data", &request.data,
+              "folder with more maps (.yaml, and .map with .scen), searched to its depths")
+      .type("DIR");
+  add_names(maps, "--maps", request.maps, "names of maps; all unless given");
+  maps.option("--goals", &request.goals, "drives on each map [50]").between(1, 10'000).type("N");
+  finish(maps, "bench maps", bench::measure_maps, asked);
+  maps.footer("\nExample: outrider bench maps --goals 5");
+}
+
+void add_navigate_suite(Command& bench) {
+  Command& navigate =
+      bench.add("navigate", "time of a step of the navigator, and robots that a core carries");
+  auto asked = std::make_shared<Asked<bench::NavigateRequest>>();
+  navigate.option("--steps", &asked->request.steps, "steps of each case [400]")
+      .between(20, 100'000)
+      .type("N");
+  finish(navigate, "bench navigate", bench::measure_navigate, asked);
+  navigate.footer("\nExample: outrider bench navigate --steps 100");
+}
+
 }  // namespace
 
 void add_bench(Command& tool) {
@@ -225,6 +265,9 @@ void add_bench(Command& tool) {
   add_drive_suite(bench);
   add_cover_suite(bench);
   add_barn_suite(bench);
+  add_halls_suite(bench);
+  add_maps_suite(bench);
+  add_navigate_suite(bench);
 }
 
 }  // namespace outrider::cli

@@ -130,6 +130,7 @@ class Navigator {
   void note_odometry(const Observation& seen);
   [[nodiscard]] Pose2 odometry_at(double time_s) const;
   [[nodiscard]] Pose2 pose() const { return compose(localiser_->world_T_odometry(), track_.back().odometry); }
+  [[nodiscard]] std::optional<LaserScan> usable(const std::optional<LaserScan>& seen) const;
   void take(const LaserScan& scan);
   void see(const TagImage& image);
   void note_localised(const Pose2& before, bool was_located, bool corrected);
@@ -187,6 +188,7 @@ class Navigator {
   std::optional<MapField> far_;  // on the known map
   Twist2 commanded_;
 
+  double clock_s_ = 0.0;  // added to the times of the robot, whose clock may be put back
   double time_s_ = 0.0;
   std::optional<double> scan_s_;
   double image_s_ = -1.0;            // of the last image that was used

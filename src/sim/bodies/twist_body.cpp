@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "outrider/log/log.hpp"
 #include "outrider/motion/limited_twist.hpp"
@@ -76,9 +77,9 @@ void TwistBody::pass(double duration_s) {
   const bool open =
       footprint_ ? room_m(next) >= 0.0 || room_m(next) > room_m(pose_) : free({here, next.position});
   if (!open) {
-    const bool walked_into = footprint_ ? room_m(next) >= room_m(pose_) : next.position == here;
-    if (!walked_into) stop_at_contact(next);
-    if (!touching_) ++(walked_into ? walked_into_ : contacts_);
+    const bool comes_nearer = footprint_ ? room_m(next) < room_m(pose_) : next.position != here;
+    if (!touching_) ++(!comes_nearer || is_walked_into(next) ? walked_into_ : contacts_);
+    if (comes_nearer) stop_at_contact(next);
     touching_ = touched_ = true;
     touch_rad_ = wrap_angle(towards_nearest(next.position) - next.heading_rad);
   } else if (touching_) {
@@ -87,6 +88,14 @@ void TwistBody::pass(double duration_s) {
   driven_m_ += distance(here, next.position);
   turned_rad_ += std::abs(next.heading_rad - pose_.heading_rad);
   pose_ = next;
+  moving_room_m_ = moving_room_m(pose_);
+}
+
+/// Returns true if the robot is commanded to stand, and touches what comes to it faster than it goes there.
+bool TwistBody::is_walked_into(const Pose2& next) const {
+  if (wanted_.ahead_mps != 0.0 || wanted_.turn_radps != 0.0) return false;
+  const double now_m = moving_room_m(pose_), then_m = moving_room_m(next);
+  return then_m <= room_m(next) && moving_room_m_ - now_m > now_m - then_m;
 }
 
 /// The robot would touch something on the way to a pose: a disk turns and stops where it touches, a footprint
@@ -116,8 +125,14 @@ bool TwistBody::free(Segment way) const {
 /// Returns the gap between the robot at a pose and what is nearest.
 double TwistBody::room_m(const Pose2& pose) const {
   const Vec2 centre = pose.position;
-  if (!footprint_) return std::min(ground_.gap_m(centre), walk_ins_.gap_m({centre, centre}, robot_.radius_m));
-  double least_m = ground_.gap_m(*footprint_, pose);
+  const double ground_m = footprint_ ? ground_.gap_m(*footprint_, pose) : ground_.gap_m(centre);
+  return std::min(ground_m, moving_room_m(pose));
+}
+
+/// The same to the people and posts that no map has.
+double TwistBody::moving_room_m(const Pose2& pose) const {
+  if (!footprint_) return walk_ins_.gap_m({pose.position, pose.position}, robot_.radius_m);
+  double least_m = std::numeric_limits<double>::infinity();
   for (const RoundedPolygon& disk : walk_ins_.disks())
     least_m = std::min(least_m, footprint_->gap_m(pose, disk));
   return least_m;

@@ -152,6 +152,34 @@ TEST(Navigator, TakesAWrappedHeadingForNoWholeTurn) {
   }
 }
 
+TEST(Navigator, GoesOnWhenTheClockIsPutBack) {
+  auto navigator = Navigator::make(small_robot(), Pose2{});
+  Observation seen;
+  for (int i = 0; i < 60; ++i) {
+    seen.time_s = (i < 30 ? 1000.0 : 0.0) + 0.05 * i;
+    seen.scan = LaserScan{seen.time_s, 0.0, 0.1, 0.1, 5.0, std::vector<float>(63, 3.0F)};
+    EXPECT_NEAR(navigator->perceive(seen).time_s, seen.time_s, 1e-9);
+    const auto command = std::get<DriveTwist>(navigator->act(GoTo{{2.0, 0.0}}));
+    EXPECT_NEAR(command.until_s, seen.time_s + 0.05, 1e-9);
+    EXPECT_GE(command.twist.ahead_mps, i > 0 ? 1e-3 : 0.0) << i;
+  }
+}
+
+TEST(Navigator, SaysThatAnOrderIsNoPlace) {
+  auto navigator = Navigator::make(small_robot(), Pose2{});
+  Observation seen;
+  seen.scan = LaserScan{0.0, 0.0, 0.1, 0.1, 5.0, std::vector<float>(63, 3.0F)};
+  navigator->perceive(seen);
+  for (const GoTo& order : {GoTo{{std::nan(""), 0.0}}, GoTo{{1e9, 0.0}}, GoTo{{1.0, 0.0}, -1.0}}) {
+    EXPECT_EQ(std::get<DriveTwist>(navigator->act(order)).twist, Twist2{});
+    const Situation now = navigator->perceive(seen);
+    EXPECT_EQ(now.progress.state, Progress::State::blocked);
+    EXPECT_NE(now.progress.why.find("no place"), std::string::npos) << now.progress.why;
+    navigator->act(GoTo{{2.0, 0.0}});
+    EXPECT_EQ(navigator->perceive(seen).progress.state, Progress::State::underway);
+  }
+}
+
 TEST(Navigator, RefusesUnknownRows) {
   NavigatorSetup setup = small_robot();
   setup.motion.rule = "sample";

@@ -254,12 +254,18 @@ TEST(SimulatedExplorer, APostAtAPlaceWaitsUntilTheRobotIsOffIt) {
   EXPECT_EQ(it.body<TwistBody>().contacts(), 0);
 }
 
-TEST(SimulatedExplorer, PeopleKeepOffWallsAndTheRobot) {
+/// A room of 6 m by 6 m.
+World square_room() {
   World room = walls({{{-3.0, -3.0}, {3.0, -3.0}},
                       {{3.0, -3.0}, {3.0, 3.0}},
                       {{3.0, 3.0}, {-3.0, 3.0}},
                       {{-3.0, 3.0}, {-3.0, -3.0}}});
   room.bounds = {{-3.0, -3.0}, {3.0, 3.0}};
+  return room;
+}
+
+TEST(SimulatedExplorer, PeopleKeepOffWallsAndTheRobot) {
+  const World room = square_room();
   ExplorerSimParams params = faultless();
   params.faults.walk_ins.people = 4;
   SimulatedRobot it = simulated_explorer(room, {}, burger(), params, 1);
@@ -279,6 +285,70 @@ TEST(SimulatedExplorer, PeopleKeepOffWallsAndTheRobot) {
   }
   EXPECT_GT(way_m, 20.0);
   EXPECT_EQ(it.body<TwistBody>().contacts(), 0);
+}
+
+TEST(SimulatedExplorer, SocialPeopleKeepApart) {
+  ExplorerSimParams params = faultless();
+  params.faults.walk_ins.people = 8;
+  params.faults.walk_ins.people_social = true;
+  SimulatedRobot it = simulated_explorer(square_room(), {}, burger(), params, 1);
+  const auto& disks = it.body<TwistBody>().walk_ins().disks();
+  double way_m = 0.0;
+  int close = 0;
+  constexpr int steps = 600;
+  drive(it, {}, 0.1);
+  ASSERT_EQ(disks.size(), 8u);
+  for (int step = 0; step < steps; ++step) {
+    const Vec2 before = disks.front().core.front();
+    drive(it, {}, 0.1);
+    way_m += distance(before, disks.front().core.front());
+    for (const RoundedPolygon& disk : disks) {
+      const Vec2 at = disk.core.front();
+      EXPECT_LE(std::max(std::abs(at.x), std::abs(at.y)), 3.0 - disk.radius_m + 1e-9);
+      EXPECT_GE(distance(at, it.pose().position), burger().radius_m + disk.radius_m + 0.3 - 1e-9);
+      close += &disk != &disks.front() && distance(at, disks.front().core.front()) < 2.0 * disk.radius_m;
+    }
+  }
+  EXPECT_GT(way_m, 20.0);
+  EXPECT_LT(close, steps / 20) << "they push each other at times";
+}
+
+TEST(SimulatedExplorer, PostsGoAlongTheirPathsThereAndBack) {
+  ExplorerSimParams params = faultless();
+  params.laser.noise_m = 0.0;
+  params.laser.most_m = 8.0;
+  params.faults.walk_ins.posts = {{{{1.0, -2.0}, {1.0, 0.0}, {3.0, 0.0}}, 0.5, 0.4, 1.0}};
+  SimulatedRobot it = simulated_explorer(square_room(), {{-2.0, 0.0}, 0.0}, burger(), params, 1);
+  const auto& disks = it.body<TwistBody>().walk_ins().disks();
+  drive(it, {}, 4.0);
+  EXPECT_LT(distance(disks.front().core.front(), Vec2{2.0, 0.0}), 0.01);
+  EXPECT_EQ(disks.front().radius_m, 0.4);
+  const Observation seen = it.sense();
+  EXPECT_NEAR(static_cast<double>(seen.scan->ranges_m.front()), 3.6, 0.02);
+  drive(it, {}, 6.0);
+  EXPECT_LT(distance(disks.front().core.front(), Vec2{1.0, 0.0}), 0.01);
+}
+
+/// Drives a robot with a footprint towards a post that comes at 1 m/s, and commands it to stand from a time
+/// on. Returns the contacts, and how often it was walked into.
+std::pair<std::int64_t, std::int64_t> meet_post(double speed_mps, double stands_from_s) {
+  RobotModel robot = burger();
+  robot.speed_mps = 2.0;
+  robot.acceleration_mps2 = 2.0;
+  ExplorerSimParams params = faultless();
+  params.footprint = Footprint::disk(robot.radius_m);
+  params.faults.walk_ins.posts = {{{{2.0, 0.0}, {-2.5, 0.0}}, 1.0, 0.2, 0.0}};
+  SimulatedRobot it = simulated_explorer(square_room(), {{-1.0, 0.0}, 0.0}, robot, params, 1);
+  drive(it, {speed_mps, 0.0, 0.0}, stands_from_s);
+  drive(it, {}, 3.0 - stands_from_s);
+  return {it.body<TwistBody>().contacts(), it.body<TwistBody>().walked_into()};
+}
+
+TEST(SimulatedExplorer, WhoBrakesIsWalkedIntoByWhatComesFaster) {
+  EXPECT_EQ(meet_post(0.5, 3.0), std::pair(std::int64_t{1}, std::int64_t{0})) << "it drove";
+  EXPECT_EQ(meet_post(0.0, 0.0), std::pair(std::int64_t{0}, std::int64_t{1})) << "it stood";
+  EXPECT_EQ(meet_post(0.5, 1.75), std::pair(std::int64_t{0}, std::int64_t{1})) << "it braked";
+  EXPECT_EQ(meet_post(2.0, 1.1), std::pair(std::int64_t{1}, std::int64_t{0})) << "it braked too late";
 }
 
 TEST(SimulatedExplorer, ItsClockJumps) {

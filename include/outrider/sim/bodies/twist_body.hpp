@@ -44,7 +44,8 @@ class TwistBody {
   /// Returns start_T_robot as the wheels measure it, or as it is.
   [[nodiscard]] Pose2 odometry() const { return wheels_.exact ? relative_pose(start_, pose_) : odometry_; }
   [[nodiscard]] std::int64_t contacts() const { return contacts_; }
-  /// Returns how often somebody walked into the robot, whose motion did not bring it nearer to them.
+  /// Returns how often somebody walked into the robot, whose motion did not bring it nearer to them, or which
+  /// was commanded to stand and came nearer more slowly than they did.
   [[nodiscard]] std::int64_t walked_into() const { return walked_into_; }
   [[nodiscard]] double driven_m() const { return driven_m_; }
   [[nodiscard]] double turned_rad() const { return turned_rad_; }
@@ -55,7 +56,9 @@ class TwistBody {
   void pass(double duration_s);
   [[nodiscard]] bool free(Segment way) const;
   [[nodiscard]] double room_m(const Pose2& pose) const;
+  [[nodiscard]] double moving_room_m(const Pose2& pose) const;
   void stop_at_contact(Pose2& next);
+  [[nodiscard]] bool is_walked_into(const Pose2& next) const;
   [[nodiscard]] double towards_nearest(Vec2 centre) const;
   [[nodiscard]] Twist2 rolled() const;
   void count_wheels(const Twist2& rolled, double duration_s);
@@ -76,8 +79,9 @@ class TwistBody {
   Twist2 wanted_;
   Twist2 twist_;
   Pose2 odometry_;
-  bool touching_ = false;  // now
-  bool touched_ = false;   // since the last take_touch()
+  double moving_room_m_ = 0.0;  // when the last step ended
+  bool touching_ = false;       // now
+  bool touched_ = false;        // since the last take_touch()
   std::optional<double> touch_rad_;
   std::int64_t contacts_ = 0;
   std::int64_t walked_into_ = 0;
