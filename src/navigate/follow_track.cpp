@@ -11,6 +11,7 @@ constexpr double beyond_m = 0.3;  // that is looked at ahead of where the robot 
 constexpr double moved_m = 0.01, moved_rad = radians(2.0);  // by which a robot has moved
 constexpr double stop_short_m = 0.1;    // before what stands on the track, with room to turn away
 constexpr double wait_s = 1.0;          // for what stands on the track to go
+constexpr double edge_room_m = 0.005;   // from the edges of the ground, along the track
 constexpr double first_skip_m = 0.3;    // of the track, where no way leads back; then twice that, and so on
 constexpr double back_m = 0.15;         // beside the track, from where it is steered back
 constexpr std::int64_t most_tries = 4;  // recoveries on the way back to a place
@@ -74,7 +75,7 @@ Twist2 Navigator::along_track(const Follow& order) {
   const GoTo next{follower_->pose_at(follower_->at()).position, order.beside_m};
   const MotionState state = state_of(next, near_), among_seen = state_of(next, seen);
   const auto is_safe = [&](const Twist2& twist) {
-    return can_brake(state, twist, 0.0) && can_brake(among_seen, twist, setup_.motion.margin_m);
+    return can_brake(state, twist, edge_room_m) && can_brake(among_seen, twist, setup_.motion.margin_m);
   };
   if (const auto heading_rad = follower_->heading_to_turn_to(here)) {
     const Twist2 turn = turn_to(here, *heading_rad);
