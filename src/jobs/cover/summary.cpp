@@ -43,6 +43,11 @@ std::string cover_summary(const Report& report) {
       100.0 * value("sure_fraction"), 100.0 * value("sure_inner_fraction"), value("tracking_error_limit_m"));
   text += fmt::format("  driven    {} with seed {}, {:.3f} % covered\n", duration_text(value("time_s")),
                       setting(report, "seed"), 100.0 * value("covered_fraction"));
+  if (std::isfinite(value("reachable_fraction")))
+    text += fmt::format(
+        "  among     things: {:.3f} % of the {:.6g} m2 that it can reach, {:.0f} contacts, {:.0f} times "
+        "planned again\n",
+        100.0 * value("reachable_fraction"), value("reachable_m2"), value("contacts"), value("rounds"));
   if (report.status == "not_done") text += fmt::format("  not done  {}\n", report.reason);
   return text;
 }
