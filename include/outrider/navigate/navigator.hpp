@@ -87,10 +87,10 @@ struct NavigatorSetup {
   NavigatorOptions options;
   LiveMapOptions map;
   LocalMotionOptions motion;
-  std::optional<KnownMap> known = {};  ///< the map that the robot is given
-  std::optional<TagView> tags = {};    ///< the tags that it may see
-  std::vector<Zone> zones = {};        ///< in the world of the localiser
-  ZoneOptions keep = {};               ///< how it keeps to them, and to a side of passages
+  std::optional<KnownMap> known = {};    ///< the map that the robot is given
+  std::optional<TagsInSight> tags = {};  ///< the tags that it may see
+  std::vector<Zone> zones = {};          ///< in the world of the localiser
+  ZoneOptions keep = {};                 ///< how it keeps to them, and to a side of passages
 };
 
 class Navigator {

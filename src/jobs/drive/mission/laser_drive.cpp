@@ -43,7 +43,7 @@ NavigatorSetup setup_of(const DriveTask& task, double height_m, const LaserDrive
   setup.map = options.live_map;
   setup.motion = options.motion;
   setup.known = task.known;
-  if (sees_tags(options)) setup.tags = TagView{task.tags, robot_camera(task.eye), task.localise};
+  if (sees_tags(options)) setup.tags = TagsInSight{task.tags, robot_camera(task.eye), task.localise};
   setup.zones = task.zones;
   setup.keep = options.keep;
   return setup;
