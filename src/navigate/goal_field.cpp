@@ -60,7 +60,7 @@ void GoalField::find_room(const GoalGround& ground, const Footprint& footprint, 
     pace_[frame_.index({0, y})] = pace_[frame_.index({frame_.width - 1, y})] = 0;
 }
 
-/// Where a zone is slow the robot is not faster.
+/// Lets the robot be no faster in a zone than its speed there.
 void GoalField::slow_down(const ZoneCells& zones, const RobotModel& robot) {
   for (std::size_t i = 0; i < zones.speed_mps.size(); ++i) {
     const double units = fast_units * robot.speed_mps / static_cast<double>(zones.speed_mps[i]);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamic_window.hpp"
-#include "sampled_motion.hpp"
-#include "steer.hpp"
+#include "motion/dynamic_window.hpp"
+#include "motion/sampled_motion.hpp"
+#include "motion/steer.hpp"
 
 namespace outrider {
 namespace {

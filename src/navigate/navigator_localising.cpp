@@ -28,7 +28,7 @@ void Navigator::see(const TagImage& image) {
   note_localised(before, was_located, localiser_->see(image, odometry_at(image.taken_s)));
 }
 
-/// What was seen before moves along with a correction of earlier poses.
+/// Moves what was seen before along with a correction of earlier poses.
 void Navigator::note_localised(const Pose2& before, bool was_located, bool corrected) {
   if (corrected) map_.correct(compose(localiser_->world_T_odometry(), inverse(before)));
   if (corrected) followed_.clear();

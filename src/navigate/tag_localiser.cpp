@@ -33,7 +33,7 @@ PoseBelief moved_belief(const PoseBelief& belief, const Pose2& motion) {
 
 class TagsInView final : public RobotLocaliser {
  public:
-  TagsInView(TagView view, const std::optional<Pose2>& start) : view_(std::move(view)) {
+  TagsInView(TagsInSight view, const std::optional<Pose2>& start) : view_(std::move(view)) {
     if (!start) return;
     belief_ = PoseBelief{*start, start_sigma * start_sigma * Eigen::Matrix3d::Identity()};
     world_T_odometry_ = *start;
@@ -92,7 +92,7 @@ class TagsInView final : public RobotLocaliser {
     return true;
   }
 
-  TagView view_;
+  TagsInSight view_;
   std::optional<PoseBelief> belief_;
   Pose2 world_T_odometry_;
   Pose2 odometry_;  // of the last image

@@ -96,7 +96,7 @@ struct NavigatorSetup {
   LocalMotionOptions motion;
   std::optional<KnownMap> known = {};         ///< the map that the robot is given
   std::optional<AllowedGround> allowed = {};  ///< what it may not leave; none: nothing
-  std::optional<TagView> tags = {};           ///< the tags that it may see
+  std::optional<TagsInSight> tags = {};       ///< the tags that it may see
   std::vector<Zone> zones = {};               ///< in the world of the localiser
   ZoneOptions keep = {};                      ///< how it keeps to them, and to a side of passages
 };

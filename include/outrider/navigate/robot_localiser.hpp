@@ -30,7 +30,7 @@
 namespace outrider {
 
 /// The tags of the world, and the camera that sees them.
-struct TagView {
+struct TagsInSight {
   TagMap map;
   RobotCamera camera;
   LocaliseOptions options = {};
@@ -41,7 +41,7 @@ struct LocaliserStart {
   std::optional<Pose2> pose;         ///< where the odometry begins; none: anywhere on the map
   Pose2 robot_T_laser;               ///< the mount of its laser
   std::optional<KnownMap> map = {};  ///< a map of the world
-  std::optional<TagView> tags = {};
+  std::optional<TagsInSight> tags = {};
 };
 
 class RobotLocaliser {

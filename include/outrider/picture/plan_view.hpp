@@ -4,7 +4,7 @@
 // to above:
 //
 //   ground   /map with /map_updates, /cost_grid, /firing_regions, /costmap, /expanded, /coverage_area,
-//            /terrain, /solids or else /walls
+//            /terrain, /solids or else /walls, /keep_out_zones, /slow_zones
 //   lines    /plan, /robot_N/plan and /plan/NAME, /odom, /reference, /target_pose, /belief with ellipses of
 //            two standard deviations, every .../pose and .../trajectory, /loops
 //   marks    the robot at its start and at its end, drawn to size, /landmarks, /goal_pose, /refusals,

@@ -31,7 +31,7 @@ World hall_ground() {
 RobotCamera camera() { return {{}, looking_ahead({0.05, 0.0, 0.2})}; }
 
 LocaliserStart beginning() {
-  return {start, {}, test::building(one_room, 0.5, 5).map, TagView{two_tags(), camera()}};
+  return {start, {}, test::building(one_room, 0.5, 5).map, TagsInSight{two_tags(), camera()}};
 }
 
 std::unique_ptr<RobotLocaliser> made(const std::string& name, LocaliserStart from = beginning()) {
@@ -142,8 +142,8 @@ double largest_error(RobotLocaliser& localiser, Pose2 truth, double carried_m = 
   return worst_m;
 }
 
-TagView four_tags() {
-  TagView view{two_tags(), camera()};
+TagsInSight four_tags() {
+  TagsInSight view{two_tags(), camera()};
   view.map.tags.push_back(upright_tag(3, {0.1, 1.0, 0.3}, 0.0));
   view.map.tags.push_back(upright_tag(4, {3.0, 0.1, 0.3}, 0.5 * pi));
   return view;

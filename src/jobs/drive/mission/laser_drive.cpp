@@ -38,7 +38,7 @@ NavigatorSetup setup_of(const DriveTask& task, double height_m, const LaserDrive
   robot.turn_acceleration_radps2 = task.follow.turn_acceleration_radps2;
   NavigatorSetup setup = setup_of(options, robot, footprint);
   setup.known = task.known;
-  if (sees_tags(options)) setup.tags = TagView{task.tags, robot_camera(task.eye), task.localise};
+  if (sees_tags(options)) setup.tags = TagsInSight{task.tags, robot_camera(task.eye), task.localise};
   setup.zones = task.zones;
   setup.keep = options.keep;
   return setup;

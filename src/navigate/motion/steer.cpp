@@ -1,4 +1,4 @@
-#include "steer.hpp"
+#include "motion/steer.hpp"
 
 #include <algorithm>
 #include <cmath>

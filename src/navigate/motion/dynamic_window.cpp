@@ -1,4 +1,4 @@
-#include "dynamic_window.hpp"
+#include "motion/dynamic_window.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sampled_motion.hpp"
+#include "motion/sampled_motion.hpp"
 
 #include <algorithm>
 #include <array>
