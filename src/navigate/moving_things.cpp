@@ -16,7 +16,8 @@ constexpr double least_radius_m = 0.08, most_radius_m = 0.45;
 constexpr double most_range_m = 8.0;  // farther clusters have too few points
 constexpr double gate_m = 0.5;        // between a track and its cluster
 constexpr double place_noise_m = 0.05, acceleration_noise_mps2 = 1.5, first_speed_mps = 1.5;
-constexpr double lost_s = 0.4;       // without a sighting
+constexpr double lost_s = 0.4;       // without a sighting where the laser would see it
+constexpr double hidden_s = 2.0;     // without one where it does not look, or something stands before
 constexpr int enough_sightings = 4;  // until a track is believed
 constexpr double moves_mps = 0.25, rests_mps = 0.15, sure_sigmas = 2.5;
 constexpr double newest_share = 0.4;
@@ -161,7 +162,11 @@ void MovingThings::note(const LaserScan& scan, const Pose2& world_T_laser) {
   associate(seen, time_s_);
   remember(scan, world_T_laser);
   for (Track& track : tracks_) track.judge();
-  std::erase_if(tracks_, [&](const Track& track) { return time_s_ - track.seen_s > lost_s; });
+  const Look now{scan, world_T_laser};
+  std::erase_if(tracks_, [&](const Track& track) {
+    const double unseen_s = time_s_ - track.seen_s;
+    return unseen_s > hidden_s || (unseen_s > lost_s && (!track.moves || now.passed(track.place)));
+  });
 }
 
 LaserScan MovingThings::without(const LaserScan& scan, const Pose2& world_T_laser) const {

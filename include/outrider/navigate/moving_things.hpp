@@ -4,7 +4,8 @@
 // cart is followed by a Kalman filter with constant velocity and the white noise of an acceleration. It moves
 // if it is faster than 0.25 m/s beyond doubt, and if beams of the last seconds passed where most of it is
 // now: so nothing moves only because a robot that drives sees ever other parts of it. Who walks straight away
-// from the robot counts as standing. Source: Bar-Shalom, Li and Kirubarajan, Estimation with applications to
+// from the robot counts as standing. What is hidden, or behind the robot where its laser does not look, is
+// followed for two seconds more. Source: Bar-Shalom, Li and Kirubarajan, Estimation with applications to
 // tracking and navigation (2001), ch. 6.
 //
 // Frames: the world of the live map. Thread rule: one at a time. O(beams + clusters * (tracks + scans that

@@ -67,8 +67,11 @@ class SampledMotion final : public LocalMotion {
     for (Twist2& twist : plan_.at) twist = within_limits(twist, state.robot);
     const double gap_m = state.near.gap(state.footprint, state.pose, options_.wide_m);
     least_m_ = std::min(options_.margin_m, gap_m - 1e-3);
-    for (std::int64_t round = 0; round < options_.rounds; ++round) improve(state, round == 0);
-    return passing(state);
+    MotionState close = state;
+    keep_close(state);
+    close.moving = &close_;
+    for (std::int64_t round = 0; round < options_.rounds; ++round) improve(close, round == 0);
+    return passing(close);
   }
 
  private:
@@ -76,6 +79,21 @@ class SampledMotion final : public LocalMotion {
     Commands commands;
     double cost_s = 0.0;
   };
+
+  /// Keeps of what moves that which may come near within the horizon, or until the robot has braked.
+  void keep_close(const MotionState& state) {
+    close_.clear();
+    if (state.moving == nullptr) return;
+    const RobotModel& robot = state.robot;
+    const double fastest_mps = std::max(robot.speed_mps, std::abs(state.twist.ahead_mps));
+    const double until_s = step_s * static_cast<double>(knots_ * steps_a_knot) + state.period_s +
+                           fastest_mps / robot.acceleration_mps2;
+    for (const MovingThing& thing : *state.moving) {
+      const double meets_m = (fastest_mps + norm(thing.velocity) + moving_drift_mps) * until_s;
+      const double reach_m = meets_m + moving_wide_m + thing.radius_m + state.footprint.outer_m();
+      if (distance(thing.place, state.pose.position) <= reach_m) close_.push_back(thing);
+    }
+  }
 
   /// The plan of the last period goes on from its next moment.
   void shift(double period_s) {
@@ -240,6 +258,7 @@ class SampledMotion final : public LocalMotion {
   double elapsed_s_ = 0.0;  // of the first knot of the plan
   double least_m_ = 0.0;    // gap that a motion keeps now
   std::vector<Sample> samples_;
+  std::vector<MovingThing> close_;  // that may come near
 };
 
 }  // namespace

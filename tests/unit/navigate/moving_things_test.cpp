@@ -107,6 +107,25 @@ TEST(MovingThings, WhoStopsDoesNotMoveAnyMore) {
   EXPECT_TRUE(follow(scene, rests, 5.0).moving.empty());
 }
 
+TEST(MovingThings, WhoWalksBehindTheRobotIsFollowedForAWhile) {
+  RangeFinderModel model;
+  model.view_rad = radians(270.0);
+  MovingThings things;
+  Rng rng(7);
+  const auto walker = [](double t) { return Vec2{2.0 - 0.8 * t, 1.2}; };  // out of sight after 4 s
+  for (double t = 0.0; t < 7.0; t += period_s) {
+    auto scene = room();
+    scene.push_back(disk_at(walker(t), 0.2));
+    things.note(RangeFinder(scene, model).look({}, t, rng), {});
+    const auto moving = things.at(t);
+    if (t > 2.0 && t < 5.0) {
+      ASSERT_EQ(moving.size(), 1U) << t;
+      EXPECT_LT(distance(moving.front().place, walker(t)), 0.4) << t;
+    }
+    EXPECT_TRUE(t <= 6.5 || moving.empty()) << t;
+  }
+}
+
 TEST(MovingThings, TwoWhoMeetAreTwoAgain) {
   const auto scene = [](double t) {
     return std::vector{disk_at({2.0, -3.0 + 1.0 * t}, 0.2), disk_at({3.2, 3.0 - 1.0 * t}, 0.2)};
