@@ -1,4 +1,4 @@
-#include "run/rigid_bodies.hpp"
+#include "rigid/rigid_bodies.hpp"
 
 #include <assimp/scene.h>
 #include <fmt/format.h>

@@ -17,7 +17,6 @@ using CollisionMask = std::uint16_t;
 constexpr CollisionMask robot_mask = 1;
 constexpr CollisionMask mask_of_none = 1U << 15U;
 constexpr CollisionMask mask_of_all = 0x7fff;
-constexpr std::size_t most_balls = 14;
 constexpr CollisionMask ball_mask(std::size_t ball) { return static_cast<CollisionMask>(2U << ball); }
 
 /// Returns one fixed body with a shape node for each solid, in their order. Faults: a solid has a shape that

@@ -1,4 +1,4 @@
-// RigidWorld: a yard in the physics engine DART, with a wheeled robot and balls.
+// RigidWorld: a world in the physics engine DART, with a wheeled robot and balls.
 //
 // Bodies: each solid of the world is a fixed body (half-spaces are planes, meshes are two-sided surfaces),
 // followed by the box of each target. A target collides only with balls that are thrown at it; if targets
@@ -21,11 +21,25 @@
 #include <vector>
 
 #include "outrider/ballistics/flight.hpp"
+#include "outrider/ballistics/target.hpp"
 #include "outrider/core/outcome.hpp"
-#include "outrider/jobs/guard/problem.hpp"
+#include "outrider/motion/robot_model.hpp"
 #include "outrider/sim/bodies/wheels.hpp"
+#include "outrider/world/world.hpp"
 
 namespace outrider {
+
+inline constexpr std::size_t most_balls = 14;  ///< in the air at a time
+
+/// The bodies of a rigid world.
+struct RigidScene {
+  World world;                  ///< its solids, its floor and its gravity
+  std::vector<Target> targets;  ///< boxes
+  bool targets_block = false;   ///< targets collide with everything, not only with the balls thrown at them
+  RobotModel robot;
+  Pose2 start;
+  double ball_radius_m = 0.01;
+};
 
 class RigidWorld {
  public:
@@ -42,7 +56,7 @@ class RigidWorld {
   /// step.
   [[nodiscard]] virtual std::vector<std::size_t> touched_by_robot() const = 0;
 
-  /// Adds a ball at the muzzle of a flight, with its initial velocity and the ball radius of the gun. The
+  /// Adds a ball at the muzzle of a flight, with its initial velocity and the ball radius of the scene. The
   /// body of the target collides with it. Returns the number of the ball, the smallest that is free; nothing
   /// if 14 balls are in the air.
   virtual std::optional<std::size_t> throw_ball(const Flight& flight, std::size_t target) = 0;
@@ -58,9 +72,9 @@ class RigidWorld {
   RigidWorld& operator=(const RigidWorld&) = default;
 };
 
-/// Makes the rigid world of a problem with the robot at the start. Body i is solid i; the targets follow.
+/// Makes the rigid world of a scene with the robot at the start. Body i is solid i; the targets follow.
 /// Faults: Outrider was built without the engine, or the engine cannot be loaded; the engine does not support
 /// the shape of a solid.
-Outcome<std::unique_ptr<RigidWorld>> make_rigid_world(const GuardProblem& problem);
+Outcome<std::unique_ptr<RigidWorld>> make_rigid_world(const RigidScene& scene);
 
 }  // namespace outrider

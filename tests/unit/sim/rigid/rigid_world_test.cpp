@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/run/rigid_world.hpp"
+#include "outrider/sim/rigid/rigid_world.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,13 +16,13 @@ using testing::box_at;
 using testing::cases;
 using testing::floor_at;
 
-GuardProblem yard_of(std::vector<Solid> solids) {
-  GuardProblem problem;
-  problem.world.solids = std::move(solids);
-  problem.world.bounds = {{-10, -10}, {10, 10}};
-  problem.start = {{-8.0, -8.0}, 0.5};
-  problem.targets = {{"cat", {0.0, 9.0, 0.0}, {0.4, 0.4, 0.4}, 0.0}};
-  return problem;
+RigidScene yard_of(std::vector<Solid> solids) {
+  RigidScene scene;
+  scene.world.solids = std::move(solids);
+  scene.world.bounds = {{-10, -10}, {10, 10}};
+  scene.start = {{-8.0, -8.0}, 0.5};
+  scene.targets = {{"cat", {0.0, 9.0, 0.0}, {0.4, 0.4, 0.4}, 0.0}};
+  return scene;
 }
 
 class RigidBodies : public ::testing::Test {
@@ -32,8 +32,8 @@ class RigidBodies : public ::testing::Test {
     if (!made) GTEST_SKIP() << made.error().sentence;
   }
 
-  static std::unique_ptr<RigidWorld> made(const GuardProblem& problem) {
-    auto bodies = make_rigid_world(problem);
+  static std::unique_ptr<RigidWorld> made(const RigidScene& scene) {
+    auto bodies = make_rigid_world(scene);
     EXPECT_TRUE(bodies.has_value()) << bodies.error().sentence;
     return std::move(*bodies);
   }
@@ -113,10 +113,10 @@ TEST_F(RigidBodies, ABallTouchesWhatSmallStepsTouch) {
     const Rotation leaning = Rotation::from_rpy(0.0, rng.uniform(1.0, 2.0), rng.uniform(-pi, pi));
     const Vec3 uphill = leaning.axes[2];
     small.solids.push_back({"cliff", {-4.0 * uphill, leaning}, HalfSpaceShape{}});
-    GuardProblem problem = yard_of(small.solids);
-    problem.targets = {small.target};
-    const auto bodies = made(problem);
-    const double radius = problem.gun.ball_radius_m;
+    RigidScene scene = yard_of(small.solids);
+    scene.targets = {small.target};
+    const auto bodies = made(scene);
+    const double radius = scene.ball_radius_m;
     const Solid box = solid_of(small.target);
     for (int k = 0; k < 6; ++k) {
       const Vec3 from{rng.uniform(-2, 2), rng.uniform(-2, 2), rng.uniform(0.1, 1.5)};
@@ -124,31 +124,31 @@ TEST_F(RigidBodies, ABallTouchesWhatSmallStepsTouch) {
       const double speed = rng.uniform(2.0, 8.0);
       const Vec3 velocity{speed * along.x, speed * along.y, rng.uniform(-2.0, 4.0)};
       const auto end_with = [&](double r) {
-        return testing::fly_fine(from, velocity, 9.8, r, problem.world.solids, &box, -20.0, 1e-3);
+        return testing::fly_fine(from, velocity, 9.8, r, scene.world.solids, &box, -20.0, 1e-3);
       };
       // Only where a ball 4 mm thicker and one 4 mm thinner touch the same.
       const auto thick = end_with(radius + 4e-3);
       const auto thin = end_with(radius - 4e-3);
       if (thick.hit != thin.hit || thick.solid != thin.solid || thick.time_s == 0.0) continue;
-      const std::size_t expected = thin.hit ? problem.world.solids.size() : thin.solid.value_or(999);
+      const std::size_t expected = thin.hit ? scene.world.solids.size() : thin.solid.value_or(999);
       if (expected == 999) continue;
       ++compared;
       const auto touched = first_touch(*bodies, {from, velocity, 9.8});
       ASSERT_EQ(touched, std::vector<std::size_t>{expected})
-          << (thin.hit ? "the target" : problem.world.solids[expected].name) << " in yard " << i;
+          << (thin.hit ? "the target" : scene.world.solids[expected].name) << " in yard " << i;
     }
   }
   EXPECT_GT(compared, cases(4));
 }
 
 TEST_F(RigidBodies, OnlyTheTargetThrownAtFeelsTheBall) {
-  GuardProblem problem = yard_of({floor_at(0.0), box_at("wall", {3, 0, 1}, {0.1, 2, 2})});
-  problem.targets = {{"near", {1.0, 0.0, 0.5}, {0.3, 0.3, 1.0}, 0.0},
-                     {"far", {2.0, 0.0, 0.5}, {0.3, 0.3, 1.0}, 0.0}};
+  RigidScene scene = yard_of({floor_at(0.0), box_at("wall", {3, 0, 1}, {0.1, 2, 2})});
+  scene.targets = {{"near", {1.0, 0.0, 0.5}, {0.3, 0.3, 1.0}, 0.0},
+                   {"far", {2.0, 0.0, 0.5}, {0.3, 0.3, 1.0}, 0.0}};
   const Flight flight{{0, 0, 1}, {8, 0, 1}, 9.8};
   for (const bool block : {false, true}) {
-    problem.targets_block = block;
-    const auto bodies = made(problem);
+    scene.targets_block = block;
+    const auto bodies = made(scene);
     for (int twice = 0; twice < 2; ++twice) {
       for (std::size_t target = 0; target < 2; ++target) {
         const std::size_t ball = bodies->throw_ball(flight, target).value();
@@ -165,12 +165,12 @@ TEST_F(RigidBodies, OnlyTheTargetThrownAtFeelsTheBall) {
 }
 
 TEST_F(RigidBodies, ManyBallsFlyAtOnceAndEachTouchesItsOwnTarget) {
-  GuardProblem problem = yard_of({floor_at(0.0), box_at("wall", {3, 0, 1}, {0.1, 4, 2})});
-  problem.targets.clear();
+  RigidScene scene = yard_of({floor_at(0.0), box_at("wall", {3, 0, 1}, {0.1, 4, 2})});
+  scene.targets.clear();
   for (int i = 0; i < 14; ++i) {
-    problem.targets.push_back({std::to_string(i), {0.5 + 0.15 * i, 0.0, 0.0}, {0.1, 1.0, 2.0}, 0.0});
+    scene.targets.push_back({std::to_string(i), {0.5 + 0.15 * i, 0.0, 0.0}, {0.1, 1.0, 2.0}, 0.0});
   }
-  const auto bodies = made(problem);
+  const auto bodies = made(scene);
   const Flight flight{{0, 0, 1}, {4, 0, 2}, 9.8};  // through all targets, or to the floor
   for (std::size_t target = 0; target < 14; ++target) EXPECT_EQ(bodies->throw_ball(flight, target), target);
   EXPECT_EQ(bodies->throw_ball(flight, 0), std::nullopt) << "14 balls are all that it holds";
@@ -192,9 +192,9 @@ TEST_F(RigidBodies, ManyBallsFlyAtOnceAndEachTouchesItsOwnTarget) {
 }
 
 TEST_F(RigidBodies, TwoBallsAtOneTargetAreBothFelt) {
-  GuardProblem problem = yard_of({floor_at(0.0)});
-  problem.targets = {{"box", {1.0, 0.0, 0.5}, {0.3, 0.3, 1.0}, 0.0}};
-  const auto bodies = made(problem);
+  RigidScene scene = yard_of({floor_at(0.0)});
+  scene.targets = {{"box", {1.0, 0.0, 0.5}, {0.3, 0.3, 1.0}, 0.0}};
+  const auto bodies = made(scene);
   const Flight soon{{0.5, 0, 1}, {4, 0, 1}, 9.8}, late{{0, 0, 1}, {4, 0, 1}, 9.8};
   const auto first_touched = [&](std::size_t ball) {
     std::vector<std::size_t> touched;
@@ -229,17 +229,17 @@ TEST_F(RigidBodies, APointOfTheRobotMovesAsItsVelocitySays) {
 
 TEST_F(RigidBodies, TheRobotStandsRollsTurnsAndIsStoppedByAWall) {
   for (const Solid& floor : {floor_at(0.0), box_at("slab", {0, 0, -0.1}, {30, 30, 0.2})}) {
-    GuardProblem problem = yard_of({floor, box_at("wall", {2, 0, 0.5}, {0.1, 4, 1})});
-    problem.start = {{-1.0, 0.0}, 0.0};
-    problem.targets = {{"cat", {0.8, 0.1, 0.0}, {0.4, 0.4, 0.4}, 0.0}};  // no obstacle
-    const auto bodies = made(problem);
-    const WheelBase base = wheel_base(problem.robot);
+    RigidScene scene = yard_of({floor, box_at("wall", {2, 0, 0.5}, {0.1, 4, 1})});
+    scene.start = {{-1.0, 0.0}, 0.0};
+    scene.targets = {{"cat", {0.8, 0.1, 0.0}, {0.4, 0.4, 0.4}, 0.0}};  // no obstacle
+    const auto bodies = made(scene);
+    const WheelBase base = wheel_base(scene.robot);
     const auto run = [&](WheelSpeeds speeds, double time_s) {
       bodies->turn_wheels(speeds);
       for (double t = 0.0; t < time_s; t += 1e-3) bodies->step(1e-3);
     };
     run({}, 1.0);
-    EXPECT_LT(distance(on_the_floor(*bodies).position, problem.start.position), 1e-6);
+    EXPECT_LT(distance(on_the_floor(*bodies).position, scene.start.position), 1e-6);
 
     const double half_mps = 0.5 / base.wheel_radius_m;
     run({half_mps, half_mps}, 2.0);
@@ -255,7 +255,7 @@ TEST_F(RigidBodies, TheRobotStandsRollsTurnsAndIsStoppedByAWall) {
 
     run({half_mps, half_mps}, 4.5);
     EXPECT_EQ(bodies->touched_by_robot(), std::vector<std::size_t>{1});
-    EXPECT_NEAR(on_the_floor(*bodies).position.x, 1.95 - 0.9 * problem.robot.radius_m, 0.01);
+    EXPECT_NEAR(on_the_floor(*bodies).position.x, 1.95 - 0.9 * scene.robot.radius_m, 0.01);
   }
 }
 

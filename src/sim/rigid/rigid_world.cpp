@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/run/rigid_world.hpp"
+#include "outrider/sim/rigid/rigid_world.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 #include <optional>
 #include <set>
 
-#include "run/rigid_bodies.hpp"
+#include "rigid/rigid_bodies.hpp"
 
 namespace outrider {
 namespace {
@@ -44,27 +44,27 @@ class MaskFilter final : public dart::collision::BodyNodeCollisionFilter {
 
 class DartWorld final : public RigidWorld {
  public:
-  explicit DartWorld(const GuardProblem& problem) : problem_(problem) {
-    world_->setGravity({0.0, 0.0, -problem.world.gravity_mps2});
+  explicit DartWorld(const RigidScene& scene) : scene_(scene) {
+    world_->setGravity({0.0, 0.0, -scene.world.gravity_mps2});
     auto& solver = *world_->getConstraintSolver();
     solver.setCollisionDetector(dart::collision::OdeCollisionDetector::create());
     solver.getCollisionOption().collisionFilter = filter_;
   }
 
   Status build() {
-    std::vector<Solid> bodies = problem_.world.solids;
-    for (const Target& target : problem_.targets) bodies.push_back(solid_of(target));
+    std::vector<Solid> bodies = scene_.world.solids;
+    for (const Target& target : scene_.targets) bodies.push_back(solid_of(target));
     auto yard = rigid_yard(bodies);
     if (!yard) return pass_on(yard);
     shapes_ = shapes_of(**yard);
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      const bool felt = i < problem_.world.solids.size() || problem_.targets_block;
+      const bool felt = i < scene_.world.solids.size() || scene_.targets_block;
       filter_->set(shapes_[i], felt ? mask_of_all : mask_of_none);
       body_of_[shapes_[i]] = i;
     }
     world_->addSkeleton(*yard);
 
-    robot_ = rigid_robot(problem_.robot, problem_.start, problem_.world.floor_z_m);
+    robot_ = rigid_robot(scene_.robot, scene_.start, scene_.world.floor_z_m);
     for (const ShapeFrame* shape : shapes_of(*robot_)) {
       filter_->set(shape, robot_mask);
       robot_shapes_.insert(shape);
@@ -93,7 +93,7 @@ class DartWorld final : public RigidWorld {
   }
 
   [[nodiscard]] std::vector<std::size_t> touched_by_robot() const override {
-    const double floor = problem_.world.floor_z_m + floor_contact_m;
+    const double floor = scene_.world.floor_z_m + floor_contact_m;
     return touched_by([&](const ShapeFrame* shape) { return robot_shapes_.contains(shape); }, floor);
   }
 
@@ -106,7 +106,7 @@ class DartWorld final : public RigidWorld {
     const auto free = std::ranges::find_if(balls_, [](const Ball& ball) { return ball.skeleton == nullptr; });
     if (free == balls_.end()) return std::nullopt;
     const auto number = static_cast<std::size_t>(free - balls_.begin());
-    *free = {rigid_ball(number, flight.muzzle, problem_.gun.ball_radius_m, flight.velocity_mps), target};
+    *free = {rigid_ball(number, flight.muzzle, scene_.ball_radius_m, flight.velocity_mps), target};
     filter_->set(free->shape(), ball_mask(number));
     world_->addSkeleton(free->skeleton);
     show_to_balls(target);
@@ -142,12 +142,12 @@ class DartWorld final : public RigidWorld {
 
   /// Lets a target that does not block feel the balls that were thrown at it.
   void show_to_balls(std::size_t target) {
-    if (problem_.targets_block) return;
+    if (scene_.targets_block) return;
     CollisionMask mask = mask_of_none;
     for (std::size_t i = 0; i < balls_.size(); ++i) {
       if (balls_[i].skeleton != nullptr && balls_[i].target == target) mask |= ball_mask(i);
     }
-    filter_->set(shapes_[problem_.world.solids.size() + target], mask);
+    filter_->set(shapes_[scene_.world.solids.size() + target], mask);
   }
 
   /// Keeps the contacts of the last step, which the engine forgets when a ball is removed.
@@ -171,7 +171,7 @@ class DartWorld final : public RigidWorld {
     return {touched.begin(), touched.end()};
   }
 
-  GuardProblem problem_;
+  RigidScene scene_;
   std::shared_ptr<MaskFilter> filter_ = std::make_shared<MaskFilter>();
   dart::simulation::WorldPtr world_ = dart::simulation::World::create("yard");
   std::vector<const ShapeFrame*> shapes_;  // by body
@@ -198,8 +198,8 @@ class DartWorld final : public RigidWorld {
 
 }  // namespace
 
-Outcome<std::unique_ptr<RigidWorld>> make_rigid_world(const GuardProblem& problem) {
-  auto world = std::make_unique<DartWorld>(problem);
+Outcome<std::unique_ptr<RigidWorld>> make_rigid_world(const RigidScene& scene) {
+  auto world = std::make_unique<DartWorld>(scene);
   if (auto built = world->build(); !built) return pass_on(built);
   return world;
 }
