@@ -1,4 +1,4 @@
-#include "heading_fields.hpp"
+#include "research/guard/heading_fields.hpp"
 
 #include <algorithm>
 #include <cmath>
