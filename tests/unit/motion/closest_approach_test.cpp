@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/team/closest_approach.hpp"
+#include "outrider/motion/closest_approach.hpp"
 
 #include <gtest/gtest.h>
 
