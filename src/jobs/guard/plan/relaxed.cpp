@@ -66,7 +66,7 @@ std::pair<std::size_t, double> nearest_cell(const GridFrame& frame, Vec2 place) 
 Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
                  const std::vector<std::size_t>& targets, bool on_the_move, bool homeward)
     : frame_(firing_map.frame),
-      lattice_(firing_map, problem.robot.radius_m),
+      lattice_(firing_map.frame, firing_map.clearance_m, problem.robot.radius_m),
       straight_(problem.robot.straight()),
       on_the_move_(on_the_move),
       flight_(targets.size(), GridPart<std::uint16_t>(endless)),

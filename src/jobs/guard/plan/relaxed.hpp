@@ -7,9 +7,12 @@
 
 #include "outrider/core/budget.hpp"
 #include "outrider/jobs/guard/yard/firing_map.hpp"
-#include "yard/lattice.hpp"
+#include "outrider/path/grid/drive_lattice.hpp"
 
 namespace outrider {
+
+using Field = DriveLattice::Field;
+inline constexpr std::uint16_t endless = DriveLattice::endless;
 
 /// The mission without turns, aims and halts at bends, over the targets chosen so far. Times are in units.
 /// On the move, drives have no halts and no ball is waited for.
@@ -48,7 +51,7 @@ class Relaxed {
   }
 
   GridFrame frame_;
-  Lattice lattice_;
+  DriveLattice lattice_;
   Limits straight_;
   bool on_the_move_ = false;
   double aside_s_ = 0.0;  // on the move, to drive to the centre of a cell and back

@@ -14,9 +14,9 @@
 // hit one target from here and then the others, or drive to another cell first. So the values of a set follow
 // from those of its subsets with one target less, by one multi-source search over the ground. The length of a
 // drive is that of the shortest chain of moves on the lattice of cells, which is never longer than the
-// shortest path (lattice.hpp); its time is that of a drive from rest to rest. A flight takes the least time
-// in which a ball of full speed can touch the target, with obstacles ignored. In air that time would be hard
-// to bound, so the time to cross the gap at full speed is used.
+// shortest path (path/grid/drive_lattice.hpp); its time is that of a drive from rest to rest. A flight takes
+// the least time in which a ball of full speed can touch the target, with obstacles ignored. In air that time
+// would be hard to bound, so the time to cross the gap at full speed is used.
 //
 // Only some targets take part in the dynamic programme; each of the others adds its shortest flight. The
 // targets that take part are added one by one: next comes the target that would cost most extra in the

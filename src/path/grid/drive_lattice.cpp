@@ -1,4 +1,4 @@
-#include "yard/lattice.hpp"
+#include "outrider/path/grid/drive_lattice.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -35,25 +35,23 @@ constexpr std::size_t ring = 32;  // above the weight of any move, twice
 /// Which dual squares are open. Square (x, y) has the centre of cell (x, y) as its lowest corner.
 class Squares {
  public:
-  Squares(const FiringMap& firing_map, double radius_m) : firing_map_(firing_map) {
-    const double step = firing_map.frame.resolution_m;
+  Squares(const GridFrame& frame, const std::vector<float>& clearance_m, double radius_m)
+      : frame_(frame), clearance_m_(clearance_m) {
+    const double step = frame.resolution_m;
     // A robot so small that it leaves the hull of the centres: nothing stands in the way.
     least_ = radius_m < 0.5 * step ? -1e30 : radius_m - std::sqrt(0.5) * step - 1e-6;
   }
 
   [[nodiscard]] bool open(int x, int y) const {
-    const GridFrame& frame = firing_map_.frame;
-    if (x < 0 || y < 0 || x + 1 >= frame.width || y + 1 >= frame.height) return false;
-    const auto clearance = [&](int dx, int dy) {
-      return firing_map_.clearance_m[frame.index({x + dx, y + dy})];
-    };
+    if (x < 0 || y < 0 || x + 1 >= frame_.width || y + 1 >= frame_.height) return false;
+    const auto clearance = [&](int dx, int dy) { return clearance_m_[frame_.index({x + dx, y + dy})]; };
     return std::max({clearance(0, 0), clearance(1, 0), clearance(0, 1), clearance(1, 1)}) >= least_;
   }
 
   /// True when the move from the centre of `from` stays within open squares.
   [[nodiscard]] bool allow(Cell from, Cell by) const {
-    if (firing_map_.frame.width == 1 || firing_map_.frame.height == 1) {  // the hull of the centres is a line
-      return firing_map_.frame.contains({from.x + by.x, from.y + by.y});
+    if (frame_.width == 1 || frame_.height == 1) {  // the hull of the centres is a line
+      return frame_.contains({from.x + by.x, from.y + by.y});
     }
     const int x = by.x < 0 ? from.x - 1 : from.x;  // the first square of the move
     const int y = by.y < 0 ? from.y - 1 : from.y;
@@ -65,28 +63,29 @@ class Squares {
   }
 
  private:
-  const FiringMap& firing_map_;
+  const GridFrame& frame_;
+  const std::vector<float>& clearance_m_;
   double least_ = 0.0;
 };
 
 }  // namespace
 
-Lattice::Lattice(const FiringMap& firing_map, double radius_m)
-    : moves_(firing_map.frame.size(), 0), unit_m_(firing_map.frame.resolution_m / (5.0 * std::sqrt(1.04))) {
-  const Squares squares(firing_map, radius_m);
+DriveLattice::DriveLattice(const GridFrame& frame, const std::vector<float>& clearance_m, double radius_m)
+    : moves_(frame.size(), 0), unit_m_(frame.resolution_m / (5.0 * std::sqrt(1.04))) {
+  const Squares squares(frame, clearance_m, radius_m);
   for (std::size_t d = 0; d < directions; ++d) {
-    step_[d] = static_cast<std::ptrdiff_t>(moves[d].by.y) * firing_map.frame.width + moves[d].by.x;
+    step_[d] = static_cast<std::ptrdiff_t>(moves[d].by.y) * frame.width + moves[d].by.x;
   }
   for (std::size_t c = 0; c < moves_.size(); ++c) {
     for (std::size_t d = 0; d < directions; ++d) {
-      if (squares.allow(firing_map.frame.cell(c), moves[d].by)) {
+      if (squares.allow(frame.cell(c), moves[d].by)) {
         moves_[c] = static_cast<std::uint16_t>(moves_[c] | 1U << d);
       }
     }
   }
 }
 
-void Lattice::lower(Field& field, std::uint32_t scale, const Field* ceiling) const {
+void DriveLattice::lower(Field& field, std::uint32_t scale, const Field* ceiling) const {
   std::vector<std::uint32_t> first(std::size_t{endless} + 1, 0);  // value -> its first seed
   for (const std::uint16_t value : field) ++first[value];
   std::exclusive_scan(first.begin(), first.end(), first.begin(), std::uint32_t{0});

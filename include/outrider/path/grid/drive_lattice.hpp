@@ -1,4 +1,4 @@
-// Lattice: from below, how far the robot drives between the cells of a firing_map, around the obstacles.
+// DriveLattice: from below, how far a disk drives between the cells of a grid, around the obstacles.
 //
 // Vertices are the centres of cells. A dual square, between four of them, is open when some point of it
 // may be free: one of its corners has a clearance of the radius less half the diagonal. So every drive
@@ -18,17 +18,19 @@
 #include <cstdint>
 #include <vector>
 
-#include "outrider/jobs/guard/yard/firing_map.hpp"
+#include "outrider/world/grid.hpp"
 
 namespace outrider {
 
-/// A value for each cell, in units of 1 / 5 of a side move; `endless` and above mean never.
-using Field = std::vector<std::uint16_t>;
-inline constexpr std::uint16_t endless = 65535;
-
-class Lattice {
+class DriveLattice {
  public:
-  Lattice(const FiringMap& firing_map, double radius_m);
+  /// A value for each cell, in units of 1 / 5 of a side move; `endless` means never.
+  using Field = std::vector<std::uint16_t>;
+  static constexpr std::uint16_t endless = 65535;
+
+  /// `clearance_m` has the distance from the centre of each cell to the nearest obstacle, as far as it is
+  /// less than the radius.
+  DriveLattice(const GridFrame& frame, const std::vector<float>& clearance_m, double radius_m);
 
   /// No drive of one unit is shorter, m.
   [[nodiscard]] double unit_m() const { return unit_m_; }
