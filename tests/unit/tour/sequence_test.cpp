@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/plan/sequence.hpp"
+#include "outrider/tour/sequence.hpp"
 
 #include <gtest/gtest.h>
 
