@@ -1,5 +1,5 @@
-// The commands of a SimulatedRobot with a WaypointBody: drive to waypoints, aim, shoot, wait, fill its
-// stores.
+// The commands of a SimulatedRobot with a body that drives to waypoints: drive, aim, shoot, wait, fill its
+// stores. The body is a WaypointBody or a RigidBody.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,15 +18,17 @@ constexpr double sample_period_s = 0.1;
 constexpr double no_ball_s = 1.0;  // a robot that waits for a ball to land and sees none goes on after that
 constexpr double at_station_m = 1e-6;  // beside the error of a drive that ends there
 
-std::string contact_of(const Impact& impact, const FlightSpace& space, const Target& target) {
-  if (impact.hit) return target.name;
-  return impact.solid ? space.solids()[*impact.solid].name : "nothing";
+void measure(const WaypointBody& body, SimRecord& record) {
+  record.contacts = body.hindrance().contacts();
+  record.post_contacts = body.hindrance().post_contacts();
 }
+void measure(RigidBody& body, SimRecord& record) { record.rigid = body.record(); }
 
 }  // namespace
 
 /// Commands for devices that it does not carry are ignored.
-void SimulatedRobot::act_on(WaypointBody& body, const Command& command) {
+template <class Body>
+void SimulatedRobot::act_on(Body& body, const Command& command) {
   std::visit(Overload{[&](const FollowWaypoints& c) { follow(body, c); },
                       [&](const AimGun& c) {
                         if (devices_.gun) aim(body, c);
@@ -45,9 +47,12 @@ void SimulatedRobot::act_on(WaypointBody& body, const Command& command) {
          fmt::format("is put to ({:.2f}, {:.2f})", body.pose().position.x, body.pose().position.y));
     sample();
   }
-  gauge();
+  note_landed();
+  gauge(body);
   log_now();
 }
+template void SimulatedRobot::act_on(WaypointBody& body, const Command& command);
+template void SimulatedRobot::act_on(RigidBody& body, const Command& command);
 
 /// Logs what has happened until now. Returns the log, or null if there is none.
 Log* SimulatedRobot::log_now() {
@@ -64,40 +69,53 @@ void SimulatedRobot::tell(double time_s, std::string kind, std::string sentence)
 
 /// Brings the gun to where it is now if it turns, and logs the pose of the robot and of its gun.
 void SimulatedRobot::sample() {
-  const auto& waypoints = body<WaypointBody>();
-  const Pose2& pose = waypoints.pose();
-  if (gun_motion_) {
-    devices_.gun->be_between(gun_motion_->from, gun_motion_->to, waypoints.time_s() - gun_motion_->begin_s);
-  }
+  if (gun_motion_)
+    devices_.gun->be_between(gun_motion_->from, gun_motion_->to, time_s() - gun_motion_->begin_s);
+  note_landed();
   Log* const log = log_now();
   if (log == nullptr) return;
-  log_pose(*log, waypoints.time_s(), pose);
+  log_pose(*log, time_s(), pose());
   if (!devices_.gun) return;
-  const Shot barrel = devices_.gun->barrel(waypoints.stance(), pose.heading_rad);
-  log_gun(*log, waypoints.time_s(), wrap_angle(barrel.yaw_rad - pose.heading_rad), barrel.pitch_rad);
+  const Shot barrel = this->barrel();
+  log_gun(*log, time_s(), wrap_angle(barrel.yaw_rad - pose().heading_rad), barrel.pitch_rad);
 }
 
+Stance SimulatedRobot::stance() const {
+  const auto* body = std::get_if<WaypointBody>(&body_);
+  return body != nullptr ? body->stance() : Stance{};
+}
+
+/// Returns the direction of the barrel in the world.
+Shot SimulatedRobot::barrel() const { return devices_.gun->barrel(stance(), pose().heading_rad); }
+
 /// Takes what has been used until now out of the stores.
-void SimulatedRobot::gauge() {
-  const auto& waypoints = body<WaypointBody>();
-  record.driven_m = waypoints.driven_m();
-  record.turned_rad = waypoints.turned_rad();
-  record.contacts = waypoints.hindrance().contacts();
-  record.post_contacts = waypoints.hindrance().post_contacts();
+template <class Body>
+void SimulatedRobot::gauge(Body& body) {
+  record.driven_m = body.driven_m();
+  record.turned_rad = body.turned_rad();
+  measure(body, record);
   if (!devices_.stores) return;
-  devices_.stores->note(waypoints.time_s(), record.driven_m, record.shots);
+  devices_.stores->note(body.time_s(), record.driven_m, record.shots);
   if (Log* const log = log_now()) {
-    log->append(topic::stores, waypoints.time_s(),
+    log->append(topic::stores, body.time_s(),
                 outrider_msgs::StoreLevels{devices_.stores->water(), devices_.stores->charge_j()});
   }
 }
 
+template <class Body>
+void SimulatedRobot::begin(Body& body) {
+  gauge(body);
+  sample();
+}
+template void SimulatedRobot::begin(WaypointBody& body);
+template void SimulatedRobot::begin(RigidBody& body);
+
 /// Lets the gun turn to where it has to point next: for the shot after those done, or on arrival.
-void SimulatedRobot::turn_gun(const std::vector<Vec2>& waypoints, const FollowWaypoints& command,
-                              std::size_t shots_done) {
+template <class Body>
+void SimulatedRobot::turn_gun(const Body& body, const std::vector<Vec2>& waypoints,
+                              const FollowWaypoints& command, std::size_t shots_done) {
   gun_motion_.reset();
   if (!devices_.gun) return;
-  const auto& body = this->body<WaypointBody>();
   const bool shoots = shots_done < command.shots.size();
   if (!shoots && !command.aim) return;
   const std::size_t leg = shoots ? command.shots[shots_done].leg : waypoints.size() - 1;
@@ -111,7 +129,8 @@ void SimulatedRobot::turn_gun(const std::vector<Vec2>& waypoints, const FollowWa
 }
 
 /// Drives the straight that ends at waypoint `leg`, and shoots on the way.
-void SimulatedRobot::drive_straight(WaypointBody& body, const std::vector<Vec2>& waypoints, std::size_t leg,
+template <class Body>
+void SimulatedRobot::drive_straight(Body& body, const std::vector<Vec2>& waypoints, std::size_t leg,
                                     const FollowWaypoints& command) {
   const StraightDrive drive = body.begin_straight(waypoints[leg], [this] { sample(); });
   if (drive.length_m == 0.0) return;
@@ -133,10 +152,10 @@ void SimulatedRobot::drive_straight(WaypointBody& body, const std::vector<Vec2>&
     sample_until(at);
     body.be_on(drive, at);
     sample();
-    Shot barrel = gun.barrel(body.stance(), body.pose().heading_rad);
+    Shot barrel = this->barrel();
     barrel.speed_mps = shot->shot.speed_mps;
-    shoot({shot->target, barrel}, body.platform_on(drive, at));
-    turn_gun(waypoints, command, static_cast<std::size_t>(shot - command.shots.begin()) + 1);
+    shoot(body, {shot->target, barrel}, body.platform_on(drive, at));
+    turn_gun(body, waypoints, command, static_cast<std::size_t>(shot - command.shots.begin()) + 1);
     last_shot = at;
   }
   sample_until(drives_s);
@@ -147,14 +166,15 @@ void SimulatedRobot::drive_straight(WaypointBody& body, const std::vector<Vec2>&
   sample();
 }
 
-void SimulatedRobot::follow(WaypointBody& body, const FollowWaypoints& command) {
+template <class Body>
+void SimulatedRobot::follow(Body& body, const FollowWaypoints& command) {
   if (command.waypoints.size() < 2) return;
   sample();  // the way before may have ended with an error of the heading
   const std::vector<Vec2> waypoints = body.displaced_waypoints(command.waypoints);
   if (Log* const log = log_now()) log_plan(*log, body.time_s(), waypoints);
   tell(body.time_s(), "drive",
        fmt::format("drives to ({:.2f}, {:.2f})", waypoints.back().x, waypoints.back().y));
-  turn_gun(waypoints, command, 0);
+  turn_gun(body, waypoints, command, 0);
   body.begin_way();
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
     drive_straight(body, waypoints, i, command);
@@ -171,10 +191,11 @@ void SimulatedRobot::follow(WaypointBody& body, const FollowWaypoints& command) 
   if (Log* const log = log_now()) log_plan(*log, body.time_s(), {});
 }
 
-void SimulatedRobot::aim(WaypointBody& body, const AimGun& command) {
+template <class Body>
+void SimulatedRobot::aim(Body& body, const AimGun& command) {
   SimulatedGun& gun = *devices_.gun;
   const SimulatedGun::Turn turn =
-      gun.turn_towards(command.yaw_rad, command.pitch_rad, body.stance(), body.pose().heading_rad);
+      gun.turn_towards(command.yaw_rad, command.pitch_rad, stance(), body.pose().heading_rad);
   sample();
   const double begin = body.time_s();
   // Each joint moves at its own rate, so the path bends once, where the faster one arrives.
@@ -186,15 +207,38 @@ void SimulatedRobot::aim(WaypointBody& body, const AimGun& command) {
 }
 
 /// Throws a ball from the robot, unless the gun fires nothing. Time does not go on.
-std::optional<Impact> SimulatedRobot::shoot(const Fire& command, const Platform& platform) {
-  const auto& from = body<WaypointBody>();
+template <class Body>
+bool SimulatedRobot::shoot(Body& body, const Fire& command, const Platform& platform) {
   SimulatedGun& gun = *devices_.gun;
-  if (!gun.pull_trigger(from.time_s())) {
-    tell(from.time_s(), "no_shot",
-         fmt::format("pulls the trigger at {}, and nothing leaves the barrel",
-                     gun.scene().targets[command.target].name));
-    return std::nullopt;
-  }
+  if (gun.pull_trigger(body.time_s())) return throw_ball(body, command, platform);
+  tell(body.time_s(), "no_shot",
+       fmt::format("pulls the trigger at {}, and nothing leaves the barrel",
+                   gun.scene().targets[command.target].name));
+  return false;
+}
+
+/// Tells of a shot that has just left the barrel.
+FiredShot SimulatedRobot::note_fired(const Fire& command, const Platform& platform, const Flight& flight,
+                                     double muzzle_mps, const std::string& name) {
+  const double speed = norm(platform.velocity());
+  tell(time_s(), "shot",
+       fmt::format("shoots at {} with {:.2f} m/s{}", name, muzzle_mps,
+                   speed > 0.0 ? fmt::format(", driving at {:.2f} m/s", speed) : ""));
+  ++record.shots;
+  return {
+      command.target,       devices_.gun->next_attempt(command.target), flight, time_s(), pose(), barrel(),
+      platform.velocity_mps};
+}
+
+/// Tells what a ball has touched. `miss` says how it missed.
+void SimulatedRobot::tell_impact(double time_s, bool hit, const std::string& name, const std::string& miss) {
+  tell(time_s, hit ? "hit" : "miss",
+       hit ? fmt::format("hits {}", name) : fmt::format("misses {}: {}", name, miss));
+}
+
+/// The flight is known as soon as the ball has left.
+bool SimulatedRobot::throw_ball(const WaypointBody& from, const Fire& command, const Platform& platform) {
+  SimulatedGun& gun = *devices_.gun;
   auto& targets = devices_.targets;
   const std::size_t stand_in = targets ? targets->stand_in(command.target) : command.target;
   const Walk* const walk = targets ? targets->walk(command.target) : nullptr;
@@ -202,36 +246,33 @@ std::optional<Impact> SimulatedRobot::shoot(const Fire& command, const Platform&
   const auto thrown = gun.throw_ball(command.shot, command.target, stand_in, platform, walk, time_s);
   const FlightSpace& space = gun.scene().space(stand_in);
   const auto& [flight, impact, muzzle_mps, target, stopped_by] = thrown;
-  outrider_msgs::Shot shot =
-      shot_message(flight, impact, space, target, gun.scene().rules.gun.ball_radius_m,
-                   stopped_by.empty() ? contact_of(impact, space, target) : stopped_by);
-  shot.target = target.name;
-  shot.attempt = static_cast<std::uint32_t>(gun.next_attempt(command.target));
-  const Shot barrel = gun.barrel(from.stance(), from.pose().heading_rad);
-  set_pose(shot, from.pose(), barrel.yaw_rad, barrel.pitch_rad);
-  shot.platform_velocity = point_of(platform.velocity_mps);
-  const double speed = norm(platform.velocity());
-  tell(time_s, "shot",
-       fmt::format("shoots at {} with {:.2f} m/s{}", target.name, muzzle_mps,
-                   speed > 0.0 ? fmt::format(", driving at {:.2f} m/s", speed) : ""));
-  tell(time_s + impact.time_s, impact.hit ? "hit" : "miss",
-       impact.hit ? fmt::format("hits {}", target.name)
-                  : fmt::format("misses {}: touches {}", target.name, shot.contact));
-  ++record.shots;
-  if (Log* const log = log_now()) log->append(topic::shots, time_s, std::move(shot));
+  const std::string contact = stopped_by.empty() ? contact_of(impact, space, target) : stopped_by;
+  const FiredShot shot = note_fired(command, platform, flight, muzzle_mps, target.name);
+  tell_impact(time_s + impact.time_s, impact.hit, target.name, "touches " + contact);
+  if (Log* const log = log_now()) {
+    log->append(topic::shots, time_s,
+                message_of(shot, impact, space, target, gun.scene().rules.gun.ball_radius_m, contact));
+  }
   flights_.push_back({command.target, impact.hit, time_s + impact.time_s});
   if (impact.hit && targets) targets->hit(command.target, time_s + impact.time_s, queue_);
-  return impact;
+  return true;
 }
 
-void SimulatedRobot::fire(WaypointBody& body, const Fire& command) {
-  const std::optional<Impact> impact = shoot(command, {body.pose().position, {}});
+template <class Body>
+void SimulatedRobot::fire(Body& body, const Fire& command) {
+  const bool flies = shoot(body, command, {body.pose().position, {}});
   if (!command.until_landed) return;
-  body.wait_until(body.time_s() + (impact ? impact->time_s : no_ball_s));
+  if (!flies)
+    body.wait_until(body.time_s() + no_ball_s);
+  else if constexpr (std::is_same_v<Body, RigidBody>)
+    body.wait_until_landed();
+  else
+    body.wait_until(flights_.back().landed_s);
   sample();
 }
 
-void SimulatedRobot::wait(WaypointBody& body, const Wait& command) {
+template <class Body>
+void SimulatedRobot::wait(Body& body, const Wait& command) {
   double until_s = command.until_s;
   if (devices_.targets) until_s = std::min(until_s, devices_.targets->next_entry_s());
   if (!std::isfinite(until_s) || until_s <= body.time_s()) return;
@@ -243,8 +284,9 @@ void SimulatedRobot::wait(WaypointBody& body, const Wait& command) {
   sample();
 }
 
-void SimulatedRobot::fill(WaypointBody& body, const Fill& command) {
-  gauge();
+template <class Body>
+void SimulatedRobot::fill(Body& body, const Fill& command) {
+  gauge(body);
   const StationCall& call = command.call;
   const Station& station = devices_.stores->station(call.station);
   if (distance(body.pose().position, station.position) > body.position_error_m() + at_station_m) {

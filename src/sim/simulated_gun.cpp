@@ -36,6 +36,22 @@ outrider_msgs::Shot shot_message(const Flight& flight, const Impact& impact, con
   return shot;
 }
 
+std::string contact_of(const Impact& impact, const FlightSpace& space, const Target& target) {
+  if (impact.hit) return target.name;
+  return impact.solid ? space.solids()[*impact.solid].name : "nothing";
+}
+
+outrider_msgs::Shot message_of(const FiredShot& shot, const Impact& impact, const FlightSpace& space,
+                               const Target& target, double ball_radius_m, std::string contact) {
+  outrider_msgs::Shot message =
+      shot_message(shot.flight, impact, space, target, ball_radius_m, std::move(contact));
+  message.target = target.name;
+  message.attempt = static_cast<std::uint32_t>(shot.attempt);
+  set_pose(message, shot.robot, shot.barrel.yaw_rad, shot.barrel.pitch_rad);
+  message.platform_velocity = point_of(shot.platform_mps);
+  return message;
+}
+
 void set_pose(outrider_msgs::Shot& shot, const Pose2& robot, double gun_yaw_rad, double gun_pitch_rad) {
   shot.robot = point_of(robot.position);
   shot.robot_heading = robot.heading_rad;
@@ -104,7 +120,7 @@ SimulatedGun::Thrown SimulatedGun::throw_ball(const Shot& shot, std::size_t targ
   const ShotRules& rules = scene_.rules;
   Target box = scene_.targets[stand_in];
   box.name = scene_.targets[target].name;
-  const Shot actual = shot_with_errors(shot, errors_.aim, gun_rng_, stance_at(rules, platform.position));
+  const Shot actual = draw_shot(shot, stance_at(rules, platform.position));
   const Flight flight = launch(rules, platform, box, actual);
   const FlightSpace& space = scene_.space(stand_in);
   const double radius = rules.gun.ball_radius_m;

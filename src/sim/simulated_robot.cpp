@@ -23,6 +23,7 @@ void sense_body(PieceBody& body, Observation& seen) {
   seen.carried_from = body.take_carried_from();
 }
 void sense_body(const WaypointBody& body, Observation& seen) { seen.odometry = body.pose(); }
+void sense_body(const RigidBody& body, Observation& seen) { seen.odometry = body.pose(); }
 
 }  // namespace
 
@@ -32,8 +33,12 @@ SimulatedRobot::SimulatedRobot(SimulatedBody body, SimulatedDevices devices, con
 
 SimulatedRobot::SimulatedRobot(Log& log, WaypointBody body, SimulatedDevices devices)
     : body_(std::move(body)), devices_(std::move(devices)), log_(&log) {
-  gauge();
-  sample();
+  begin(std::get<WaypointBody>(body_));
+}
+
+SimulatedRobot::SimulatedRobot(Log& log, RigidBody body, SimulatedDevices devices)
+    : body_(std::move(body)), devices_(std::move(devices)), log_(&log) {
+  begin(std::get<RigidBody>(body_));
 }
 
 double SimulatedRobot::time_s() const {
@@ -77,10 +82,8 @@ Command SimulatedRobot::in_true_time(Command command) const {
 
 void SimulatedRobot::act(const Command& given) {
   const Command command = in_true_time(given);
-  if (auto* body = std::get_if<WaypointBody>(&body_)) {
-    act_on(*body, command);
-    return;
-  }
+  if (auto* body = std::get_if<WaypointBody>(&body_)) return act_on(*body, command);
+  if (auto* body = std::get_if<RigidBody>(&body_)) return act_on(*body, command);
   const double until_s = std::visit([&](auto& body) { return body.begin(command); }, body_);
   auto& camera = devices_.camera;
   while (time_s() < until_s - instant_s) {

@@ -11,6 +11,7 @@ import sys
 import tempfile
 
 GAINS_ROWS = {"src/path/catalog.cpp"}  # the rows of the planners of OMPL
+REPLACED = "/rigid_world_absent.cpp.o"  # by the world in the physics engine
 ABSENT = [f"-DOUTRIDER_WITH_{name}=OFF" for name in ("OMPL", "PHYSICS", "CBC", "CERES", "PYTHON")]
 
 
@@ -31,8 +32,9 @@ def main() -> None:
                        check=True, capture_output=True)
         before, after = commands(alone), commands(build)
     assert len(before) > 100, before
-    assert not before.keys() - after.keys(), f"compiled for the tool alone: {before.keys() - after.keys()}"
-    changed = {command.rsplit(" ", 1)[1] for output, command in before.items() if command != after[output]}
+    alone_only = {output for output in before.keys() - after.keys() if not output.endswith(REPLACED)}
+    assert not alone_only, f"compiled for the tool alone: {alone_only}"
+    changed = {command.rsplit(" ", 1)[1] for output, command in before.items() if command != after.get(output, command)}
     changed = {str(pathlib.Path(source).relative_to(sources)) if source.startswith(str(sources)) else source for source in changed}
     assert changed <= GAINS_ROWS, f"compiled again: {sorted(changed)}"
     print(f"{len(before)} files of the tool, {len(changed)} compiled again")

@@ -33,6 +33,23 @@ struct GunScene {
 outrider_msgs::Shot shot_message(const Flight& flight, const Impact& impact, const FlightSpace& space,
                                  const Target& target, double ball_radius_m, std::string contact);
 
+/// A ball that has left the barrel.
+struct FiredShot {
+  std::size_t target = 0;
+  int attempt = 1;
+  Flight flight;
+  double fired_s = 0.0;
+  Pose2 robot;        ///< when it left, and so are the next two
+  Shot barrel;        ///< its direction in the world
+  Vec2 platform_mps;  ///< velocity of the robot
+};
+/// Makes the whole message of a shot.
+outrider_msgs::Shot message_of(const FiredShot& shot, const Impact& impact, const FlightSpace& space,
+                               const Target& target, double ball_radius_m, std::string contact);
+
+/// Returns the name of what a ball touches first: the target, a solid of the space, or "nothing".
+std::string contact_of(const Impact& impact, const FlightSpace& space, const Target& target);
+
 /// Sets the pose of the robot and the direction of the barrel, with its yaw in the map.
 void set_pose(outrider_msgs::Shot& shot, const Pose2& robot, double gun_yaw_rad, double gun_pitch_rad);
 
@@ -79,6 +96,10 @@ class SimulatedGun {
   double draw_delay_s();
   /// Lets other things than the solids and the targets of the scene stop balls.
   void set_stops(BallStops stops) { stops_ = std::move(stops); }
+  /// Draws the errors of a shot from a robot with that stance.
+  Shot draw_shot(const Shot& meant, const Stance& stance) {
+    return shot_with_errors(meant, errors_.aim, gun_rng_, stance);
+  }
   /// The simulated flight of a shot.
   struct Thrown {
     Flight flight;

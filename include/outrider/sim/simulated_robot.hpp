@@ -20,6 +20,7 @@
 #include "outrider/sim/bodies/wheel_body.hpp"
 #include "outrider/sim/faults/clock_faults.hpp"
 #include "outrider/sim/record.hpp"
+#include "outrider/sim/rigid/rigid_body.hpp"
 #include "outrider/sim/sensors/simulated_laser.hpp"
 #include "outrider/sim/sensors/simulated_tag_camera.hpp"
 #include "outrider/sim/simulated_gun.hpp"
@@ -28,14 +29,14 @@
 
 namespace outrider {
 
-using SimulatedBody = std::variant<TwistBody, WheelBody, PieceBody, WaypointBody>;
+using SimulatedBody = std::variant<TwistBody, WheelBody, PieceBody, WaypointBody, RigidBody>;
 
 /// The devices of a robot; each of them is optional.
 struct SimulatedDevices {
   std::optional<SimulatedLaser> laser = {};
   std::optional<SimulatedTagCamera> camera = {};
-  std::optional<SimulatedGun> gun = {};          ///< requires a WaypointBody
-  std::optional<SimulatedStores> stores = {};    ///< requires a WaypointBody
+  std::optional<SimulatedGun> gun = {};          ///< requires a body that drives to waypoints
+  std::optional<SimulatedStores> stores = {};    ///< requires a body that drives to waypoints
   std::optional<SimulatedTargets> targets = {};  ///< simulated targets and their detector
 };
 
@@ -45,6 +46,7 @@ class SimulatedRobot final : public Robot {
                           const Kidnapping& kidnapping = {}, const ClockFaults& clock = {});
   /// Makes a robot that logs its motion, its shots, its stores and what happens. The log must outlive it.
   SimulatedRobot(Log& log, WaypointBody body, SimulatedDevices devices = {});
+  SimulatedRobot(Log& log, RigidBody body, SimulatedDevices devices);
 
   Observation sense() override;
   void act(const Command& given) override;
@@ -64,26 +66,54 @@ class SimulatedRobot final : public Robot {
   /// Returns the messages that are logged once their time has come. Others may add to them.
   LogQueue& queue() { return queue_; }
 
-  SimRecord record;  ///< filled for a WaypointBody only
+  /// Logs the shots of a RigidBody whose balls have landed after balls that are still in the air. Call it
+  /// when nothing more will land: other shots are logged in order.
+  void log_landed() { landed_shots_.flush(*log_, time_s()); }
+
+  SimRecord record;  ///< filled for a body that drives to waypoints only
 
  private:
   void run_until(double time_s);
   [[nodiscard]] Command in_true_time(Command command) const;
   // gun_commands.cpp
-  void act_on(WaypointBody& body, const Command& command);
-  void follow(WaypointBody& body, const FollowWaypoints& command);
-  void drive_straight(WaypointBody& body, const std::vector<Vec2>& waypoints, std::size_t leg,
+  template <class Body>
+  void begin(Body& body);
+  template <class Body>
+  void act_on(Body& body, const Command& command);
+  template <class Body>
+  void follow(Body& body, const FollowWaypoints& command);
+  template <class Body>
+  void drive_straight(Body& body, const std::vector<Vec2>& waypoints, std::size_t leg,
                       const FollowWaypoints& command);
-  void aim(WaypointBody& body, const AimGun& command);
-  void fire(WaypointBody& body, const Fire& command);
-  void wait(WaypointBody& body, const Wait& command);
-  void fill(WaypointBody& body, const Fill& command);
-  void turn_gun(const std::vector<Vec2>& waypoints, const FollowWaypoints& command, std::size_t shots_done);
-  std::optional<Impact> shoot(const Fire& command, const Platform& platform);
+  template <class Body>
+  void aim(Body& body, const AimGun& command);
+  template <class Body>
+  void fire(Body& body, const Fire& command);
+  template <class Body>
+  void wait(Body& body, const Wait& command);
+  template <class Body>
+  void fill(Body& body, const Fill& command);
+  template <class Body>
+  void turn_gun(const Body& body, const std::vector<Vec2>& waypoints, const FollowWaypoints& command,
+                std::size_t shots_done);
+  template <class Body>
+  bool shoot(Body& body, const Fire& command, const Platform& platform);
+  bool throw_ball(const WaypointBody& from, const Fire& command, const Platform& platform);
+  FiredShot note_fired(const Fire& command, const Platform& platform, const Flight& flight, double muzzle_mps,
+                       const std::string& name);
+  void tell_impact(double time_s, bool hit, const std::string& name, const std::string& miss);
+  template <class Body>
+  void gauge(Body& body);
+  [[nodiscard]] Stance stance() const;
+  [[nodiscard]] Shot barrel() const;
   Log* log_now();
   void sample();
-  void gauge();
   void tell(double time_s, std::string kind, std::string sentence);
+  // rigid/landed_shots.cpp
+  bool throw_ball(RigidBody& body, const Fire& command, const Platform& platform);
+  void note_landed();
+  void note_landed(RigidBody& body);
+  void note_landed(RigidBody& body, const LandedBall& ball);
 
   SimulatedBody body_;
   SimulatedDevices devices_;
@@ -99,8 +129,9 @@ class SimulatedRobot final : public Robot {
   std::optional<GunMotion> gun_motion_;
   std::vector<ShotResult> flights_;  // not yet reported, some not yet ended
   Log* log_ = nullptr;
-  LogQueue queue_;       // what happens in the future
-  bool waited_ = false;  // the newest event is a wait
+  LogQueue queue_;         // what happens in the future
+  LogQueue landed_shots_;  // of a RigidBody, after balls that are in the air still
+  bool waited_ = false;    // the newest event is a wait
 };
 
 /// Makes a differential-drive robot with a bumper, a range finder and perhaps a camera, at rest at the start.

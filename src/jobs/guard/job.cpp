@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "outrider/job/clock.hpp"
-#include "outrider/jobs/guard/run/rigid_world.hpp"
+#include "outrider/jobs/guard/run/robot.hpp"
 #include "outrider/jobs/guard/run/scout_run.hpp"
 #include "run/guard_log.hpp"
 #include "summary.hpp"
@@ -69,7 +69,7 @@ Status explore_and_guard(const GuardScenario& scenario, Run& run, const RunWatch
 Outcome<Warnings> GuardJob::load() {
   auto warnings = load_problem(scenario);
   if (warnings && scenario.sim == "physics") {
-    if (auto bodies = make_rigid_world(scenario.problem); !bodies) return pass_on(bodies);
+    if (auto bodies = make_rigid_world(rigid_scene(scenario.problem)); !bodies) return pass_on(bodies);
   }
   return warnings;
 }

@@ -7,7 +7,7 @@
 #include <deque>
 
 #include "outrider/core/parallel.hpp"
-#include "outrider/jobs/guard/plan/sequence.hpp"
+#include "outrider/tour/sequence.hpp"
 
 namespace outrider {
 namespace {

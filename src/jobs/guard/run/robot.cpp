@@ -20,4 +20,24 @@ SimulatedRobot simulated_guard(const GuardProblem& problem, const FiringMap& fir
                         std::move(devices));
 }
 
+RigidScene rigid_scene(const GuardProblem& problem) {
+  return {problem.world, problem.targets, problem.targets_block,
+          problem.robot, problem.start,   problem.gun.ball_radius_m};
+}
+
+Outcome<SimulatedRobot> rigid_guard(const GuardProblem& problem, const FiringMap& firing_map, Log& log,
+                                    std::uint64_t seed) {
+  auto world = make_rigid_world(rigid_scene(problem));
+  if (!world) return pass_on(world);
+  const Rng rng(seed);
+  SimulatedDevices devices;
+  devices.gun.emplace(GunScene{firing_map.rules, firing_map.spaces, problem.targets}, problem.errors,
+                      rng.child("gun"), rng.child("timing"));
+  return SimulatedRobot(
+      log,
+      RigidBody(std::move(*world), rigid_scene(problem), {firing_map.ground, firing_map.rules},
+                problem.errors, rng.child("arrival")),
+      std::move(devices));
+}
+
 }  // namespace outrider

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "outrider/jobs/guard/run/physics_robot.hpp"
 #include "outrider/log/append.hpp"
 #include "run/guard_log.hpp"
 #include "team/team_log.hpp"
@@ -66,9 +65,12 @@ struct WithOutage {
   }
 };
 
-/// `robot` logs what it does; `record` is its record.
-Report simulate(const GuardRun& run, GuardMission mission, Robot& robot, const SimRecord& record,
-                TargetLog& targets, Log& log, const RunWatch& watch) {
+/// `robot` logs what it does.
+Report simulate(const GuardRun& run, GuardMission mission, SimulatedRobot& robot, Log& log,
+                const RunWatch& watch) {
+  const SimRecord& record = robot.record;
+  TargetLog targets(log, robot.queue(), run);
+  note_entrances(robot.queue(), run);
   mission.board().set_stop(watch.stop);
   if (run.truth != nullptr) doubt_proofs(mission.board());
   WithOutage stepped{mission, run.faults.planner};
@@ -95,17 +97,13 @@ Report simulate(const GuardRun& run, GuardMission mission, Robot& robot, const S
 Outcome<Report> simulate_bodies(const GuardRun& run, Log& log, const RunWatch& watch) {
   const GuardProblem& problem = run.mission.board().problem();
   const FiringMap& firing_map = run.mission.board().firing_map();
-  auto bodies = make_rigid_world(problem);
-  if (!bodies) return pass_on(bodies);
   log_yard(log, problem, run.options, run.seed, true);
-  LogQueue queue;
-  TargetLog targets(log, queue, run);
+  auto robot = rigid_guard(problem, firing_map, log, run.seed);
+  if (!robot) return pass_on(robot);
   GuardProblem yielding = problem;
   yielding.robot.radius_m *= way_radius;
-  PhysicsGuard robot(problem, firing_map, **bodies, log, run.seed);
-  auto report =
-      simulate(run, {yielding, firing_map, *run.mission.tour()}, robot, robot.record, targets, log, watch);
-  robot.log_landed();
+  Report report = simulate(run, {yielding, firing_map, *run.mission.tour()}, *robot, log, watch);
+  robot->log_landed();
   return report;
 }
 
@@ -130,9 +128,7 @@ Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch) 
   SimulatedRobot robot = simulated_guard(
       true_problem(run), run.truth ? run.truth->firing_map : run.mission.board().firing_map(), log, run.seed,
       target_params(run), run.truth ? run.truth->levels : StoreLevels{}, run.faults);
-  TargetLog targets(log, robot.queue(), run);
-  note_entrances(robot.queue(), run);
-  return simulate(run, run.mission, robot, robot.record, targets, log, watch);
+  return simulate(run, run.mission, robot, log, watch);
 }
 
 Outcome<Report> run_guard(const PreparedGuard& guard, Log& log, const RunWatch& watch,

@@ -9,7 +9,7 @@
 
 #include "outrider/ballistics/flight.hpp"
 #include "outrider/jobs/guard/problem.hpp"
-#include "outrider/jobs/guard/team/closest_approach.hpp"
+#include "outrider/motion/closest_approach.hpp"
 #include "team/team_schedule.hpp"
 
 namespace outrider {

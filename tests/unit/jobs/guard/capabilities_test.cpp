@@ -7,7 +7,7 @@
 
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/jobs/guard/run/rigid_world.hpp"
+#include "outrider/jobs/guard/run/robot.hpp"
 #include "support/random_terrain.hpp"
 #include "support/random_yard.hpp"
 
@@ -166,7 +166,8 @@ TEST(Capabilities, WhatIsAcceptedRuns) {
       if (i != k) ask_for(job.scenario, at(k));
       ASSERT_EQ(requested_capabilities(job.scenario),
                 i == k ? std::vector{at(i)} : (std::vector{at(i), at(k)}));
-      if (job.scenario.sim == "physics" && !make_rigid_world(job.scenario.problem)) continue;  // no engine
+      if (job.scenario.sim == "physics" && !make_rigid_world(rigid_scene(job.scenario.problem)))
+        continue;  // no engine
       outrider::Run run;
       const auto done = job.run(run, {});
       ASSERT_TRUE(done) << to_string(done.error());

@@ -12,9 +12,9 @@
 
 #include "outrider/jobs/guard/behaviour/policy.hpp"
 #include "outrider/jobs/guard/mission/task_board.hpp"
-#include "outrider/jobs/guard/plan/sequence.hpp"
 #include "outrider/jobs/guard/plan/stop_table.hpp"
 #include "outrider/jobs/guard/yard/arrivals.hpp"
+#include "outrider/tour/sequence.hpp"
 
 namespace outrider {
 

@@ -7,17 +7,16 @@
 // On the move (GuardOptions::shoot_on_the_move) it holds for all missions that fire at each target while the
 // robot is anywhere in a cell of its firing region, standing or driving. Flights count nothing then, and a
 // drive of length d takes d / v; the robot speeds up once. For each target that takes part, the way to the
-// centre of a cell and back is taken off. Where a bound with turns and halts for the same targets is larger,
-// the result is that one (src/jobs/guard/heading_bound.hpp).
+// centre of a cell and back is taken off. A bound that counts turns and halts too is in research/guard.
 //
 // The bound is a dynamic programme over sets of targets (Held and Karp, 1962). For a set, the value of a cell
 // is the least time in which a robot that stands there can hit all targets of the set. There are two choices:
 // hit one target from here and then the others, or drive to another cell first. So the values of a set follow
 // from those of its subsets with one target less, by one multi-source search over the ground. The length of a
 // drive is that of the shortest chain of moves on the lattice of cells, which is never longer than the
-// shortest path (lattice.hpp); its time is that of a drive from rest to rest. A flight takes the least time
-// in which a ball of full speed can touch the target, with obstacles ignored. In air that time would be hard
-// to bound, so the time to cross the gap at full speed is used.
+// shortest path (path/grid/drive_lattice.hpp); its time is that of a drive from rest to rest. A flight takes
+// the least time in which a ball of full speed can touch the target, with obstacles ignored. In air that time
+// would be hard to bound, so the time to cross the gap at full speed is used.
 //
 // Only some targets take part in the dynamic programme; each of the others adds its shortest flight. The
 // targets that take part are added one by one: next comes the target that would cost most extra in the

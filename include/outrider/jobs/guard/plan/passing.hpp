@@ -15,23 +15,10 @@
 
 #include "outrider/jobs/guard/problem.hpp"
 #include "outrider/jobs/guard/yard/firing_map.hpp"
+#include "outrider/motion/straights.hpp"
 #include "outrider/robot/observation.hpp"
 
 namespace outrider {
-
-/// One straight leg of a path and the time at which it is driven.
-struct Straight {
-  std::size_t leg = 0;  ///< index of the waypoint at which the leg ends
-  Vec2 from;
-  Vec2 to;
-  double begin_s = 0.0;   ///< start time, counted from the beginning of the path; includes turns
-  double length_s = 0.0;  ///< duration
-};
-
-/// Returns the legs of a path in order. Equal consecutive waypoints make no leg. `terrain` is null on flat
-/// ground. O(waypoints).
-std::vector<Straight> straights(const RobotModel& robot, double heading_rad,
-                                const std::vector<Vec2>& waypoints, const HeightField* terrain = nullptr);
 
 /// Returns position and velocity of the robot `after_s` after the beginning of a leg.
 Platform platform_on(const RobotModel& robot, Vec2 from, Vec2 to, double after_s,

@@ -14,4 +14,12 @@ SimulatedRobot simulated_guard(const GuardProblem& problem, const FiringMap& fir
                                std::uint64_t seed, TargetSimParams targets = {},
                                const StoreLevels& levels = {}, const GuardSimParams& faults = {});
 
+/// Returns the yard and the robot of a problem as rigid bodies.
+RigidScene rigid_scene(const GuardProblem& problem);
+
+/// Makes the robot among rigid bodies (sim/rigid/rigid_body.hpp), with the same random streams arrival, gun
+/// and timing. The problem, the firing map and the log must outlive it. Faults: those of make_rigid_world().
+Outcome<SimulatedRobot> rigid_guard(const GuardProblem& problem, const FiringMap& firing_map, Log& log,
+                                    std::uint64_t seed);
+
 }  // namespace outrider

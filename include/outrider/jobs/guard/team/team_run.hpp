@@ -19,9 +19,9 @@
 
 #include "outrider/job/watch.hpp"
 #include "outrider/jobs/guard/mission/task_board.hpp"
-#include "outrider/jobs/guard/team/closest_approach.hpp"
 #include "outrider/jobs/guard/team/team_plan.hpp"
 #include "outrider/log/log.hpp"
+#include "outrider/motion/closest_approach.hpp"
 #include "outrider/sim/faults/guard_sim_params.hpp"
 #include "outrider/sim/record.hpp"
 

@@ -13,6 +13,7 @@
 #include "outrider/core/rng.hpp"
 #include "outrider/jobs/guard/yard/firing_map.hpp"
 #include "outrider/sim/intruders.hpp"
+#include "outrider/tour/sequence.hpp"
 
 namespace outrider {
 
@@ -23,9 +24,6 @@ struct Entrance {
   std::string name;
   Vec2 position;
 };
-
-/// The quantity to minimise: the sum of the times that intruders are inside, or the time of the last hit.
-enum class ArrivalObjective { time_inside, makespan };
 
 /// Options of arriving intruders and of the planning for them.
 struct ArrivalOptions {

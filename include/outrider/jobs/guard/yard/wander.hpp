@@ -1,9 +1,6 @@
-// Wandering intruders: the true motion of intruders that walk about, and the options of shooting at them.
-//
-// An intruder alternates between resting and walking. It rests at a place for an exponential time with mean
-// `rest`. Then it walks to another place at `speed`, along the shortest path around the obstacles. Places are
-// those of the targets; the next one is drawn by weight from the places that can be reached. An intruder can
-// be hit at any time, and leaves when it is hit.
+// Wandering intruders: the true motion of intruders that walk about (sim/walks.hpp), and the options of
+// shooting at them. Their places are those of the targets. An intruder can be hit at any time, and leaves
+// when it is hit.
 #pragma once
 
 #include <cstdint>

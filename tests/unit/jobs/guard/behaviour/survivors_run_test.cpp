@@ -5,9 +5,9 @@
 #include <functional>
 #include <set>
 
-#include "outrider/jobs/guard/plan/sequence.hpp"
 #include "outrider/jobs/guard/run/run.hpp"
 #include "outrider/log/topics.hpp"
+#include "outrider/tour/sequence.hpp"
 #include "support/guard_runs.hpp"
 #include "support/logged_targets.hpp"
 #include "support/planned_yard.hpp"

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "outrider/core/rng.hpp"
-#include "outrider/jobs/guard/run/physics_robot.hpp"
 #include "support/fine_flight.hpp"
 #include "support/logged_targets.hpp"
 #include "support/planned_yard.hpp"
@@ -25,7 +24,7 @@ class RunGuardInPhysics : public ::testing::Test {
  protected:
   void SetUp() override {
     Rng rng(620);
-    const auto ok = make_rigid_world(testing::random_guard_problem(rng, 0, 1, 2.5));
+    const auto ok = make_rigid_world(rigid_scene(testing::random_guard_problem(rng, 0, 1, 2.5)));
     if (!ok) GTEST_SKIP() << ok.error().sentence;
   }
 
@@ -127,10 +126,10 @@ TEST_F(RunGuardInPhysics, TimeGoesOnForTheRobotWhileBallsFly) {
   problem.errors.aim = {0.0, 0.0};
   const auto firing_map = build_firing_map(problem, quick());
   ASSERT_TRUE(firing_map.has_value());
-  auto bodies = make_rigid_world(problem);
-  ASSERT_TRUE(bodies.has_value());
   Log log;
-  PhysicsGuard robot(problem, *firing_map, **bodies, log, 1);
+  auto made = rigid_guard(problem, *firing_map, log, 1);
+  ASSERT_TRUE(made.has_value());
+  SimulatedRobot& robot = *made;
   const Shot high{0.5, 1.3, 9.0}, low{0.5, 0.9, 2.0};
   robot.act(AimGun{high.yaw_rad, high.pitch_rad});
   robot.act(Fire{0, high, false});

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "outrider/jobs/guard/plan/bound.hpp"
-#include "outrider/jobs/guard/team/closest_approach.hpp"
+#include "outrider/motion/closest_approach.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 #include "team/team_schedule.hpp"
