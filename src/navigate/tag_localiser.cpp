@@ -13,7 +13,7 @@ constexpr double way_sigma = 0.03;       // of a metre by odometry, m; grows wit
 constexpr double way_turn_sigma = 0.05;  // the same of the heading, rad
 constexpr double turn_sigma = 0.03;      // of the heading in a turn of 1 rad, rad; with its square root
 constexpr double start_sigma = 0.01;     // of a start that is told, m and rad
-constexpr double lost_m = 1.0;           // standard deviation of the position at which the robot is lost
+constexpr double lost_by_tags_m = 1.0;   // standard deviation of the position at which the robot is lost
 constexpr int most_refused = 5;          // images in a row that agree on another place, where it is then
 
 /// Returns a belief after a motion by odometry.
@@ -59,7 +59,7 @@ class TagsInView final : public RobotLocaliser {
   [[nodiscard]] std::string lost() const override {
     const Eigen::Matrix3d now = covariance();
     const double sigma_m = std::sqrt(std::max(now(0, 0), now(1, 1)));
-    if (sigma_m <= lost_m) return {};
+    if (sigma_m <= lost_by_tags_m) return {};
     return fmt::format(
         "its position has a standard deviation of {:.2f} m, since it has seen no tag for so long", sigma_m);
   }

@@ -9,7 +9,7 @@ namespace outrider {
 namespace {
 
 constexpr double smooth_rad = radians(3.0);  // a smaller corner is none
-constexpr double aligned_rad = radians(1.0);
+constexpr double looks_along_rad = radians(1.0);
 constexpr double reached_m = 0.004;      // from the end of a piece
 constexpr double leap_m = 0.3;           // by which a robot may come ahead in a period
 constexpr double damping_s = 0.4;        // of the way in which it comes back to the track, at its speed
@@ -59,7 +59,7 @@ void TrackFollower::note(const Pose2& robot) {
 std::optional<double> TrackFollower::heading_to_turn_to(const Pose2& robot) {
   if (looks_along_) return {};
   const double heading_rad = pose_at(at_).heading_rad;
-  looks_along_ = std::abs(wrap_angle(heading_rad - robot.heading_rad)) < aligned_rad;
+  looks_along_ = std::abs(wrap_angle(heading_rad - robot.heading_rad)) < looks_along_rad;
   return looks_along_ ? std::nullopt : std::optional(heading_rad);
 }
 
