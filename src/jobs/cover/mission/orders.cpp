@@ -114,11 +114,11 @@ Region CoverOrders::things(const Navigator& navigator) const {
 }
 
 /// Plans the area without what was seen in it; where it falls apart, the part where the robot is. A passage
-/// that is hardly wider than the robot may be none for the planner: then it counts as none.
+/// that is hardly wider than the robot counts as none: the navigator plans on cells.
 Outcome<CoverPlan> CoverOrders::plan_here(const Region& things) const {
   const Region ground = without(plan_.ground.area, things);
   Outcome<CoverPlan> plan = fault(FaultCode::no_path, "nowhere in the area is room among what stands there");
-  for (const double wider_m : {0.002, 0.01, 0.03}) {
+  for (const double wider_m : {0.025, 0.04}) {
     const double radius_m = problem_.body_radius_m() + wider_m;
     const Region standing = shrunk(ground, radius_m, chord_m);
     if (standing.empty()) break;
