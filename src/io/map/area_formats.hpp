@@ -16,8 +16,8 @@ using AreaRings = std::vector<AreaRing>;
 struct AreaFile {
   std::vector<AreaRings> polygons;
   std::vector<std::string> properties = {};  ///< for each polygon those of its feature as JSON text
-  std::string crs = {};       ///< the member "crs" of GeoJSON as JSON text
-  std::string crs_name = {};  ///< the name in it; empty: none
+  std::string crs = {};                      ///< the member "crs" of GeoJSON as JSON text
+  std::string crs_name = {};                 ///< the name in it; empty: none
   Units units = Units::told_by_size;
 };
 

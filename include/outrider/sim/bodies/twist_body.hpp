@@ -39,8 +39,8 @@ class TwistBody {
   [[nodiscard]] std::optional<double> touch_rad() const { return touch_rad_; }
 
   [[nodiscard]] double time_s() const { return time_s_; }
-  [[nodiscard]] const Pose2& pose() const { return pose_; }          ///< world_T_robot; heading not wrapped
-  [[nodiscard]] const Twist2& twist() const { return twist_; }       ///< present twist, without slip
+  [[nodiscard]] const Pose2& pose() const { return pose_; }     ///< world_T_robot; heading not wrapped
+  [[nodiscard]] const Twist2& twist() const { return twist_; }  ///< present twist, without slip
   /// Returns start_T_robot as the wheels measure it, or as it is.
   [[nodiscard]] Pose2 odometry() const { return wheels_.exact ? relative_pose(start_, pose_) : odometry_; }
   [[nodiscard]] std::int64_t contacts() const { return contacts_; }
