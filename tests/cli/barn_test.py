@@ -20,7 +20,7 @@ class Barn(ToolTest):
         result = self.run_tool("bench", "barn", "--data", ".", "--seeds", "2", "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         rows = {row["rule"]: row for row in self.json_of(result)["rows"]}
-        self.assertEqual(set(rows), {"sampled", "dwa"})
+        self.assertEqual(set(rows), {"sampled", "dwa", "steer"})
         for row in rows.values():
             self.assertEqual((row["runs"], row["success"], row["contacts"], row["not_reached"]), (4, 1.0, 0, 0), row)
             self.assertLessEqual(row["score"], 0.5)

@@ -77,7 +77,7 @@ struct Driver {
   Status drive_navigated(CoverRun& run, Log& to, CoverLog& log, const std::stop_token& stop) const {
     auto done = drive_with_navigator(task.problem, task.method, scenario.options, run.plan,
                                      scenario.navigation, scenario.things, seed, to, watch,
-                                     [&](const PieceDrive& so_far) { log.note(so_far); });
+                                     [&](const PieceDrive& so_far) { log.note_steered(so_far); });
     if (!done) return pass_on(done);
     run.drive = std::exchange(done->drive, {});
     run.navigated = std::move(*done);

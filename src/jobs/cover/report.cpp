@@ -311,6 +311,11 @@ void CoverLog::note(const PieceDrive& drive) {
   note_drive(drive);
 }
 
+void CoverLog::note_steered(const PieceDrive& drive) {
+  note_poses(drive, drive.track.size());
+  note_drive(drive);
+}
+
 void CoverLog::note(const PieceDrive& drive, const CoverRecovery& mission) {
   for (; pieces_ < drive.ends_s.size(); ++pieces_)
     note_piece(mission.pieces[pieces_], begin_of(drive, pieces_));

@@ -131,8 +131,7 @@ std::vector<OptionGroup> describe(CoverScenario& scenario) {
       choice_option("sim", "how the track is driven: as it is, or by a navigator around what stands there",
                     &scenario.sim, {"ideal", "navigator"}),
       {"things", "", 0, 0,
-       "x,y,length,width of each box and x,y,radius of each post that stands there and is on no map, m, with "
-       "blanks between; with sim: navigator",
+       "with sim: navigator: x,y,length,width of boxes and x,y,radius of posts that are on no map, m",
        &scenario.things}};
   top.insert(top.end(), rest.begin(), rest.end());
   std::vector<OptionGroup> groups = {

@@ -66,6 +66,8 @@ class CoverLog {
            const std::string& name);
   /// Logs what was driven since the last call.
   void note(const PieceDrive& drive);
+  /// The same of a robot that is steered: no pose changes any more.
+  void note_steered(const PieceDrive& drive);
   /// The same of a robot that may be held up.
   void note(const PieceDrive& drive, const CoverRecovery& mission);
   /// Logs the end: what the drive has covered, what it missed, and what it covered more than once.

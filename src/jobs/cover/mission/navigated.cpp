@@ -135,8 +135,9 @@ class NavigatedDrive {
     while (!done_.finished) {
       const Observation seen = robot_.sense();
       const Situation now = navigator_.perceive(seen);
-      note(seen, now);
+      note_truth();
       look(done_.drive);
+      log(seen, now);
       if (watch.stopped()) return;
       const auto order = orders_.next(now, navigator_);
       done_.finished = !order;
@@ -160,12 +161,15 @@ class NavigatedDrive {
   }
 
  private:
-  void note(const Observation& seen, const Situation& now) {
+  void note_truth() {
     const Pose2& truth = robot_.pose();
     note_pose(done_.drive, robot_.time_s(), truth);
     const bool out = !ground_.contains(truth.position) || ground_.to_edge_m(truth.position) < radius_m_;
     if (out && !outside_) ++done_.left_ground;
     outside_ = out;
+  }
+
+  void log(const Observation& seen, const Situation& now) {
     if (seen.scan) log_scan(log_, now.time_s, *seen.scan);
     if (now.time_s < next_map_s_) return;
     next_map_s_ = now.time_s + map_every_s - 1e-9;
