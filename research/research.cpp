@@ -5,7 +5,6 @@
 #include "outrider/jobs/catalog.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/pursuit/catalog.hpp"
-#include "research/guard/bounded_tour.hpp"
 #include "research/guard/pddl_task.hpp"
 #include "research/guard/reference.hpp"
 #include "research/pursuit/iterative_a_star.hpp"
@@ -75,10 +74,6 @@ void add_guard_planners() {
       {"source_target_table",
        "A table of places and the targets hit from there, looked up; always the nearest place next.",
        "the abstract of the reference report, from its description", at_once<source_target_table>});
-  add_guard_planner(
-      {"bounded_tour", "The plan of best_tour, on the move with a bound that counts turns and halts.",
-       "Held and Karp, A dynamic programming approach to sequencing problems, 1962, with headings",
-       bounded_tour});
 }
 
 }  // namespace

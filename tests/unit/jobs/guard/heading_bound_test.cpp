@@ -1,4 +1,4 @@
-#include "research/guard/heading_bound.hpp"
+#include "heading_bound.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "research/guard/heading_cone.hpp"
+#include "heading_cone.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "heading_cone.hpp"
 #include "outrider/jobs/guard/yard/firing_map.hpp"
-#include "research/guard/heading_cone.hpp"
 
 namespace outrider {
 

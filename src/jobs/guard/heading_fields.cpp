@@ -1,4 +1,4 @@
-#include "research/guard/heading_fields.hpp"
+#include "heading_fields.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "plan/relaxed.hpp"
+#include "relaxed.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -64,7 +64,7 @@ std::pair<std::size_t, double> nearest_cell(const GridFrame& frame, Vec2 place) 
 }  // namespace
 
 Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
-                 const std::vector<std::size_t>& targets, bool on_the_move, bool homeward)
+                 const std::vector<std::size_t>& targets, bool on_the_move)
     : frame_(firing_map.frame),
       lattice_(firing_map.frame, firing_map.clearance_m, problem.robot.radius_m),
       straight_(problem.robot.straight()),
@@ -80,11 +80,6 @@ Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
   const auto [home, nearest] = nearest_cell(frame_, problem.start.position);
   home_ = home;
   to_home_s_ = 2.0 * nearest / straight_.speed;
-  if (homeward) {
-    value_[0].assign(frame_.size(), endless);
-    value_[0][home_] = 0;
-    drive(value_[0]);
-  }
   parallel_for(targets.size(), [&](std::size_t i) {
     const std::size_t t = targets[i];
     flight_[i] = firing_map.regions[t].pitch.mapped(endless, [&](std::size_t c, std::uint8_t pitch) {
@@ -152,12 +147,8 @@ bool Relaxed::choose(std::size_t index, BudgetMeter& meter, const std::stop_toke
 /// From below, the time to hit a set from the start. On the move, the robot shoots anywhere in a cell rather
 /// than at its centre.
 double Relaxed::value_s(std::size_t set, std::size_t home, double to_home_s) const {
-  return mission_s(value_[set][home], to_home_s, std::popcount(set));
-}
-
-double Relaxed::mission_s(double units, double to_home_s, int places) const {
-  const double time = units * unit_s_ - to_home_s;
-  return on_the_move_ ? on_the_move_s(time - places * aside_s_) : time;
+  const double time = value_[set][home] * unit_s_ - to_home_s;
+  return on_the_move_ ? on_the_move_s(time - std::popcount(set) * aside_s_) : time;
 }
 
 std::vector<double> Relaxed::values_from(Vec2 start) const {
@@ -176,6 +167,39 @@ double Relaxed::on_the_move_s(double driven_s) const {
   const double speed_up_m = 0.5 * straight_.speed * straight_.speed / straight_.acceleration;
   return way < speed_up_m ? std::sqrt(2.0 * way / straight_.acceleration)
                           : (way + speed_up_m) / straight_.speed;
+}
+
+Relaxed Relaxed::homeward(const std::stop_token& stop) const {
+  Relaxed back = *this;
+  back.chosen_.clear();
+  back.value_.assign(1, Field(frame_.size(), endless));
+  back.value_[0][home_] = 0;
+  back.drive(back.value_[0]);
+  Budget budget;
+  budget.stop = stop;
+  BudgetMeter meter(budget);
+  for (const std::size_t index : chosen_) {
+    if (!back.choose(index, meter, stop)) break;
+  }
+  return back;
+}
+
+std::vector<GridWindow> Relaxed::windows(const Relaxed& homeward, double most_s) const {
+  std::vector<GridWindow> windows(value_.size());
+  const double aside_s = static_cast<double>(chosen_.size() + 1) * aside_s_;
+  for (std::size_t left = 0; left < windows.size(); ++left) {
+    const Field& before = homeward.value_[windows.size() - 1 - left];
+    Cell low{frame_.width, frame_.height}, high{-1, -1};
+    for (std::size_t c = 0; c < frame_.size(); ++c) {
+      const double time = (before[c] + value_[left][c]) * unit_s_ - to_home_s_ - aside_s;
+      if (on_the_move_s(time) > most_s) continue;
+      const Cell cell = frame_.cell(c);
+      low = Cell{std::min(low.x, cell.x), std::min(low.y, cell.y)};
+      high = Cell{std::max(high.x, cell.x), std::max(high.y, cell.y)};
+    }
+    if (low.x <= high.x) windows[left] = {low, high.x - low.x + 1, high.y - low.y + 1};
+  }
+  return windows;
 }
 
 /// The best of the sets: its value, and the least flights of all other targets.
@@ -234,24 +258,6 @@ std::optional<std::size_t> Relaxed::hardest() const {
     }
   }
   return index;
-}
-
-double bound_memory_bytes(const GuardOptions& options) {
-  return (options.prove ? 0.5 : 0.25) * static_cast<double>(options.memory_mib) * 1048576.0;
-}
-
-Relaxed relaxed_over_hardest(const GuardProblem& problem, const FiringMap& firing_map,
-                             const std::vector<std::size_t>& targets, const GuardOptions& options,
-                             std::size_t most, const Budget& budget) {
-  const double field = sizeof(std::uint16_t) * static_cast<double>(firing_map.frame.size());
-  BudgetMeter meter(budget);
-  Relaxed relaxed(problem, firing_map, targets, options.shoot_on_the_move);
-  while (relaxed.chosen().size() < most &&
-         std::ldexp(field, static_cast<int>(relaxed.chosen().size()) + 1) <= bound_memory_bytes(options)) {
-    const auto next = relaxed.hardest();
-    if (!next || !relaxed.choose(*next, meter, budget.stop)) break;
-  }
-  return relaxed;
 }
 
 }  // namespace outrider

@@ -5,6 +5,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "heading_fields.hpp"
 #include "outrider/core/budget.hpp"
 #include "outrider/jobs/guard/yard/firing_map.hpp"
 #include "outrider/path/grid/drive_lattice.hpp"
@@ -18,9 +19,8 @@ inline constexpr std::uint16_t endless = DriveLattice::endless;
 /// On the move, drives have no halts and no ball is waited for.
 class Relaxed {
  public:
-  /// If `homeward`, the mission ends at the start.
   Relaxed(const GuardProblem& problem, const FiringMap& firing_map, const std::vector<std::size_t>& targets,
-          bool on_the_move, bool homeward = false);
+          bool on_the_move);
 
   /// Takes one more target in; false, and nothing done, when the budget ends first or the token is raised.
   bool choose(std::size_t index, BudgetMeter& meter, const std::stop_token& stop);
@@ -30,13 +30,11 @@ class Relaxed {
   [[nodiscard]] const std::vector<std::size_t>& chosen() const { return chosen_; }
   /// Returns for each set of chosen targets the least time to hit all of them from another start.
   [[nodiscard]] std::vector<double> values_from(Vec2 start) const;
-  /// Returns for each cell the least time to hit a set of chosen targets from there, in units.
-  [[nodiscard]] const Field& value(std::size_t set) const { return value_[set]; }
-  /// Returns, from below, the time of a mission from the start whose values sum up to that many units, if the
-  /// robot may be anywhere in the cells of that many places, s.
-  [[nodiscard]] double mission_s(double units, int places) const {
-    return mission_s(units, to_home_s_, places);
-  }
+  /// The same targets on the move, but the mission ends at the start.
+  [[nodiscard]] Relaxed homeward(const std::stop_token& stop) const;
+  /// Returns for each set of chosen targets the cells where a robot on the move may have these left to hit if
+  /// the mission takes at most `most_s`; `homeward` tells how long it took to hit the others.
+  [[nodiscard]] std::vector<GridWindow> windows(const Relaxed& homeward, double most_s) const;
 
  private:
   [[nodiscard]] Field arrived(std::size_t set) const;
@@ -44,7 +42,6 @@ class Relaxed {
   [[nodiscard]] std::vector<std::size_t> stops() const;
   [[nodiscard]] double value_s(std::size_t set) const { return value_s(set, home_, to_home_s_); }
   [[nodiscard]] double value_s(std::size_t set, std::size_t home, double to_home_s) const;
-  [[nodiscard]] double mission_s(double units, double to_home_s, int places) const;
   [[nodiscard]] double on_the_move_s(double driven_s) const;
   [[nodiscard]] bool is_chosen(std::size_t index) const {
     return std::find(chosen_.begin(), chosen_.end(), index) != chosen_.end();
@@ -64,14 +61,5 @@ class Relaxed {
   std::vector<std::size_t> chosen_;              // bit of a set -> index
   std::vector<Field> value_;                     // set -> by cell, the least time to hit it
 };
-
-/// Returns the memory that the fields of a bound may take: half of what there is if a proof is asked for.
-double bound_memory_bytes(const GuardOptions& options);
-
-/// Returns the relaxed mission over at most so many targets, each time the hardest, and fewer if memory or
-/// budget end.
-Relaxed relaxed_over_hardest(const GuardProblem& problem, const FiringMap& firing_map,
-                             const std::vector<std::size_t>& targets, const GuardOptions& options,
-                             std::size_t most, const Budget& budget);
 
 }  // namespace outrider
