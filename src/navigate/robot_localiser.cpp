@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "localise/tag_localiser.hpp"
 #include "outrider/slam/laser/laser_slam.hpp"
-#include "tag_localiser.hpp"
 
 namespace outrider {
 namespace {

@@ -41,17 +41,19 @@ class Outliner {
   std::vector<Vec2> ring_from(Cell at, std::size_t way) {
     std::vector<Vec2> ring;
     std::size_t before = ahead.size();
-    while (!walked(corners_.index(at), way)) {
+    for (bool goes_on = true; goes_on;) {
       auto& mark = walked_[corners_.index(at)];
       mark = static_cast<std::uint8_t>(mark | (1U << way));
       if (way != before) ring.push_back(cells_.frame.corner(at));
       before = way;
       at = {at.x + ahead[way].x, at.y + ahead[way].y};
       // Left first, so rings around cells that meet at a corner only stay apart.
+      goes_on = false;
       for (const std::size_t turn : {1U, 0U, 3U}) {
         const std::size_t next = (before + turn) % ahead.size();
         if (!is_side(at, next) || walked(corners_.index(at), next)) continue;
         way = next;
+        goes_on = true;
         break;
       }
     }

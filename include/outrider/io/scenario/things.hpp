@@ -1,4 +1,4 @@
-// What stands in a world and is on no map, as scenarios say it.
+// Things that stand in a world and are on no map, as scenarios say it.
 #pragma once
 
 #include <string>

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
-#include "outrider/job/navigation.hpp"
 #include "outrider/jobs/cover/ground/saved_map.hpp"
 #include "outrider/jobs/cover/strokes/plan.hpp"
 #include "outrider/sim/faults/track_faults.hpp"
+#include "outrider/sim/navigation.hpp"
 
 namespace outrider {
 

@@ -77,6 +77,12 @@ RobotModel robot_of(const CoverProblem& problem) {
   return robot;
 }
 
+void add_pose(PieceDrive& drive, double time_s, const Pose2& pose) {
+  drive.track.push_back({time_s, pose});
+  drive.way.push_back(pose.position);
+  drive.times_s.push_back(time_s);
+}
+
 /// Notes the true pose in the drive.
 void note_pose(PieceDrive& drive, double time_s, const Pose2& pose) {
   drive.time_s = time_s;
@@ -88,9 +94,7 @@ void note_pose(PieceDrive& drive, double time_s, const Pose2& pose) {
     drive.length_m += moved_m;
     drive.turned_rad += turned_rad;
   }
-  drive.track.push_back({time_s, pose});
-  drive.way.push_back(pose.position);
-  drive.times_s.push_back(time_s);
+  add_pose(drive, time_s, pose);
 }
 
 /// Returns what a robot can cover that keeps the rim from things; nothing if it has no room where it starts.
@@ -151,6 +155,8 @@ class NavigatedDrive {
   /// Returns what it came to, but for what was covered.
   NavigatedCover result() {
     const auto& body = robot_.body<TwistBody>();
+    if (done_.drive.track.back().time_s < done_.drive.time_s)
+      add_pose(done_.drive, done_.drive.time_s, robot_.pose());
     done_.believed_complete = orders_.believes_complete();
     done_.reason = orders_.reason();
     done_.contacts = body.contacts();

@@ -5,11 +5,11 @@
 #include <functional>
 #include <string>
 
-#include "outrider/job/navigation.hpp"
 #include "outrider/job/watch.hpp"
 #include "outrider/jobs/cover/mission/orders.hpp"
 #include "outrider/log/log.hpp"
 #include "outrider/sim/bodies/piece_body.hpp"
+#include "outrider/sim/navigation.hpp"
 
 namespace outrider {
 

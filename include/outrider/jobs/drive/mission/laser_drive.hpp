@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "outrider/job/navigation.hpp"
 #include "outrider/job/watch.hpp"
 #include "outrider/jobs/drive/task.hpp"
 #include "outrider/log/log.hpp"
 #include "outrider/report/report.hpp"
+#include "outrider/sim/navigation.hpp"
 
 namespace outrider {
 

@@ -1,4 +1,4 @@
-#include "tag_localiser.hpp"
+#include "localise/tag_localiser.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "outrider/job/navigation.hpp"
+#include "outrider/sim/navigation.hpp"
 
 #include "outrider/world/occupancy.hpp"
 
