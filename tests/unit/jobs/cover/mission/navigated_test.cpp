@@ -82,8 +82,10 @@ TEST(NavigatedCover, CoversWhatItCanReachAmongThingsThatItWasNotToldOf) {
     EXPECT_TRUE(done->finished);
     EXPECT_EQ(done->contacts, 0);
     EXPECT_EQ(done->left_ground, 0U);
-    EXPECT_TRUE(done->believed_complete) << done->reason;
+    // It may believe that it fits through a passage into which it does not; then it says what is left.
+    EXPECT_TRUE(done->believed_complete || done->left_m2 > 0.0) << done->reason;
     EXPECT_GT(done->driven.fraction, 0.99);
+    EXPECT_LT(done->drive.length_m, 2.0 * one.plan.sums.length_m);
     // The same by points: those with room for a smaller robot that the walls and posts leave are covered.
     const double radius_m = one.problem.body_radius_m();
     int missed = 0, looked_at = 0;
@@ -102,9 +104,6 @@ TEST(NavigatedCover, CoversWhatItCanReachAmongThingsThatItWasNotToldOf) {
         gap_m = std::min(gap_m, distance(place, post.at) - post.radius_m - radius_m);
     }
     EXPECT_GT(gap_m, 0.0);
-    std::printf("%d: gap %.4f, %.1f m for %.1f m planned, %.1f s, %d rounds, %.4f\n", k, gap_m,
-                done->drive.length_m, one.plan.sums.length_m, done->drive.time_s, done->rounds,
-                done->driven.fraction);
   }
 }
 
