@@ -25,7 +25,7 @@ struct GoalDrive {
   double aimed_m = 0.1;         ///< from the goal by the robot's belief, where it has arrived
   double reached_m = 0.2;       ///< from the goal by its true place, where it is done
   double limit_s = 100.0;       ///< after which it ends
-  double set_off_m = 0.1;       ///< of the way, after which the time counts
+  double set_off_m = 0.1;       ///< way that the robot has driven when the time begins to count
   bool start_unknown = false;   ///< the robot is not told where on its map it starts
   bool ends_when_near = false;  ///< it is done as soon as it is truly near; else when it says so
 };
@@ -40,7 +40,7 @@ struct GoalRun {
   std::int64_t walked_into = 0;
   double time_s = 0.0;
   double driven_m = 0.0;
-  double located_m = 0.0;  ///< of the way, after which it knew where it was; negative: never
+  double located_m = 0.0;  ///< way driven until it knew where it was; negative: it never did
 };
 
 GoalRun run(const GoalDrive& drive, std::uint64_t seed);

@@ -23,7 +23,7 @@ struct HallWorld {
   World world;
   Pose2 start;
   Vec2 goal;
-  double speed_mps = 1.0;  ///< of the robot
+  double speed_mps = 1.0;  ///< full speed of the robot
   WalkInOptions walkers;
 };
 

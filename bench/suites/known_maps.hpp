@@ -31,7 +31,7 @@ struct MapCase {
   Pose2 start;
   Vec2 goal;
   double way_m = 0.0;          ///< length of a short way on the map, without what it lacks
-  std::int64_t people = 0;     ///< who walk about
+  std::int64_t people = 0;     ///< number of people who walk there
   bool start_unknown = false;  ///< the robot is not told where it starts
   bool closed = false;         ///< a narrow place on that way is closed
   bool surely_a_way = false;   ///< there is a way with room to spare

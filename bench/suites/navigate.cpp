@@ -27,7 +27,7 @@ struct StepRow {
   double marks = 0.0, followed = 0.0;  ///< means
   double median_us = 0.0, most_us = 0.0, mean_us = 0.0;
   double robots = 0.0;    ///< that one core carries
-  double exponent = 0.0;  ///< of its group
+  double exponent = 0.0;  ///< power with which the median grows in these rows
 
   /// Returns the amount that is varied.
   [[nodiscard]] double amount() const {

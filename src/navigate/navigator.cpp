@@ -21,15 +21,12 @@ constexpr double leave_part = 1.5;  // of within_m: a robot at its place may be 
 constexpr double at_rest_mps = 0.03;
 constexpr double at_rest_radps = 0.05;
 constexpr double instant_s = 1e-9;
-constexpr double lost_after = 20.0;   // times that without a scan after which the robot stands
 constexpr double plan_again_m = 1.0;  // from where it was planned
 constexpr double around_m = 0.5;      // that is looked at beyond where a motion may lead
 constexpr double back_off_s = 1.5;
 constexpr double map_again_s = 2.0;                   // least time between two plans on the known map
 constexpr double longer_part = 1.15, longer_s = 1.5;  // than on the known map, which is planned on again then
 constexpr double moving_trail_s = 0.4, moving_rim_m = 0.1;  // around what moves, where marks are of it
-constexpr double look_within_m = 0.3;                       // of a place to look from
-constexpr double look_turn_rad = 2.0;                       // where there is none
 constexpr double most_time_s = 1e12, most_place_m = 1e6;    // of what makes sense
 constexpr double faster_part = 1.2;                         // of its limits, than which no robot is
 constexpr double least_step_rad = 1e-6;                     // from beam to beam
@@ -135,17 +132,6 @@ std::optional<LaserScan> Navigator::usable(const std::optional<LaserScan>& seen)
   return std::abs(scan.time_s - time_s_) <= remembered_s ? std::optional(std::move(scan)) : std::nullopt;
 }
 
-/// Returns the odometry at a time not long ago.
-Pose2 Navigator::odometry_at(double time_s) const {
-  for (std::size_t i = track_.size() - 1; i > 0; --i) {
-    const TimedOdometry &from = track_[i - 1], &to = track_[i];
-    if (time_s < from.time_s) continue;
-    const double part = std::clamp((time_s - from.time_s) / (to.time_s - from.time_s), 0.0, 1.0);
-    return moved(from.odometry, twist_between(from.odometry, to.odometry, 1.0), part);
-  }
-  return track_.front().odometry;
-}
-
 Situation Navigator::perceive(const Observation& seen) {
   note_odometry(seen);
   if (seen.image) {
@@ -248,35 +234,6 @@ Twist2 Navigator::go(const GoTo& order) {
   if (!at_place_) return rule_->choose(state);
   const Twist2 turn = turn_to(state.pose, *order.heading_rad);
   return can_brake(state, turn, setup_.motion.margin_m) ? turn : Twist2{};
-}
-
-/// Goes from place to place until the robot recognises where it is, or gives up.
-Twist2 Navigator::look_for_itself() {
-  search_.advance(twist_.ahead_mps, setup_.options.period_s);
-  if (search_.length_m() > setup_.options.most_search_m) {
-    progress_ = {Progress::State::lost,
-                 {},
-                 fmt::format("it has not recognised where it is on its map, on a way of {:.0f} m",
-                             search_.length_m())};
-  }
-  if (progress_.state == Progress::State::lost || is_blind() || !search_.looks()) return {};
-  if (!order_ || progress_.state != Progress::State::underway) {
-    const Pose2 here = pose();
-    const auto place = search_.next(here.position, setup_.footprint.outer_m() + setup_.motion.wide_m);
-    begin(place ? GoTo{*place, look_within_m}
-                : GoTo{here.position, look_within_m, here.heading_rad + look_turn_rad, 0.5 * look_turn_rad});
-  }
-  return go(GoTo{*order_});
-}
-
-/// Returns true if no scan has come for too long; after a while the robot is lost.
-bool Navigator::is_blind() {
-  const double blind_s = time_s_ - scan_s_.value_or(nearer_s_);
-  if (scan_s_ && blind_s <= setup_.options.blind_s) return false;
-  if (scan_s_) nearer_s_ = time_s_;
-  if (blind_s > lost_after * setup_.options.blind_s)
-    progress_ = {Progress::State::lost, {}, fmt::format("no scan has come for {:.1f} s", blind_s)};
-  return true;
 }
 
 /// A new order.

@@ -1,7 +1,29 @@
 // The parts of the navigator that find where the robot is.
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "outrider/navigate/navigator.hpp"
 
 namespace outrider {
+namespace {
+
+constexpr double lost_after = 20.0;    // times that without a scan after which the robot stands
+constexpr double look_within_m = 0.3;  // of a place to look from
+constexpr double look_turn_rad = 2.0;  // where there is none
+
+}  // namespace
+
+/// Returns the odometry at a time not long ago.
+Pose2 Navigator::odometry_at(double time_s) const {
+  for (std::size_t i = track_.size() - 1; i > 0; --i) {
+    const TimedOdometry &from = track_[i - 1], &to = track_[i];
+    if (time_s < from.time_s) continue;
+    const double part = std::clamp((time_s - from.time_s) / (to.time_s - from.time_s), 0.0, 1.0);
+    return moved(from.odometry, twist_between(from.odometry, to.odometry, 1.0), part);
+  }
+  return track_.front().odometry;
+}
 
 /// Takes a scan. If it corrects earlier poses too, what is marked moves along, since it was seen from about
 /// here.
@@ -39,6 +61,35 @@ void Navigator::note_localised(const Pose2& before, bool was_located, bool corre
     map_.follow(pose().position);
     map_.know(was_located || !far_ ? nullptr : far_->walls());
   }
+}
+
+/// Goes from place to place until the robot recognises where it is, or gives up.
+Twist2 Navigator::look_for_itself() {
+  search_.advance(twist_.ahead_mps, setup_.options.period_s);
+  if (search_.length_m() > setup_.options.most_search_m) {
+    progress_ = {Progress::State::lost,
+                 {},
+                 fmt::format("it has not recognised where it is on its map, on a way of {:.0f} m",
+                             search_.length_m())};
+  }
+  if (progress_.state == Progress::State::lost || is_blind() || !search_.looks()) return {};
+  if (!order_ || progress_.state != Progress::State::underway) {
+    const Pose2 here = pose();
+    const auto place = search_.next(here.position, setup_.footprint.outer_m() + setup_.motion.wide_m);
+    begin(place ? GoTo{*place, look_within_m}
+                : GoTo{here.position, look_within_m, here.heading_rad + look_turn_rad, 0.5 * look_turn_rad});
+  }
+  return go(GoTo{*order_});
+}
+
+/// Returns true if no scan has come for too long; after a while the robot is lost.
+bool Navigator::is_blind() {
+  const double blind_s = time_s_ - scan_s_.value_or(nearer_s_);
+  if (scan_s_ && blind_s <= setup_.options.blind_s) return false;
+  if (scan_s_) nearer_s_ = time_s_;
+  if (blind_s > lost_after * setup_.options.blind_s)
+    progress_ = {Progress::State::lost, {}, fmt::format("no scan has come for {:.1f} s", blind_s)};
+  return true;
 }
 
 }  // namespace outrider

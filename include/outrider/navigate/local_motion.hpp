@@ -7,9 +7,8 @@
 //            model predictive control (IEEE Transactions on Robotics, 2018).
 //   dwa      the dynamic window approach: the best pair of constant speed and turn rate within reach. Source:
 //            Fox, Burgard and Thrun, The dynamic window approach to collision avoidance (1997).
-//   steer    pure pursuit of the planned way, more slowly until it can brake. Source: Coulter, Implementation
-//   of
-//            the pure pursuit path tracking algorithm (1992).
+//   steer    pure pursuit of the planned way, more slowly until it can brake. Source: Coulter, the pure
+//            pursuit path tracking algorithm (CMU-RI-TR-92-01, 1992).
 //
 // Whatever a rule proposes passes the same test before it is commanded: after it for one period, the robot
 // can brake without touching anything that is marked, or entering a keep-out zone (can_brake()). If no

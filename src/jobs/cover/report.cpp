@@ -147,6 +147,11 @@ std::string why_missed(const FaultyResult& faulty, const CoverProblem& problem) 
                               counted(faulty.hold_ups.size(), "time"), first.time_s, first.sentence);
 }
 
+/// Returns true if a drive with the navigator covers clearly less of what it can reach than its track.
+bool misses_something(const NavigatedCover& done, const CoverProof& proof) {
+  return done.driven.fraction < proof.planned.fraction - good_part;
+}
+
 /// Returns the reason why a drive with the navigator is not done; empty if it is.
 std::string why_not_done(const NavigatedCover& done, const CoverProof& proof) {
   std::string reason;
@@ -157,8 +162,7 @@ std::string why_not_done(const NavigatedCover& done, const CoverProof& proof) {
     add(fmt::format("the robot touched something {}",
                     counted(static_cast<std::size_t>(done.contacts), "time")));
   if (!done.believed_complete) add(done.reason);
-  const double missed = 1.0 - done.driven.fraction, planned = 1.0 - proof.planned.fraction;
-  if (missed > planned + good_part)
+  if (misses_something(done, proof))
     add(fmt::format("{:.4g} m2 are not covered of the {:.4g} m2 that can be, among what stands there",
                     done.driven.missed_m2, area_of(done.reach)));
   return reason;
@@ -167,7 +171,6 @@ std::string why_not_done(const NavigatedCover& done, const CoverProof& proof) {
 /// Adds the metrics of a drive with the navigator.
 void add_metrics(std::vector<std::pair<std::string, double>>& metrics, const NavigatedCover& done,
                  const CoverProof& proof) {
-  const bool missed = 1.0 - done.driven.fraction > 1.0 - proof.planned.fraction + good_part;
   const std::vector<std::pair<std::string, double>> more = {
       {"reachable_m2", area_of(done.reach)},
       {"reachable_fraction", done.driven.fraction},
@@ -177,7 +180,7 @@ void add_metrics(std::vector<std::pair<std::string, double>>& metrics, const Nav
       {"contacts", static_cast<double>(done.contacts)},
       {"walked_into", static_cast<double>(done.walked_into)},
       {"left_ground", static_cast<double>(done.left_ground)},
-      {"false_covered", done.believed_complete && missed ? 1.0 : 0.0}};
+      {"false_covered", done.believed_complete && misses_something(done, proof) ? 1.0 : 0.0}};
   metrics.insert(metrics.end(), more.begin(), more.end());
 }
 

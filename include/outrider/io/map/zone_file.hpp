@@ -35,7 +35,7 @@ struct ZoneSources {
   std::string file;           ///< path of GeoJSON
   std::string keep_out_mask;  ///< path of a mask
   std::string speed_mask;     ///< path of a mask
-  double speed_base = 100.0;  ///< of the speed mask
+  double speed_base = 100.0;  ///< limit where the speed mask is 0, in its units
   double speed_multiplier = -1.0;
   bool speed_percent = true;  ///< its limits are percent (type 1 of Nav2); false: m/s (type 2)
 };

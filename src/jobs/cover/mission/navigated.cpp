@@ -35,6 +35,13 @@ Outcome<World> world_of_things(const CoverProblem& problem, const std::string& t
   return world;
 }
 
+/// Returns the areas of the problem, those that touch as one.
+Region region_of_all(const CoverProblem& problem) {
+  std::vector<Region> all{region_of(problem.boundary, problem.holes)};
+  for (const AreaOutline& other : problem.others) all.push_back(region_of(other.boundary, other.holes));
+  return united(all);
+}
+
 /// Puts a wall along each edge, outside of the area.
 void add_walls(const Region& area, World& world) {
   const auto add = [&](const std::vector<Vec2>& ring) {
@@ -136,7 +143,7 @@ class NavigatedDrive {
 
   /// Drives; `look` receives the drive so far.
   void run(const RunWatch& watch, const std::function<void(const PieceDrive&)>& look) {
-    while (!done_.finished) {
+    for (;;) {
       const Observation seen = robot_.sense();
       const Situation now = navigator_.perceive(seen);
       note_truth();
@@ -144,7 +151,7 @@ class NavigatedDrive {
       log(seen, now);
       if (watch.stopped()) return;
       const auto order = orders_.next(now, navigator_);
-      done_.finished = !order;
+      done_.finished = !order && !watch.stopped();
       if (!order) return;
       robot_.act(navigator_.act(*order));
       done_.recoveries = std::max(done_.recoveries, navigator_.recoveries());
@@ -196,8 +203,7 @@ class NavigatedDrive {
 }  // namespace
 
 Outcome<CoverProblem> kept_inside(const CoverProblem& problem) {
-  const Region inside =
-      shrunk(region_of(problem.boundary, problem.holes), problem.tracking_error_m, inside_arc_m);
+  const Region inside = shrunk(region_of_all(problem), problem.tracking_error_m, inside_arc_m);
   if (inside.empty())
     return bad_input(
         fmt::format("nowhere in the area is room for a robot that is up to {:g} m beside its track",
@@ -210,6 +216,7 @@ Outcome<CoverProblem> kept_inside(const CoverProblem& problem) {
   CoverProblem rest = problem;
   rest.boundary = part->outer;
   rest.holes = part->holes;
+  rest.others.clear();
   return rest;
 }
 
@@ -239,7 +246,7 @@ Outcome<NavigatedCover> drive_with_navigator(const CoverProblem& problem, const 
   if (!inside) return pass_on(inside);
   const RobotModel model = robot_of(problem);
   const Footprint footprint = Footprint::disk(model.radius_m);
-  const Region area = region_of(problem.boundary, problem.holes);
+  const Region area = region_of_all(problem);
   NavigatorSetup setup = setup_of(navigation, model, footprint);
   setup.allowed = allowed_of(area);
   auto navigator = Navigator::make(setup, start);

@@ -25,8 +25,8 @@ struct NavigatedCover {
   int rounds = 0;                ///< how often it planned what was left
   std::int64_t recoveries = 0;   ///< most in a row
   double left_m2 = 0.0;          ///< that it knows of
-  Region reach;                  ///< what a robot covers that keeps the rim from what truly stands there
-  Coverage driven;               ///< of that reach
+  Region reach;     ///< area that a robot can cover that keeps its room from all that stands there
+  Coverage driven;  ///< coverage of that area by the drive
 };
 
 /// Returns the problem of the part of the area in which a robot that is beside its track by no more than its

@@ -107,6 +107,17 @@ TEST(NavigatedCover, CoversWhatItCanReachAmongThingsThatItWasNotToldOf) {
   }
 }
 
+TEST(NavigatedCover, TakesAreasThatTouchForOne) {
+  CoverProblem problem = make_case(0).problem;
+  problem.boundary = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  problem.holes.clear();
+  problem.others = {{{{2, 0}, {4, 0}, {4, 2}, {2, 2}}, {}}};
+  const auto inside = kept_inside(problem);
+  ASSERT_TRUE(inside);
+  EXPECT_TRUE(inside->others.empty());
+  EXPECT_NEAR(area_of(region_of(inside->boundary, inside->holes)), 3.96 * 1.96, 1e-3);
+}
+
 TEST(NavigatedCover, RefusesAThingWhereTheRobotStarts) {
   CoverCase one = make_case(0);
   const Vec2 start = one.plan.track.start.position;
