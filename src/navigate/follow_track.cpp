@@ -9,10 +9,11 @@ namespace {
 
 constexpr double beyond_m = 0.3;  // that is looked at ahead of where the robot could stop
 constexpr double moved_m = 0.01, moved_rad = radians(2.0);  // by which a robot has moved
-constexpr double stop_short_m = 0.1;    // before what stands on the track, with room to turn away
-constexpr double wait_s = 1.0;          // for what stands on the track to go
-constexpr double edge_room_m = 0.005;   // from the edges of the ground, along the track
-constexpr double first_skip_m = 0.3;    // of the track, where no way leads back; then twice that, and so on
+constexpr double stop_short_m = 0.1;   // before what stands on the track, with room to turn away
+constexpr double wait_s = 1.0;         // for what stands on the track to go
+constexpr double edge_room_m = 0.005;  // from the edges of the ground, along the track
+// Of the track, where no way leads back, or the robot does not get on; then twice that, and so on.
+constexpr double first_skip_m = 0.3;
 constexpr double back_m = 0.15;         // beside the track, from where it is steered back
 constexpr std::int64_t most_tries = 4;  // recoveries on the way back to a place
 
@@ -35,6 +36,7 @@ void Navigator::begin_track(const Follow& order) {
   comes_back_.reset();
   comes_in_ = true;
   skip_m_ = first_skip_m;
+  came_in_ = {};
   on_track_s_ = time_s_;
 }
 
@@ -53,6 +55,8 @@ Twist2 Navigator::along_track(const Follow& order) {
   const Pose2 here = pose();
   follower_->note(here);
   if (follower_->is_done()) return {};
+  const auto gets_on = follower_->ahead_of(came_in_, first_skip_m);
+  if (!gets_on || *gets_on <= follower_->at()) skip_m_ = first_skip_m;
   follow_zones();
   look_around();
   const double beside_m = follower_->beside_m(here.position);
@@ -70,10 +74,9 @@ Twist2 Navigator::along_track(const Follow& order) {
   // own.
   const double speed_mps = std::abs(twist_.ahead_mps);
   const double look_m = speed_mps * speed_mps / setup_.robot.acceleration_mps2 + beyond_m;
-  Surroundings seen;
-  seen.look(map_, here.position, look_m + setup_.footprint.outer_m(), false);
+  on_track_.look(map_, here.position, look_m + setup_.footprint.outer_m(), false);
   const GoTo next{follower_->pose_at(follower_->at()).position, order.beside_m};
-  const MotionState state = state_of(next, near_), among_seen = state_of(next, seen);
+  const MotionState state = state_of(next, near_), among_seen = state_of(next, on_track_);
   const auto is_safe = [&](const Twist2& twist) {
     return can_brake(state, twist, edge_room_m) && can_brake(among_seen, twist, setup_.motion.margin_m);
   };
@@ -82,7 +85,7 @@ Twist2 Navigator::along_track(const Follow& order) {
     return is_safe(turn) ? turn : Twist2{};
   }
   const auto is_free = [&](const Pose2& at) {
-    return seen.gap(setup_.footprint, at, Surroundings::most_m) >= setup_.motion.margin_m;
+    return on_track_.gap(setup_.footprint, at, Surroundings::most_m) >= setup_.motion.margin_m;
   };
   const double free_m = follower_->free_m(is_free, look_m);
   const double room_m = free_m < look_m ? std::max(0.0, free_m - stop_short_m) : look_m;
@@ -102,14 +105,13 @@ void Navigator::note_motion(const Pose2& here) {
 /// Leaves out the track up to where it is free again, with room to come in if there is such a place, and
 /// drives there.
 void Navigator::leave_track(double again_m) {
-  Surroundings seen;
-  seen.look(map_, pose().position, setup_.map.reach_m, false);
+  on_track_.look(map_, pose().position, setup_.map.reach_m, false);
   const auto from = follower_->ahead_of(follower_->at(), again_m);
   std::optional<TrackPlace> to;
   for (const double room_m : {stop_short_m, 0.0}) {
     if (!from || to) break;
     const auto is_free = [&](const Pose2& at) {
-      return seen.gap(setup_.footprint, at, Surroundings::most_m) >= setup_.motion.margin_m + room_m;
+      return on_track_.gap(setup_.footprint, at, Surroundings::most_m) >= setup_.motion.margin_m + room_m;
     };
     to = follower_->next_free(*from, is_free, setup_.footprint.outer_m());
   }
@@ -123,9 +125,9 @@ Twist2 Navigator::back_to_track() {
   const GoTo order = order_to(*comes_back_);
   const Twist2 twist = go(order);
   if (progress_.state == Progress::State::arrived) {
+    came_in_ = *comes_back_;
     comes_back_.reset();
     comes_in_ = true;
-    skip_m_ = first_skip_m;
   } else if (progress_.state == Progress::State::blocked || recoveries_ >= (left_s_ ? most_tries : 1)) {
     leave_track(skip_m_);
     skip_m_ *= 2.0;

@@ -263,6 +263,7 @@ void Navigator::plan(const GoTo& order) {
     if (!is_new && plan_on_map(order, true)) plan_window(order);
   }
   look_around();
+  near_.find_distances();
   left_s_ = field_.time_s(here);
 }
 

@@ -29,15 +29,15 @@ void Surroundings::look(const LiveMap& map, Vec2 middle, double reach_m, bool ed
   }
   if (edges) std::ranges::for_each(map.edges(), take);
   sort_into_tiles();
-  spread_distances(frame_, places_, most_m, distance_m_);
   edges_.clear();
-  if (zones != nullptr) take_zones(*zones, middle, reach_m, margin_m);
+  if (zones == nullptr) return;
+  zone_margin_m_ = std::max(zones->margin_m(), margin_m);
+  nearer_m_ = zone_margin_m_ - margin_m;
+  edges_ = zones->edges_near(middle, reach_m + most_m + nearer_m_);
 }
 
-void Surroundings::take_zones(const Zones& zones, Vec2 middle, double reach_m, double margin_m) {
-  zone_margin_m_ = std::max(zones.margin_m(), margin_m);
-  nearer_m_ = zone_margin_m_ - margin_m;
-  edges_ = zones.edges_near(middle, reach_m + most_m + nearer_m_);
+void Surroundings::find_distances() {
+  spread_distances(frame_, places_, most_m, distance_m_);
   if (edges_.empty()) return;
   std::vector<Vec2> points;
   for (const Segment& edge : edges_) add_points(edge, 0.5 * frame_.resolution_m, points);

@@ -8,7 +8,7 @@ std::vector<OptionGroup> describe(NavigationOptions& options) {
   return {
       {"laser", "the range finder of a robot that goes around what stands there", describe(options.laser)},
       {"wheels", "its wheels and how they count wrong", describe(options.wheels)},
-      {"walk_ins", "who walks there, and what is put in its way", describe(options.walk_ins)},
+      {"walk_ins", "who walks there, and what is put in its way", describe(options.faults.walk_ins)},
       {"navigator", "how it gets there", describe(options.navigator)},
       {"live_map", "what it remembers of what it sees", describe(options.live_map)},
       {"motion", "how the next motion is found", describe(options.motion)}};
@@ -20,7 +20,7 @@ ExplorerSimParams devices_of(const NavigationOptions& options, const Footprint& 
   params.wheels = options.wheels;
   params.wheels.exact = options.navigator.localiser == "exact";
   params.footprint = footprint;
-  params.faults.walk_ins = options.walk_ins;
+  params.faults = options.faults;
   return params;
 }
 

@@ -15,13 +15,7 @@ void sense_body(TwistBody& body, Observation& seen) {
 }
 /// Nobody counts the turns of its wheels: its odometry stays at the start.
 void sense_body(const WheelBody&, Observation&) {}
-/// It is localised, and has a bumper.
-void sense_body(PieceBody& body, Observation& seen) {
-  seen.odometry = body.pose();
-  seen.touch_rad = body.touch_rad();
-  seen.touching = seen.touch_rad.has_value();
-  seen.carried_from = body.take_carried_from();
-}
+void sense_body(const PieceBody& body, Observation& seen) { seen.odometry = body.pose(); }
 void sense_body(const WaypointBody& body, Observation& seen) { seen.odometry = body.pose(); }
 void sense_body(const RigidBody& body, Observation& seen) { seen.odometry = body.pose(); }
 

@@ -70,10 +70,13 @@ TEST_F(SharedPlans, OfARoomHoldForOtherSeedsAndFaults) {
   const std::string room = "cover/cover_room.yaml";
   EXPECT_EQ(expect_same_run(room, {{"seed", "1"}}), "done");
   EXPECT_EQ(expect_same_run(room, {{"seed", "2"}}), "done");
-  expect_same_run(room, {{"seed", "2"}, {"faults.slip", "0.2"}});
   EXPECT_EQ(plans_.size(), 1U);
-  expect_same_run(room, {{"overlap", "0.2"}});
+  common_ = {{"sim", "navigator"}, {"tracking_error", "0.02"}, {"pace.speed", "0.5"}};
+  expect_same_run(room, {{"seed", "1"}});
+  expect_same_run(room, {{"seed", "2"}, {"faults.slip", "0.2"}});
   EXPECT_EQ(plans_.size(), 2U);
+  expect_same_run(room, {{"overlap", "0.2"}});
+  EXPECT_EQ(plans_.size(), 3U);
 }
 
 }  // namespace

@@ -184,6 +184,7 @@ class Navigator {
   std::optional<Vec2> exit_;  // the place outside to which it goes then
   RobotModel limits_;         // of the robot now, in or before a slow zone
   Surroundings near_;
+  Surroundings on_track_;  // the same without the edges of the allowed ground
   GoalField field_;
   std::optional<MapField> far_;  // on the known map
   Twist2 commanded_;
@@ -213,6 +214,7 @@ class Navigator {
   std::optional<TrackPlace> comes_back_;  // to that place of the track, by the present GoTo
   bool comes_in_ = false;                 // it was beside the track, and is steered to it
   double skip_m_ = 0.0;                   // of the track, where no way leads back to it
+  TrackPlace came_in_;                    // where it came back to the track
   Pose2 stood_;                           // on the track, until it moved from there
   double on_track_s_ = 0.0;               // when it last moved there
   Progress progress_;

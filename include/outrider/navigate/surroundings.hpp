@@ -3,8 +3,8 @@
 // The distance from a place to the nearest mark is exact at the middles of the cells of a small grid, and
 // interpolated between them: at more than 0.15 m from every mark it is at most 3 mm too large, and half a
 // cell too small where two marks are equally far. The gap between a footprint and the marks is exact. look()
-// is O(marks * cells within most_m); then a query is O(1), and that of a footprint O(marks beside it). Thread
-// rule: const queries may run concurrently.
+// is O(marks), find_distances() O(marks * cells within most_m); then a query is O(1), and that of a footprint
+// O(marks beside it). Thread rule: const queries may run concurrently.
 #pragma once
 
 #include <cstdint>
@@ -26,10 +26,13 @@ class Surroundings {
   /// the margin of the zones less `margin_m`, that of the motion.
   void look(const LiveMap& map, Vec2 middle, double reach_m, bool edges = true, const Zones* zones = nullptr,
             double margin_m = 0.0);
+  /// Finds the distances that clearance() tells, of what look() took.
+  void find_distances();
 
   /// Returns the places of the marks that were taken, tile by tile.
   [[nodiscard]] const std::vector<Vec2>& places() const { return places_; }
   /// Returns the distance from a place to the nearest mark, m, at most most_m; that outside the grid too.
+  /// After find_distances().
   [[nodiscard]] double clearance(Vec2 place) const;
   /// Returns the distance from the footprint of a robot at a pose to the nearest mark, m, at most `most`; it
   /// is negative where they overlap.
@@ -41,7 +44,6 @@ class Surroundings {
 
  private:
   void sort_into_tiles();
-  void take_zones(const Zones& zones, Vec2 middle, double reach_m, double margin_m);
 
   GridFrame frame_;
   GridFrame tiles_;

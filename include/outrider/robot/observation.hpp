@@ -80,13 +80,10 @@ struct GridObservation {
 
 struct Observation {
   double time_s = 0.0;
-  Pose2 odometry;                        ///< odom_T_robot; the heading may exceed +-pi
-  std::optional<Pose2> motion = {};      ///< previous_T_robot, for logs with incremental odometry
-  bool touching = false;                 ///< the bumper was pressed since the previous observation
-  std::optional<double> touch_rad = {};  ///< bearing of the newest contact, if the bumper tells it
-  /// The pose from which somebody carried the robot away since the previous observation, as far as it was
-  /// measured.
-  std::optional<Pose2> carried_from = {};
+  Pose2 odometry;                            ///< odom_T_robot; the heading may exceed +-pi
+  std::optional<Pose2> motion = {};          ///< previous_T_robot, for logs with incremental odometry
+  bool touching = false;                     ///< the bumper was pressed since the previous observation
+  std::optional<double> touch_rad = {};      ///< bearing of the newest contact, if the bumper tells it
   std::optional<LaserScan> scan = {};        ///< scan taken since the previous observation
   std::optional<LogStep> landmarks = {};     ///< motion and landmarks seen since the previous observation
   std::optional<TagImage> image = {};        ///< newest image, even if an earlier observation had it already

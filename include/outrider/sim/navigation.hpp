@@ -12,7 +12,7 @@ namespace outrider {
 struct NavigationOptions {
   RangeFinderModel laser;
   ExplorerWheels wheels;
-  WalkInOptions walk_ins;
+  ExplorerFaults faults;  ///< and who walks there
   NavigatorOptions navigator;
   LiveMapOptions live_map;
   LocalMotionOptions motion;

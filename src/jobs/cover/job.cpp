@@ -30,25 +30,6 @@ void check_promises(const CoverRun& run) {
   if (!kept) throw std::logic_error("the simulated drive breaks the bounds of its track");
 }
 
-/// Measures what was promised of the drive and what of that it kept.
-FaultyResult result_of(const FaultyDrive& faulty, const CoverRun& run, const CoverProblem& problem) {
-  const CoverRecovery& mission = faulty.mission;
-  FaultyResult result{.hold_ups = mission.hold_ups,
-                      .strayed_m = mission.strayed_m,
-                      .left_out_m = mission.left_out_m(),
-                      .believed_complete = mission.believes_complete(),
-                      .gave_up = mission.gave_up,
-                      .finished = faulty.finished,
-                      .contacts = faulty.contacts,
-                      .post_contacts = faulty.post_contacts};
-  const CoverTrack& track = run.plan.track;
-  const Region& reach = run.plan.ground.reach;
-  const Coverage surely = cover::coverage_along(track.start, track.pieces, problem, reach, true);
-  result.promised_missed_m2 = area_of(common(surely.covered, run.driven.missed));
-  result.kept_promise = result.promised_missed_m2 <= measuring_error * area_of(reach);
-  return result;
-}
-
 /// Drives a track, logs that, and measures what it covers.
 struct Driver {
   const CoverTask& task;
@@ -58,8 +39,7 @@ struct Driver {
 
   /// Fault: cancelled; those of drive_with_navigator().
   Status drive(CoverRun& run, Log& to, CoverLog& log, const std::stop_token& stop) const {
-    if (scenario.sim == "navigator") return drive_navigated(run, to, log, stop);
-    return scenario.faults.any() ? drive_faulty(run, log, stop) : drive_ideal(run, log, stop);
+    return scenario.sim == "navigator" ? drive_navigated(run, to, log, stop) : drive_ideal(run, log, stop);
   }
 
  private:
@@ -84,18 +64,6 @@ struct Driver {
     if (auto ok = measure(run, run.finished() ? stop : std::stop_token{}); !ok) return ok;
     const bool kept = cover_report(task.problem, run, {}).status == "done";
     log.finish(run.drive, run.driven, {run.finished(), kept});
-    return {};
-  }
-
-  Status drive_faulty(CoverRun& run, CoverLog& log, const std::stop_token& stop) const {
-    const CoverProblem& problem = task.problem;
-    const FaultyDrive faulty = drive_with_faults(
-        run.plan.track, problem, run.plan.ground.ground, scenario.faults, seed, watch,
-        [&](const PieceDrive& so_far, const CoverRecovery& mission) { log.note(so_far, mission); });
-    run.drive = faulty.drive;
-    if (auto ok = measure(run, faulty.finished ? stop : std::stop_token{}); !ok) return ok;
-    run.faulty = result_of(faulty, run, problem);
-    log.finish(run.drive, run.driven, {faulty.finished, run.faulty->kept_promise});
     return {};
   }
 
@@ -171,7 +139,7 @@ Status CoverJob::run(Run& run, const RunWatch& watch) {
                                                            "walk_ins", "navigator", "live_map", "motion"}),
                                       steps, watch);
   if (!promise) return pass_on(promise);
-  CoverRun driven{(*promise)->plan, (*promise)->proof, {}, {}, {}, {}, {}};
+  CoverRun driven{(*promise)->plan, (*promise)->proof, {}, {}, {}, {}};
   const CoverPlan& planned = driven.plan;
   driven.bound = time_bound(planned.track, problem.pace, problem.tracking_error_m, scenario.error_factor);
   if (auto ok = steps.next("driving it"); !ok) return ok;

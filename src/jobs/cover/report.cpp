@@ -131,25 +131,9 @@ std::string shortfall(const CoverProblem& problem, const CoverProof& proof) {
       std::ceil(1e4 * (1.0 - field.inner_fraction) * field.inner_m2 / field.reach_m2) * 1e-4);
 }
 
-/// Returns the reason why a drive with faults has not covered what was promised.
-std::string why_missed(const FaultyResult& faulty, const CoverProblem& problem) {
-  std::string reason =
-      fmt::format("{:.4g} m2 are not covered that the track surely covers", faulty.promised_missed_m2);
-  if (faulty.left_out_m > 0.0)
-    reason += fmt::format("; {:.4g} m of the track were not driven", faulty.left_out_m);
-  if (faulty.gave_up) reason += ", and the robot does not get on any more";
-  if (faulty.strayed_m > problem.tracking_error_m)
-    reason += fmt::format("; the robot came {:.3g} m off its track, more than the tracking_error of {:g} m",
-                          faulty.strayed_m, problem.tracking_error_m);
-  if (faulty.hold_ups.empty()) return reason;
-  const HoldUp& first = faulty.hold_ups.front();
-  return reason + fmt::format("; it was held up {}, at first after {:.1f} s, when it {}",
-                              counted(faulty.hold_ups.size(), "time"), first.time_s, first.sentence);
-}
-
 /// Returns true if a drive with the navigator covers clearly less of what it can reach than its track.
 bool misses_something(const NavigatedCover& done, const CoverProof& proof) {
-  return done.driven.fraction < proof.planned.fraction - good_part;
+  return done.missed_m2 > (1.0 - proof.planned.fraction + good_part) * area_of(done.reach);
 }
 
 /// Returns the reason why a drive with the navigator is not done; empty if it is.
@@ -164,7 +148,7 @@ std::string why_not_done(const NavigatedCover& done, const CoverProof& proof) {
   if (!done.believed_complete) add(done.reason);
   if (misses_something(done, proof))
     add(fmt::format("{:.4g} m2 are not covered of the {:.4g} m2 that can be, among what stands there",
-                    done.driven.missed_m2, area_of(done.reach)));
+                    done.missed_m2, area_of(done.reach)));
   return reason;
 }
 
@@ -180,26 +164,13 @@ void add_metrics(std::vector<std::pair<std::string, double>>& metrics, const Nav
       {"contacts", static_cast<double>(done.contacts)},
       {"walked_into", static_cast<double>(done.walked_into)},
       {"left_ground", static_cast<double>(done.left_ground)},
+      {"blocked_s", done.blocked_s},
       {"false_covered", done.believed_complete && misses_something(done, proof) ? 1.0 : 0.0}};
   metrics.insert(metrics.end(), more.begin(), more.end());
 }
 
-/// Adds the metrics of a drive with faults.
-void add_metrics(std::vector<std::pair<std::string, double>>& metrics, const FaultyResult& faulty) {
-  const bool false_covered = faulty.believed_complete && !faulty.kept_promise;
-  const std::vector<std::pair<std::string, double>> more = {
-      {"held_up", static_cast<double>(faulty.hold_ups.size())},
-      {"left_out_m", faulty.left_out_m},
-      {"strayed_m", faulty.strayed_m},
-      {"promised_missed_m2", faulty.promised_missed_m2},
-      {"false_covered", false_covered ? 1.0 : 0.0},
-      {"contacts", static_cast<double>(faulty.contacts)},
-      {"post_contacts", static_cast<double>(faulty.post_contacts)}};
-  metrics.insert(metrics.end(), more.begin(), more.end());
-}
-
 std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& problem, const CoverRun& run) {
-  const auto& [plan, proof, bound, drive, driven, faulty, navigated] = run;
+  const auto& [plan, proof, bound, drive, driven, navigated] = run;
   const auto number = [](std::size_t count) { return static_cast<double>(count); };
   return {{"covered_fraction", driven.fraction},
           {"covered_m2", driven.covered_m2},
@@ -268,10 +239,8 @@ CoverLog::CoverLog(Log& log, const CoverProblem& problem, const CoverPlan& plan,
 /// Notes the passes, laps and cells that begin. Pieces of one role, one after the other, are one pass; a lap
 /// or a cell begins another.
 void CoverLog::note_piece(std::size_t index, double time_s) {
-  const bool fresh = index != off_track && index >= fresh_;
-  const PieceRole role = index == off_track ? PieceRole::move : plan_.roles[index];
-  const bool begins = fresh && std::ranges::binary_search(plan_.begins, index);
-  if (fresh) fresh_ = index + 1;
+  const PieceRole role = plan_.roles[index];
+  const bool begins = std::ranges::binary_search(plan_.begins, index);
   if (begins || role == PieceRole::lane || role != role_)
     queue_.note(time_s, topic::coverage_passes, outrider_msgs::CoveragePass{std::string(name_of(role))});
   role_ = role;
@@ -319,16 +288,6 @@ void CoverLog::note_steered(const PieceDrive& drive) {
   note_drive(drive);
 }
 
-void CoverLog::note(const PieceDrive& drive, const CoverRecovery& mission) {
-  for (; pieces_ < drive.ends_s.size(); ++pieces_)
-    note_piece(mission.pieces[pieces_], begin_of(drive, pieces_));
-  for (; hold_ups_ < mission.hold_ups.size(); ++hold_ups_) {
-    const HoldUp& held = mission.hold_ups[hold_ups_];
-    queue_.note_event(held.time_s, "held_up", "the robot " + held.sentence);
-  }
-  note_drive(drive);
-}
-
 /// Notes the motion since the last call, and logs all until now.
 void CoverLog::note_drive(const PieceDrive& drive) {
   note_poses(drive, drive.track.size() - 1);  // the next piece may replace the last one
@@ -356,18 +315,12 @@ Report cover_report(const CoverProblem& problem, const CoverRun& run, const std:
   report.status = "done";
   report.world_name = name;
   report.metrics = metrics_of(problem, run);
-  if (run.faulty) add_metrics(report.metrics, *run.faulty);
   if (run.navigated) add_metrics(report.metrics, *run.navigated, run.proof);
   if (run.proof.fields.size() > 1) report.tables.push_back(areas_table(run.proof));
   if (!run.proof.complete) {
     report.status = "not_done";
     report.reason = shortfall(problem, run.proof);
     report.tables.push_back(missed_table(run.proof));
-  }
-  if (run.faulty && !run.faulty->kept_promise) {
-    const std::string before = report.reason.empty() ? "" : report.reason + "; ";
-    report.status = "not_done";
-    report.reason = before + why_missed(*run.faulty, problem);
   }
   if (!run.navigated) return report;
   if (const std::string why = why_not_done(*run.navigated, run.proof); !why.empty()) {

@@ -31,32 +31,16 @@ Status check_names(const CoverScenario& scenario) {
   return {};
 }
 
-/// Checks that the faults can be simulated and change something.
-Status check_faults(const CoverScenario& scenario) {
-  const TrackFaults& faults = scenario.faults;
-  if (faults.any() && scenario.problem.bar()) {
-    return bad_input("faults are simulated for robots that cover with their disk; leave them out, or the bar",
-                     "faults");
-  }
-  if (faults.tracking_ratio != 1.0 && scenario.problem.tracking_error_m == 0.0) {
-    return bad_input(fmt::format("{:g} times a tracking_error of 0 m is 0 m; give a tracking_error",
-                                 faults.tracking_ratio),
-                     "faults.tracking");
-  }
-  return {};
-}
-
 /// Checks that the navigator can drive the robot, and that what it needs is asked for with it only.
 Status check_sim(const CoverScenario& scenario) {
   const CoverProblem& problem = scenario.problem;
   if (scenario.sim != "navigator") {
-    if (scenario.things.empty()) return {};
+    const ExplorerFaults& faults = scenario.navigation.faults;
+    const char* asked = !scenario.things.empty() ? "things" : faults.any() ? "faults" : nullptr;
+    if (asked == nullptr) return {};
     return bad_input("a track that is driven as it is meets nothing; give sim: navigator, or leave it out",
-                     "things");
+                     asked);
   }
-  if (scenario.faults.any())
-    return bad_input("a drive with the navigator has no such faults; leave them out, or give sim: ideal",
-                     "faults");
   if (problem.bar() || problem.curves() || problem.transfers)
     return bad_input(
         fmt::format("'navigator' drives a disk that turns in place, on one area; leave {} out, or give sim: "
@@ -139,8 +123,8 @@ std::vector<OptionGroup> describe(CoverScenario& scenario) {
       {"tool", "what covers the ground", describe(scenario.problem.tool)},
       {"pace", "how fast the robot drives and turns", describe(scenario.problem.pace)},
       {"order", "in which order laps and cells are driven", describe(scenario.options)},
-      {"faults", "what goes wrong with the simulated drive without the robot being told",
-       describe(scenario.faults)},
+      {"faults", "what goes wrong with a robot that the navigator drives, without its being told",
+       describe(scenario.navigation.faults)},
   };
   std::ranges::move(describe(scenario.navigation), std::back_inserter(groups));
   return groups;
@@ -148,7 +132,6 @@ std::vector<OptionGroup> describe(CoverScenario& scenario) {
 
 Outcome<CoverTask> load_task(const CoverScenario& scenario) {
   if (auto ok = check_names(scenario); !ok) return pass_on(ok);
-  if (auto ok = check_faults(scenario); !ok) return pass_on(ok);
   if (auto ok = check_sim(scenario); !ok) return pass_on(ok);
   auto method = find_cover_method(scenario.method);
   if (!method) return pass_on(method);

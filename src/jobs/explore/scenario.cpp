@@ -58,7 +58,10 @@ Status check_cells(double cell_m, double range_m, Vec2 world_m) {
 }
 
 std::vector<Option> describe_faults(ExploreScenario& scenario) {
-  std::vector<Option> options = describe(scenario.sim.faults);
+  ExplorerFaults& faults = scenario.sim.faults;
+  std::vector<Option> options = describe(faults);
+  for (const std::vector<Option>& more : {describe(faults.planner), describe(faults.walk_ins)})
+    options.insert(options.end(), more.begin(), more.end());
   options.push_back({"blocked_place", "", 0, 0,
                      "x,y in m where the post is put, such as the middle of a doorway, once the robot is off "
                      "it; empty: before the robot",

@@ -15,7 +15,6 @@ namespace {
 constexpr double arc_step_rad = radians(2.0);
 constexpr int most_halvings = 12;
 constexpr double off_m = 3e-3, off_rad = 4e-3;  // of what is interpolated between two samples
-constexpr double carried_s = 1.0;               // how long somebody carries the robot who puts it elsewhere
 
 /// The piece with its ends moved by the offsets, and what lies between by a blend of them.
 std::vector<Vec2> points_beside(const PathPiece& piece, Vec2 at_begin, Vec2 at_end) {
@@ -95,12 +94,12 @@ class Recorder {
  public:
   explicit Recorder(PieceDrive& drive) : drive_(drive), pose_(drive.track.back().pose) {}
 
-  /// Turns in place from then on, and stops at `end_s` at the latest.
-  void turn(double begin_s, double angle_rad, const Limits& limits, double end_s) {
+  /// Turns in place from then on.
+  void turn(double begin_s, double angle_rad, const Limits& limits) {
     const Motion motion(std::abs(angle_rad), limits);
     const double from_rad = pose_.heading_rad;
     std::vector<double> times;
-    motion.add_times(0.0, std::min(motion.duration_s(), end_s - begin_s), off_rad, times);
+    motion.add_times(0.0, motion.duration_s(), off_rad, times);
     for (const double time_s : times) {
       const double turned = std::copysign(motion.at(time_s), angle_rad);
       note(begin_s + time_s, {pose_.position, from_rad + turned});
@@ -109,18 +108,9 @@ class Recorder {
 
   void stand_until(double time_s) { note(time_s, pose_); }
 
-  /// Is put there, which is no drive.
-  void put(double time_s, const Pose2& pose) {
-    drive_.carried.push_back({drive_.track.back().time_s, time_s});
-    note(time_s, pose);
-    drive_.way.push_back(pose.position);
-    drive_.times_s.push_back(time_s);
-  }
-
-  /// Drives along the points from then on, where it looks along `headings`, and is there at the end,
-  /// `last_s` after the motion began.
-  void drive(double begin_s, double end_s, const std::vector<Vec2>& points,
-             const std::vector<double>& headings, const Motion& motion, double last_s) {
+  /// Drives along the points from then on, where it looks along `headings`.
+  void drive(double begin_s, const std::vector<Vec2>& points, const std::vector<double>& headings,
+             const Motion& motion) {
     const double length = length_of(points), bend_rad = std::abs(headings.back() - headings.front());
     const double off = bend_rad > 0.0 ? std::min(off_m, off_rad * length / bend_rad) : off_m;
     double far = 0.0, reached_s = 0.0;
@@ -128,7 +118,7 @@ class Recorder {
       const double leg = distance(points[i - 1], points[i]), before = far;
       far += leg;
       const bool last = i + 1 == points.size();
-      const double from_s = std::exchange(reached_s, last ? last_s : motion.when(far));
+      const double from_s = std::exchange(reached_s, last ? motion.duration_s() : motion.when(far));
       std::vector<double> times;
       motion.add_times(from_s, reached_s, off, times);
       times.pop_back();
@@ -137,7 +127,7 @@ class Recorder {
         note(begin_s + time_s, {points[i - 1] + part * (points[i] - points[i - 1]),
                                 headings[i - 1] + part * (headings[i] - headings[i - 1])});
       }
-      const double at_s = last ? end_s : begin_s + reached_s;
+      const double at_s = begin_s + reached_s;
       note(at_s, {points[i], headings[i]});
       drive_.way.push_back(points[i]);
       drive_.times_s.push_back(at_s);
@@ -177,18 +167,13 @@ std::vector<double> headings_along(const std::vector<Vec2>& points, double begin
 }  // namespace
 
 PieceBody::PieceBody(const Pose2& start, const Pace& pace, double tracking_error_m,
-                     const PolygonGround& ground, const Rng& rng, const TrackFaults& faults)
+                     const PolygonGround& ground, const Rng& rng)
     : pace_(pace),
-      tracking_error_m_(tracking_error_m * faults.tracking_ratio),
+      tracking_error_m_(tracking_error_m),
       ground_(&ground),
       speed_rng_(rng.child("pace")),
       offset_rng_(rng.child("stray")),
-      heading_rad_(start.heading_rad),
-      faults_(faults),
-      faulty_(faults.any()),
-      hindrance_(faults.way, ground.radius_m, [&ground](Segment line) {
-        return ground.point_free(line.a) && (line.a == line.b || ground.segment_free(line));
-      }) {
+      heading_rad_(start.heading_rad) {
   drive_.way.push_back(start.position);
   drive_.times_s.push_back(0.0);
   drive_.track.push_back({0.0, start});
@@ -203,11 +188,6 @@ double PieceBody::begin(const Command& command) {
   return drive_.time_s;
 }
 
-std::optional<double> PieceBody::touch_rad() const {
-  const auto towards_rad = hindrance_.touches_post(pose().position, drive_.time_s);
-  return towards_rad ? std::optional(wrap_angle(*towards_rad - pose().heading_rad)) : std::nullopt;
-}
-
 /// The offset of the end of the piece, with which the whole way stays free.
 Vec2 PieceBody::next_offset(const FollowPiece& command) {
   Vec2 offset = drawn_offset(offset_rng_, tracking_error_m_);
@@ -220,129 +200,46 @@ Vec2 PieceBody::next_offset(const FollowPiece& command) {
   return fits() ? offset : Vec2{};
 }
 
-/// The points beside the piece; by its beginning, if those are not free.
-std::vector<Vec2> PieceBody::free_points(const PathPiece& piece, Vec2 at_begin, Vec2 at_end) const {
-  std::vector<Vec2> points = points_beside(piece, at_begin, at_end);
-  if (!faulty_ || at_begin == Vec2{} || is_free(piece, points, *ground_)) return points;
-  points = points_beside(piece, {}, at_end);
-  points.insert(points.begin(), piece.from + at_begin);
-  return points;
-}
-
-/// Ends the way after that length. On an arc its end is on the true arc, beside it by the blend.
-void PieceBody::shorten(Way& way, double way_m) {
-  const PathPiece& piece = way.piece;
-  std::vector<Vec2>& points = way.points;
-  std::vector<double>& headings = way.headings;
-  double far_m = 0.0;
-  std::size_t i = 1;
-  for (; i + 1 < points.size() && far_m + distance(points[i - 1], points[i]) < way_m; ++i)
-    far_m += distance(points[i - 1], points[i]);
-  const double leg_m = distance(points[i - 1], points[i]);
-  const double part = leg_m > 0.0 ? std::clamp((way_m - far_m) / leg_m, 0.0, 1.0) : 0.0;
-  points[i] = points[i - 1] + part * (points[i] - points[i - 1]);
-  headings[i] = headings[i - 1] + part * (headings[i] - headings[i - 1]);
-  points.resize(i + 1);
-  headings.resize(i + 1);
-  way.end_rad = headings.back();
-  if (piece.turn_rad == 0.0 || (way.by_beginning && i == 1)) return;
-  const double blend = way_m / way.whole_m;
-  const Vec2 centre = piece.centre + (1.0 - blend) * way.at_begin + blend * way.at_end;
-  const Vec2 arm = points[i] - centre;
-  points[i] = centre + distance(piece.centre, piece.from) / norm(arm) * arm;
-}
-
-/// With slip it is shorter and slower.
-PieceBody::Way PieceBody::way_of(const PathPiece& piece, std::vector<Vec2> points, const Pace& pace) const {
-  Way way{.piece = piece, .points = std::move(points), .limits = limits_on(piece, pace)};
-  const std::size_t last = way.points.size() - 1;
-  const std::size_t chords = points_along(piece.from, {piece}, arc_step_rad).size() - 1;
-  way.by_beginning = last > chords;
-  if (!way.by_beginning) way.at_begin = way.points[0] - piece.from;
-  way.at_end = way.points[last] - piece.to;
-  way.whole_m = length_of(way.points);
-  const bool moves = way.whole_m > 0.0, backward = piece.backward;
+void PieceBody::follow(const FollowPiece& command) {
+  const PathPiece& piece = command.piece;
+  const Vec2 offset = next_offset(command);
+  const auto points = points_beside(piece, std::exchange(offset_, offset), offset);
+  Pace now = pace_;
+  now.speed_mps = speed_rng_.uniform(pace_.slowest_speed_mps, pace_.speed_mps);
+  now.turn_rate_radps = speed_rng_.uniform(pace_.slowest_turn_rate_radps, pace_.turn_rate_radps);
+  const bool moves = length_of(points) > 0.0;
   // The tangent at an end of an arc is half a step away from its first chord.
-  const double half_rad = 0.5 * piece.turn_rad / static_cast<double>(chords);
-  const double begin = moves ? looks_along(way.points[0], way.points[1], backward) - half_rad : heading_rad_;
-  way.end_rad =
-      moves ? looks_along(way.points[last - 1], way.points[last], backward) + half_rad : heading_rad_;
-  way.headings = headings_along(way.points, begin, way.end_rad, backward);
-  if (faults_.slip > 0.0 && moves) {
-    const double part = 1.0 - faults_.slip;
-    shorten(way, part * way.whole_m);
-    way.limits = {part * way.limits.speed, part * way.limits.acceleration};
-  }
-  return way;
+  const double half_rad = 0.5 * piece.turn_rad / static_cast<double>(points.size() - 1);
+  const std::size_t last = points.size() - 1;
+  const double begin_rad =
+      moves ? looks_along(points[0], points[1], piece.backward) - half_rad : heading_rad_;
+  const double end_rad =
+      moves ? looks_along(points[last - 1], points[last], piece.backward) + half_rad : heading_rad_;
+  const auto headings = headings_along(points, begin_rad, end_rad, piece.backward);
+  const double turned_rad = turn(turn_in_place(heading_rad_, begin_rad), now.turning(), command.pause_s);
+  drive_along(points, headings, limits_on(piece, now));
+  heading_rad_ = end_rad;
+  drive_.ends_s.push_back(drive_.time_s);
+  drive_.turned_rad += turned_rad + std::abs(piece.turn_rad);
+  drive_.tracking_error_m = std::max(drive_.tracking_error_m, norm(offset));
 }
 
 /// Turns in place and pauses. Returns the angle that it turned.
 double PieceBody::turn(double angle_rad, const Limits& limits, double pause_s) {
-  const double begin_s = drive_.time_s, whole_s = duration(std::abs(angle_rad), limits);
-  const double moving_s = begin_s + whole_s + pause_s;
-  const auto cut_s = faulty_ ? hindrance_.cuts_turn(begin_s, moving_s) : std::nullopt;
-  drive_.time_s = cut_s.value_or(moving_s);
   Recorder recorder(drive_);
-  recorder.turn(begin_s, angle_rad, limits, cut_s.value_or(std::numeric_limits<double>::infinity()));
+  recorder.turn(drive_.time_s, angle_rad, limits);
+  drive_.time_s += duration(std::abs(angle_rad), limits) + pause_s;
   recorder.stand_until(drive_.time_s);
-  if (!cut_s) return std::abs(angle_rad);
-  give_up();
-  return covered(std::abs(angle_rad), limits, *cut_s - begin_s);
+  return std::abs(angle_rad);
 }
 
-/// Returns the part that it drove.
-double PieceBody::drive_along(Way way) {
-  const double begin_s = drive_.time_s, length = length_of(way.points);
-  const Motion motion(length, way.limits);
-  const auto cut_s = faulty_
-                         ? hindrance_.cuts_leg({way.points, way.limits, begin_s, motion.duration_s(), true})
-                         : std::nullopt;
-  const double last_s = cut_s.value_or(motion.duration_s());
-  const double part = cut_s && length > 0.0 ? covered(length, way.limits, *cut_s) / length : 1.0;
-  if (cut_s && part > 0.0) shorten(way, part * length);
-  drive_.time_s = begin_s + last_s;
-  if (part > 0.0) {
-    Recorder(drive_).drive(begin_s, drive_.time_s, way.points, way.headings, motion, last_s);
-    drive_.length_m += cut_s ? length_of(way.points) : length;
-    heading_rad_ = way.end_rad;
-  }
-  if (cut_s) give_up();
-  return part;
-}
-
-/// Stands for a while before it gives the piece up. May be carried away.
-void PieceBody::give_up() {
-  stopped_ = true;
-  hindrance_.note_cut();
-  drive_.time_s += hindrance_.gives_up_after_s(drive_.time_s);
-  Recorder recorder(drive_);
-  recorder.stand_until(drive_.time_s);
-  const Pose2 here = pose();
-  heading_rad_ = here.heading_rad;
-  if (const auto elsewhere = hindrance_.put_elsewhere(here, drive_.time_s)) {
-    drive_.time_s += carried_s;
-    recorder.put(drive_.time_s, *elsewhere);
-    carried_from_ = here;
-    heading_rad_ = elsewhere->heading_rad;
-  }
-}
-
-void PieceBody::follow(const FollowPiece& command) {
-  const PathPiece& piece = command.piece;
-  if (faulty_) offset_ = pose().position - piece.from;
-  const Vec2 offset = next_offset(command);
-  const auto points = free_points(piece, std::exchange(offset_, offset), offset);
-  Pace now = pace_;
-  now.speed_mps = speed_rng_.uniform(pace_.slowest_speed_mps, pace_.speed_mps);
-  now.turn_rate_radps = speed_rng_.uniform(pace_.slowest_turn_rate_radps, pace_.turn_rate_radps);
-  const Way way = way_of(piece, points, now);
-  stopped_ = false;
-  const double turned_rad =
-      turn(turn_in_place(heading_rad_, way.headings.front()), now.turning(), command.pause_s);
-  const double part = stopped_ ? 0.0 : drive_along(way);
-  drive_.ends_s.push_back(drive_.time_s);
-  drive_.turned_rad += turned_rad + part * std::abs(piece.turn_rad);
-  drive_.tracking_error_m = std::max(drive_.tracking_error_m, norm(offset));
+void PieceBody::drive_along(const std::vector<Vec2>& points, const std::vector<double>& headings,
+                            const Limits& limits) {
+  const double length_m = length_of(points);
+  const Motion motion(length_m, limits);
+  Recorder(drive_).drive(drive_.time_s, points, headings, motion);
+  drive_.time_s += motion.duration_s();
+  drive_.length_m += length_m;
 }
 
 }  // namespace outrider

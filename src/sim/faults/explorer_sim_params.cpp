@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace outrider {
 
 std::vector<Option> describe(RangeFinderModel& laser) {
@@ -51,10 +53,17 @@ std::vector<Option> describe(ExplorerFaults& faults) {
       {"stuck_from", "s", 0.0, 1e9, "from then on the left wheel does not turn", &faults.stuck_from_s},
       {"stuck_for", "s", 0.0, 1e9, "for how long", &faults.stuck_for_s},
   };
-  for (const std::vector<Option>& more : {describe(faults.planner), describe(faults.kidnapping),
-                                          describe(faults.clock), describe(faults.walk_ins)})
+  for (const std::vector<Option>& more : {describe(faults.kidnapping), describe(faults.clock)})
     options.insert(options.end(), more.begin(), more.end());
   return options;
+}
+
+bool ExplorerFaults::any() const {
+  ExplorerFaults given = *this, none;
+  const auto differ = [](const std::vector<Option>& one, const std::vector<Option>& other) {
+    return !std::ranges::equal(one, other, {}, value_text, value_text);
+  };
+  return differ(describe(given), describe(none)) || differ(describe(given.walk_ins), describe(none.walk_ins));
 }
 
 }  // namespace outrider

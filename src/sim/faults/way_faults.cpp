@@ -13,13 +13,11 @@ constexpr double never_s = 1e9;     ///< default of a time: it never comes
 constexpr double patience_s = 1.0;  ///< after which a drive that does not go on is given up
 constexpr double room_m = 0.1;      ///< least gap between the post and either end of the robot's leg
 constexpr double touch_m = 1e-9;
-constexpr double felt_m = 1e-6;  ///< a bumper that is so near to the post touches it
 constexpr int halvings = 40;
 
 /// Returns the time after which a leg has covered that way. Bisection.
 double time_at_m(const HinderedLeg& leg, double way_m) {
-  double length_m = 0.0;
-  for (std::size_t i = 1; i < leg.points.size(); ++i) length_m += distance(leg.points[i - 1], leg.points[i]);
+  const double length_m = distance(leg.way.a, leg.way.b);
   double low = 0.0, high = leg.total_s;
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (low + high);
@@ -72,17 +70,12 @@ std::optional<double> Hindrance::cuts_leg(const HinderedLeg& leg) {
     cut_s = after_s;
     ++count;
   };
-  if (leg.may_meet_map) stops_at(way_to_map_m(leg.points), contacts_);
-  if (const double way_m = way_to_post_m(leg.points); way_m < never) {
+  if (leg.may_meet_map) stops_at(way_to_map_m(leg.way), contacts_);
+  if (const double way_m = way_to_post_m(leg.way); way_m < never) {
     const double there_s = leg.begin_s + time_at_m(leg, way_m);
     if (post_stands(there_s)) stops_at(way_m, post_contacts_);
   }
   return cut_s < leg.total_s ? std::optional(cut_s) : std::nullopt;
-}
-
-std::optional<double> Hindrance::touches_post(Vec2 position, double time_s) const {
-  if (!post_ || !post_stands(time_s) || distance(position, *post_) > gap_m() + felt_m) return std::nullopt;
-  return heading_of(*post_ - position);
 }
 
 double Hindrance::gives_up_after_s(double time_s) const {
@@ -104,8 +97,8 @@ bool Hindrance::is_free(Vec2 place) const {
 }
 
 void Hindrance::put_post(const HinderedLeg& leg) {
-  if (post_ || leg.points.size() != 2 || leg.begin_s + leg.total_s <= faults_.blocked_at_s) return;
-  const Vec2 from = leg.points.front(), to = leg.points.back();
+  if (post_ || leg.begin_s + leg.total_s <= faults_.blocked_at_s) return;
+  const auto [from, to] = leg.way;
   const double length_m = distance(from, to);
   const double after_s = std::max(0.0, faults_.blocked_at_s - leg.begin_s);
   const double from_m = covered(length_m, leg.limits, after_s);
@@ -122,48 +115,28 @@ bool Hindrance::post_stands(double time_s) const {
   return post_ && time_s >= post_s_ && time_s < post_s_ + faults_.blocked_for_s;
 }
 
-/// Returns the way along the points to the contact with the post; infinite if the robot passes by it or
-/// drives away from it.
-double Hindrance::way_to_post_m(const std::vector<Vec2>& points) const {
-  double before_m = 0.0;
-  for (std::size_t i = 1; post_ && i < points.size(); ++i) {
-    const Vec2 from = points[i - 1], to = points[i];
-    const double length_m = distance(from, to);
-    if (length_m == 0.0) continue;
-    const Vec2 along = 1.0 / length_m * (to - from);
-    const double ahead_m = dot(*post_ - from, along);
-    const double aside_m = cross(*post_ - from, along);
-    const double half2 = gap_m() * gap_m() - aside_m * aside_m;
-    if (ahead_m > 0.0 && half2 > touch_m) {
-      const double way_m = std::max(0.0, ahead_m - std::sqrt(half2));
-      if (way_m < length_m) return before_m + way_m;
-    }
-    before_m += length_m;
-  }
-  return never;
+/// Returns the way along a leg to the contact with the post; infinite if the robot passes by it or drives
+/// away from it.
+double Hindrance::way_to_post_m(Segment leg) const {
+  const double length_m = distance(leg.a, leg.b);
+  if (!post_ || length_m == 0.0) return never;
+  const Vec2 along = 1.0 / length_m * (leg.b - leg.a);
+  const double ahead_m = dot(*post_ - leg.a, along), aside_m = cross(*post_ - leg.a, along);
+  const double half2 = gap_m() * gap_m() - aside_m * aside_m;
+  if (ahead_m <= 0.0 || half2 <= touch_m) return never;
+  const double way_m = std::max(0.0, ahead_m - std::sqrt(half2));
+  return way_m < length_m ? way_m : never;
 }
 
-/// Returns the way along the points to the first contact with the map; infinite if there is none. Between the
-/// points of an arc only these are looked at.
-double Hindrance::way_to_map_m(const std::vector<Vec2>& points) const {
-  const bool straight = points.size() == 2;
-  double before_m = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const Vec2 from = points[i - 1], to = points[i];
-    const auto free = [&](double part) {
-      const Vec2 there = from + part * (to - from);
-      return free_({straight ? from : there, there});
-    };
-    if (!free(1.0)) {
-      double part = 0.0, step = 0.5;
-      for (int k = 0; k < halvings; ++k, step *= 0.5) {
-        if (free(part + step)) part += step;
-      }
-      return before_m + part * distance(from, to);
-    }
-    before_m += distance(from, to);
+/// Returns the way along a leg to the first contact with the map; infinite if there is none.
+double Hindrance::way_to_map_m(Segment leg) const {
+  const auto free = [&](double part) { return free_({leg.a, leg.a + part * (leg.b - leg.a)}); };
+  if (free(1.0)) return never;
+  double part = 0.0, step = 0.5;
+  for (int k = 0; k < halvings; ++k, step *= 0.5) {
+    if (free(part + step)) part += step;
   }
-  return never;
+  return part * distance(leg.a, leg.b);
 }
 
 }  // namespace outrider

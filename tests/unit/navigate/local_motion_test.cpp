@@ -34,6 +34,7 @@ struct ObedientRobot {
     Surroundings near;
     for (double t = 0.0; t < limit_s; t += 0.05) {
       near.look(map, pose.position, 4.0);
+      near.find_distances();
       const MotionState state{pose, twist, body, robot, near, field, goal};
       const Twist2 chosen = rule.choose(state);
       for (int i = 0; i < 10; ++i) {
@@ -96,6 +97,7 @@ TEST_P(EachRule, CommandsAreFiniteAndWithinTheLimits) {
     if (i % 4 != 0) field.compute({any.map.frame(), any.map.places()}, body, any.robot, {goal}, Vec2{});
     Surroundings near;
     near.look(any.map, {}, 4.0);
+    near.find_distances();
     const Twist2 now{rng.uniform(-0.5, 1.5), 0.0, rng.uniform(-2.0, 2.0)};
     const Twist2 chosen = one->choose({{{}, rng.uniform(-3, 3)}, now, body, any.robot, near, field, goal});
     EXPECT_TRUE(std::isfinite(chosen.ahead_mps) && std::isfinite(chosen.turn_radps));
@@ -113,6 +115,7 @@ TEST(LocalMotion, BrakingIsForeseen) {
   map.note_touch({1.0, 0.0}, 0.0);
   Surroundings near;
   near.look(map, {}, 3.0);
+  near.find_distances();
   const GoalField none;
   const RobotModel robot = quick_robot();
   const auto brakes_at = [&](double speed_mps) {
@@ -131,6 +134,7 @@ TEST(LocalMotion, TheSweepOfATurnIsForeseen) {
   map.note_touch({0.15, 0.2}, 0.0);  // beside the robot, within reach of its corners
   Surroundings near;
   near.look(map, {}, 3.0);
+  near.find_distances();
   const GoalField none;
   const RobotModel robot = quick_robot();
   EXPECT_FALSE(can_brake({{}, {0.0, 0.0, 1.5}, body, robot, near, none, {}}, {0.0, 0.0, 2.0}, 0.0));

@@ -23,6 +23,7 @@ TEST(Surroundings, ClearanceIsTheDistanceToTheNearestMark) {
   const LiveMap map = strewn(rng, 60);
   Surroundings near;
   near.look(map, {0.3, -0.2}, 2.0);
+  near.find_distances();
   int compared = 0;
   for (int i = 0; i < 2000; ++i) {
     const Vec2 place{rng.uniform(-1.5, 1.5), rng.uniform(-1.5, 1.5)};
@@ -41,6 +42,7 @@ TEST(Surroundings, GapOfAFootprintIsExact) {
   const LiveMap map = strewn(rng, 60);
   Surroundings near;
   near.look(map, {}, 2.0);
+  near.find_distances();
   int touching = 0;
   for (int i = 0; i < 2000; ++i) {
     const Pose2 pose{{rng.uniform(-1.5, 1.5), rng.uniform(-1.5, 1.5)}, rng.uniform(-3.0, 3.0)};
@@ -55,6 +57,7 @@ TEST(Surroundings, GapOfAFootprintIsExact) {
 TEST(Surroundings, NothingIsNearInAnEmptyMap) {
   Surroundings near;
   near.look(LiveMap({}, {}), {}, 2.0);
+  near.find_distances();
   EXPECT_NEAR(near.clearance({0.5, 0.5}), Surroundings::most_m, 1e-6);
   EXPECT_EQ(near.clearance({50.0, 0.0}), Surroundings::most_m);
   EXPECT_EQ(near.gap(oblong, {}, 0.3), 0.3);

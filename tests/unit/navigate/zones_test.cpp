@@ -134,6 +134,7 @@ TEST(Zones, NoMotionEntersOne) {
       Surroundings near;
       for (double t = 0.0; t < 8.0; t += 0.05) {
         near.look(map, pose.position, 4.0, true, &zones, 0.03);
+        near.find_distances();
         const Twist2 chosen = rule->choose({pose, twist, box_body, robot, near, field, {5, 0}});
         for (int i = 0; i < 10; ++i) {
           const Twist2 next = twist_after(twist, chosen, robot, 0.005);

@@ -20,20 +20,6 @@
 
 namespace outrider {
 
-/// The result of a drive with faults.
-struct FaultyResult {
-  std::vector<HoldUp> hold_ups;
-  double strayed_m = 0.0;          ///< largest distance from the track that the robot measured
-  double left_out_m = 0.0;         ///< length of the track that was not driven
-  bool believed_complete = false;  ///< by the robot
-  bool gave_up = false;
-  bool finished = false;     ///< nobody stopped it
-  std::size_t contacts = 0;  ///< with the edge of the area
-  std::size_t post_contacts = 0;
-  double promised_missed_m2 = 0.0;  ///< of what the track surely covers by its proof, what the drive has not
-  bool kept_promise = false;        ///< that is no more than the measuring is off
-};
-
 /// The end of a drive: nobody stopped it, and it covers what was promised.
 struct CoverEnding {
   bool finished = true;
@@ -47,13 +33,11 @@ struct CoverRun {
   TimeBound bound;
   PieceDrive drive;
   Coverage driven;                               ///< coverage of the reach by the drive
-  std::optional<FaultyResult> faulty = {};       ///< set if faults were asked for
   std::optional<NavigatedCover> navigated = {};  ///< set if the navigator drove; its drive is `drive`
 
   /// Returns false if the drive was stopped.
   [[nodiscard]] bool finished() const {
-    if (navigated) return navigated->finished;
-    return faulty ? faulty->finished : drive.ends_s.size() == plan.track.pieces.size();
+    return navigated ? navigated->finished : drive.ends_s.size() == plan.track.pieces.size();
   }
 };
 
@@ -68,8 +52,6 @@ class CoverLog {
   void note(const PieceDrive& drive);
   /// The same of a robot that is steered: no pose changes any more.
   void note_steered(const PieceDrive& drive);
-  /// The same of a robot that may be held up.
-  void note(const PieceDrive& drive, const CoverRecovery& mission);
   /// Logs the end: what the drive has covered, what it missed, and what it covered more than once.
   void finish(const PieceDrive& drive, const Coverage& driven, const CoverEnding& ending = {});
 
@@ -86,8 +68,6 @@ class CoverLog {
   GrowingCoverage coverage_;
   LogQueue queue_;                 ///< what a piece brings, to be logged in the order of time
   std::size_t pieces_ = 0;         ///< that are logged
-  std::size_t fresh_ = 0;          ///< first piece of the track that has not begun
-  std::size_t hold_ups_ = 0;       ///< that are logged
   std::optional<PieceRole> role_;  ///< of the last piece
   CoverageSums sums_;              ///< until measured_s_
   std::size_t poses_ = 0;          ///< that are logged
@@ -112,9 +92,7 @@ class CoverLog {
 /// - with the navigator: reachable_m2 and reachable_fraction (what a robot can cover that keeps its room from
 ///   what truly stands there, and the covered part of that), left_m2 (that the robot knows of), rounds (of
 ///   planning what was left), recoveries, contacts, walked_into (people who walked into it), left_ground (how
-///   often it came out of the area), and false_covered;
-/// - with faults: held_up (how often), left_out_m (of the track), strayed_m, contacts (with the edge),
-///   post_contacts, promised_missed_m2 (surely covered by the proof, and not by the drive), and
+///   often it came out of the area), blocked_s (when a post was put in its way; -1 if none was), and
 ///   false_covered: the robot believes that all is covered, and it is not.
 Report cover_report(const CoverProblem& problem, const CoverRun& run, const std::string& name);
 

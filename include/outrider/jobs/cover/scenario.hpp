@@ -8,7 +8,6 @@
 #include "outrider/core/options.hpp"
 #include "outrider/jobs/cover/ground/saved_map.hpp"
 #include "outrider/jobs/cover/strokes/plan.hpp"
-#include "outrider/sim/faults/track_faults.hpp"
 #include "outrider/sim/navigation.hpp"
 
 namespace outrider {
@@ -24,7 +23,6 @@ struct CoverScenario {
   std::int64_t seed = 1;         ///< of the simulated drive
   CoverProblem problem;          ///< its numbers are options; its polygons come from the file
   CoverOptions options;          ///< of the planner
-  TrackFaults faults;            ///< of the simulated drive; the robot is not told
   std::string sim = "ideal";     ///< ideal: the track as it is; navigator: around what stands there
   std::string things;            ///< that stand there and are on no map (add_things())
   NavigationOptions navigation = default_navigation();  ///< of a drive with the navigator

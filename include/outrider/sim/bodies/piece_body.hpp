@@ -7,22 +7,16 @@
 // trapezoidal speed profile with a maximum speed drawn between the slowest and the full speed. A drive thus
 // meets exactly the assumptions behind the bounds on its time and the proofs of its coverage, and no more.
 //
-// With faults (track_faults.hpp) it may stop on a piece, which then ends there, and it starts each piece from
-// where it is. If the blend from there would touch an edge, it goes by the beginning of the piece.
-//
 // A piece is driven as a whole: the body has no pose between the ends of a piece, so devices cannot measure
 // there. The same random stream and commands give the same drive. O(edges near the piece) per piece.
 #pragma once
 
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "outrider/core/rng.hpp"
 #include "outrider/motion/pace.hpp"
 #include "outrider/path/visibility/polygon_ground.hpp"
 #include "outrider/robot/command.hpp"
-#include "outrider/sim/faults/track_faults.hpp"
 
 namespace outrider {
 
@@ -59,7 +53,7 @@ class PieceBody {
  public:
   /// The ground must outlive the body. Draws from the child streams `pace` and `stray` of `rng`.
   PieceBody(const Pose2& start, const Pace& pace, double tracking_error_m, const PolygonGround& ground,
-            const Rng& rng, const TrackFaults& faults = {});
+            const Rng& rng);
 
   /// Carries out a FollowPiece or a Wait and returns its end time; other commands end at once.
   double begin(const Command& command);
@@ -70,33 +64,13 @@ class PieceBody {
   [[nodiscard]] const Pose2& pose() const { return drive_.track.back().pose; }
   [[nodiscard]] Twist2 twist() const { return {}; }  ///< at rest between two pieces
   [[nodiscard]] const PieceDrive& drive() const { return drive_; }
-  [[nodiscard]] const Hindrance& hindrance() const { return hindrance_; }
-  /// Returns the bearing of the post, rad, if the robot touches it.
-  [[nodiscard]] std::optional<double> touch_rad() const;
-  /// Returns the pose from which it was carried away since the last call, if it was.
-  std::optional<Pose2> take_carried_from() { return std::exchange(carried_from_, std::nullopt); }
 
  private:
-  /// The way that it drives in place of a piece.
-  struct Way {
-    PathPiece piece;
-    bool by_beginning = false;  ///< its first leg leads to the beginning of the piece
-    Vec2 at_begin = {};         ///< offset from the piece
-    Vec2 at_end = {};
-    std::vector<Vec2> points;
-    std::vector<double> headings = {};
-    double end_rad = 0.0;  ///< heading at the end
-    double whole_m = 0.0;  ///< its length without slip
-    Limits limits;
-  };
   Vec2 next_offset(const FollowPiece& command);
   void follow(const FollowPiece& command);
-  [[nodiscard]] std::vector<Vec2> free_points(const PathPiece& piece, Vec2 at_begin, Vec2 at_end) const;
-  [[nodiscard]] Way way_of(const PathPiece& piece, std::vector<Vec2> points, const Pace& pace) const;
-  static void shorten(Way& way, double way_m);
   double turn(double angle_rad, const Limits& limits, double pause_s);
-  double drive_along(Way way);
-  void give_up();
+  void drive_along(const std::vector<Vec2>& points, const std::vector<double>& headings,
+                   const Limits& limits);
 
   Pace pace_;
   double tracking_error_m_;
@@ -107,11 +81,6 @@ class PieceBody {
   double heading_rad_;  ///< now
   Vec2 offset_;         ///< of the end of the last piece
   PieceDrive drive_;
-  TrackFaults faults_;
-  bool faulty_;
-  bool stopped_ = false;  ///< the present piece ended before its end
-  Hindrance hindrance_;
-  std::optional<Pose2> carried_from_;
 };
 
 }  // namespace outrider

@@ -63,6 +63,8 @@ struct ExplorerFaults {
   PlannerOutage planner;       ///< none by default
   Kidnapping kidnapping;       ///< shorter than asked for if the robot would stand in something
 
+  /// Returns true if any fault was asked for, of those that describe() lists, or a walk-in.
+  [[nodiscard]] bool any() const;
   [[nodiscard]] bool blind(double time_s) const {
     return time_s >= blind_from_s && time_s < blind_from_s + blind_for_s;
   }
@@ -70,6 +72,7 @@ struct ExplorerFaults {
     return time_s >= stuck_from_s && time_s < stuck_from_s + stuck_for_s;
   }
 };
+/// Returns the options of all members but the walk-ins and the planner.
 std::vector<Option> describe(ExplorerFaults& faults);
 
 /// The simulated devices of an exploring robot.

@@ -35,9 +35,9 @@ struct WayFaults {
 };
 std::vector<Option> describe(WayFaults& faults);
 
-/// A leg on level ground, driven from rest to rest: straight, or an arc as chords.
+/// A straight leg on level ground, driven from rest to rest.
 struct HinderedLeg {
-  std::vector<Vec2> points;  ///< at least two; two of a straight leg
+  Segment way;
   Limits limits;
   double begin_s = 0.0;       ///< time at which the robot sets off
   double total_s = 0.0;       ///< time that the leg takes
@@ -57,10 +57,8 @@ class Hindrance {
   /// Returns the time at which a turn in place ends before its end, if it does.
   [[nodiscard]] std::optional<double> cuts_turn(double begin_s, double end_s) const;
   /// Returns how long after it began a leg ends before its end, s, if it does. Puts the post on the leg if
-  /// its time has come and the leg is straight.
+  /// its time has come.
   std::optional<double> cuts_leg(const HinderedLeg& leg);
-  /// Returns the direction to the post, rad, if a robot that stands there touches it at that time.
-  [[nodiscard]] std::optional<double> touches_post(Vec2 position, double time_s) const;
   /// Returns the time for which a robot stands before it gives up a drive that was cut at that time, s.
   [[nodiscard]] double gives_up_after_s(double time_s) const;
   /// Returns where somebody puts the robot, once, when the time has come.
@@ -76,8 +74,8 @@ class Hindrance {
   [[nodiscard]] double next_event_s(double begin_s) const;
   void put_post(const HinderedLeg& leg);
   [[nodiscard]] bool post_stands(double time_s) const;
-  [[nodiscard]] double way_to_post_m(const std::vector<Vec2>& points) const;
-  [[nodiscard]] double way_to_map_m(const std::vector<Vec2>& points) const;
+  [[nodiscard]] double way_to_post_m(Segment leg) const;
+  [[nodiscard]] double way_to_map_m(Segment leg) const;
   [[nodiscard]] double gap_m() const { return radius_m_ + faults_.blocked_radius_m; }  // centre to centre
   [[nodiscard]] bool is_free(Vec2 place) const;
 

@@ -34,40 +34,4 @@ PieceDrive drive_track(const CoverTrack& track, const PolygonGround& ground, con
   return drive;
 }
 
-namespace {
-
-/// Counts how often the robot came nearer to an edge than its radius.
-std::size_t contacts_of(const PieceDrive& drive, const PolygonGround& ground) {
-  std::size_t contacts = 0;
-  bool was_free = true;
-  for (const Vec2 place : drive.way) {
-    const bool free = ground.point_free(place);
-    if (was_free && !free) ++contacts;
-    was_free = free;
-  }
-  return contacts;
-}
-
-}  // namespace
-
-FaultyDrive drive_with_faults(const CoverTrack& track, const CoverProblem& problem,
-                              const std::shared_ptr<const PolygonGround>& ground, const TrackFaults& faults,
-                              std::uint64_t seed, const RunWatch& watch,
-                              const std::function<void(const PieceDrive&, const CoverRecovery&)>& look) {
-  SimulatedRobot robot(
-      PieceBody(track.start, problem.pace, problem.tracking_error_m, *ground, Rng(seed), faults));
-  const auto& body = robot.body<PieceBody>();
-  Budget budget;
-  budget.stop = watch.stop;
-  FaultyDrive done{{}, CoverRecovery(track, problem, ground, budget)};
-  done.finished = run_mission(done.mission, robot, watch.stop, [&](const Observation&, const Command*) {
-    watch.part(done.mission.driven_part());
-    if (look) look(body.drive(), done.mission);
-  });
-  done.drive = body.drive();
-  done.contacts = body.hindrance().contacts() + contacts_of(done.drive, *ground);
-  done.post_contacts = body.hindrance().post_contacts();
-  return done;
-}
-
 }  // namespace outrider

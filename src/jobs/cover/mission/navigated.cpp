@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ground/tool_coverage.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/io/scenario/things.hpp"
 #include "outrider/job/map_log.hpp"
@@ -16,7 +17,7 @@
 namespace outrider {
 namespace {
 
-constexpr double wall_m = 0.001, wall_height_m = 1.0;  // thin: at sharp corners it must not reach inside
+constexpr double most_wall_m = 1.0, least_wall_m = 0.001, wall_height_m = 1.0;
 constexpr double robot_height_m = 0.5;
 constexpr double seen_off_m = 0.03;  // by which marks may be beside what they are of
 constexpr double noted_m = 0.01, noted_rad = radians(2.0);
@@ -42,7 +43,7 @@ Region region_of_all(const CoverProblem& problem) {
   return united(all);
 }
 
-/// Puts a wall along each edge, outside of the area.
+/// Puts a wall along each edge, outside of the area: as thick as it can be without reaching into it.
 void add_walls(const Region& area, World& world) {
   const auto add = [&](const std::vector<Vec2>& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -51,6 +52,13 @@ void add_walls(const Region& area, World& world) {
       if (length_m == 0.0) continue;
       const Vec2 along = (1.0 / length_m) * (to - from);
       // The area is on the left of its rings.
+      double wall_m = most_wall_m;
+      const auto reaches_in = [&] {
+        const Vec2 out = -wall_m * perpendicular(along);
+        const Region wall = region_of({from, from + out, to + out, to}, {});
+        return area_of(common(wall, area)) > least_wall_m * least_wall_m;
+      };
+      while (wall_m > least_wall_m && reaches_in()) wall_m = std::max(least_wall_m, 0.5 * wall_m);
       const Vec2 middle = 0.5 * (from + to) - 0.5 * wall_m * perpendicular(along);
       world.solids.push_back(
           {"edge",
@@ -90,6 +98,19 @@ void add_pose(PieceDrive& drive, double time_s, const Pose2& pose) {
   drive.times_s.push_back(time_s);
 }
 
+/// Adds the last pose of the drive, if it has moved on a little since the last that was noted.
+void add_last(PieceDrive& drive, const Pose2& pose) {
+  if (drive.track.back().time_s < drive.time_s) add_pose(drive, drive.time_s, pose);
+}
+
+/// Notes that the robot was carried to a pose, from another.
+void note_carried(PieceDrive& drive, double time_s, const Pose2& from, const Pose2& to) {
+  add_last(drive, from);
+  drive.carried.push_back({drive.time_s, time_s});
+  drive.time_s = time_s;
+  add_pose(drive, time_s, to);
+}
+
 /// Notes the true pose in the drive.
 void note_pose(PieceDrive& drive, double time_s, const Pose2& pose) {
   drive.time_s = time_s;
@@ -104,10 +125,11 @@ void note_pose(PieceDrive& drive, double time_s, const Pose2& pose) {
   add_pose(drive, time_s, pose);
 }
 
-/// Returns what a robot can cover that keeps the rim from things; nothing if it has no room where it starts.
-Region reach_among(const CoverProblem& problem, const CoverPlan& plan, const World& things, double rim_m) {
+/// Returns what a robot can cover that keeps the rim from things; nothing if it has no room in these places.
+Region reach_among(const CoverProblem& problem, const CoverPlan& plan,
+                   const std::vector<RoundedPolygon>& things, double rim_m, const std::vector<Vec2>& places) {
   std::vector<Region> all;
-  for (const RoundedPolygon& thing : footprints_above_floor(things)) {
+  for (const RoundedPolygon& thing : things) {
     const double grown_m = thing.radius_m + rim_m;
     std::vector<Vec2> corners;
     constexpr int around = 32;
@@ -120,22 +142,23 @@ Region reach_among(const CoverProblem& problem, const CoverPlan& plan, const Wor
     all.push_back(region_of(convex_hull(corners), {}));
   }
   const double radius_m = problem.body_radius_m();
-  const Region standing = shrunk(without(plan.ground.area, united(all)), radius_m, arc_m);
-  const auto from = std::ranges::find_if(standing, [&](const RingedPolygon& part) {
-    return contains(part, plan.track.start.position) ||
-           distance_to_border(part, plan.track.start.position) <= 2.0 * arc_m;
+  Region standing = shrunk(without(plan.ground.area, united(all)), radius_m, arc_m);
+  std::erase_if(standing, [&](const RingedPolygon& part) {
+    return std::ranges::none_of(places, [&](Vec2 place) {
+      return contains(part, place) || distance_to_border(part, place) <= 2.0 * arc_m;
+    });
   });
-  if (from == standing.end()) return {};
-  return common(grown({*from}, radius_m, arc_m), plan.ground.reach);
+  return common(grown(standing, radius_m, arc_m), plan.ground.reach);
 }
 
 /// A robot, its navigator and its orders, until these end.
 class NavigatedDrive {
  public:
-  NavigatedDrive(AllowedGround ground, double radius_m, Navigator navigator, SimulatedRobot robot,
+  NavigatedDrive(AllowedGround ground, const CoverProblem& problem, Navigator navigator, SimulatedRobot robot,
                  CoverOrders orders, Log& log)
       : ground_(std::move(ground)),
-        radius_m_(radius_m),
+        problem_(problem),
+        truth_(robot.pose()),
         navigator_(std::move(navigator)),
         robot_(std::move(robot)),
         orders_(std::move(orders)),
@@ -159,26 +182,35 @@ class NavigatedDrive {
     }
   }
 
+  /// Returns what was put in its way and still stands there.
+  [[nodiscard]] std::optional<RoundedPolygon> post() const {
+    return robot_.body<TwistBody>().walk_ins().post();
+  }
+
   /// Returns what it came to, but for what was covered.
   NavigatedCover result() {
     const auto& body = robot_.body<TwistBody>();
-    if (done_.drive.track.back().time_s < done_.drive.time_s)
-      add_pose(done_.drive, done_.drive.time_s, robot_.pose());
+    add_last(done_.drive, truth_);
     done_.believed_complete = orders_.believes_complete();
     done_.reason = orders_.reason();
     done_.contacts = body.contacts();
     done_.walked_into = body.walked_into();
     done_.rounds = orders_.rounds();
     done_.left_m2 = area_of(orders_.left());
+    done_.blocked_s = body.walk_ins().blocked_s().value_or(-1.0);
     return std::move(done_);
   }
 
  private:
   void note_truth() {
-    const Pose2& truth = robot_.pose();
-    note_pose(done_.drive, robot_.time_s(), truth);
-    const bool out = !ground_.contains(truth.position) || ground_.to_edge_m(truth.position) < radius_m_;
-    if (out && !outside_) ++done_.left_ground;
+    const Pose2 before = std::exchange(truth_, robot_.pose());
+    const Vec2 here = truth_.position;
+    const bool was_carried =
+        is_leap(before.position, here, robot_.time_s() - done_.drive.time_s, problem_.pace);
+    if (was_carried) note_carried(done_.drive, robot_.time_s(), before, truth_);
+    note_pose(done_.drive, robot_.time_s(), truth_);
+    const bool out = !ground_.contains(here) || ground_.to_edge_m(here) < problem_.body_radius_m();
+    if (out && !outside_ && !was_carried) ++done_.left_ground;
     outside_ = out;
   }
 
@@ -190,7 +222,8 @@ class NavigatedDrive {
   }
 
   AllowedGround ground_;
-  double radius_m_;  // of the robot
+  const CoverProblem& problem_;
+  Pose2 truth_;
   Navigator navigator_;
   SimulatedRobot robot_;
   CoverOrders orders_;
@@ -233,7 +266,8 @@ Outcome<NavigatedCover> drive_with_navigator(const CoverProblem& problem, const 
   if (!world) return pass_on(world);
   const Pose2& start = plan.track.start;
   const double rim_m = rim_of(navigation);
-  const Region reach = reach_among(problem, plan, *world, rim_m + seen_off_m);
+  std::vector<RoundedPolygon> standing = footprints_above_floor(*world);
+  Region reach = reach_among(problem, plan, standing, rim_m + seen_off_m, {start.position});
   if (reach.empty()) {
     const Vec2 at = problem.frame.to_file(start.position);
     return bad_input(
@@ -255,13 +289,18 @@ Outcome<NavigatedCover> drive_with_navigator(const CoverProblem& problem, const 
   log_solids(log, *world, robot_height_m);
   add_walls(area, *world);
   world->bounds = bounds_of(area).grown(1.0);
-  NavigatedDrive drive(*setup.allowed, model.radius_m, std::move(*navigator),
+  NavigatedDrive drive(*setup.allowed, problem, std::move(*navigator),
                        simulated_explorer(*world, start, model, devices_of(navigation, footprint), seed),
                        CoverOrders(*inside, method, options, plan, rim_m, watch.budget()), log);
   drive.run(watch, look);
   NavigatedCover done = drive.result();
-  done.driven = coverage_of(done.drive.way, model.radius_m, reach);
-  done.reach = reach;
+  if (const auto post = drive.post()) {
+    standing.push_back(*post);
+    reach = reach_among(problem, plan, standing, rim_m + seen_off_m, {start.position, done.drive.way.back()});
+  }
+  done.driven = cover::coverage_of_drive(done.drive, problem, reach);
+  done.missed_m2 = area_of(without_specks(done.driven.missed));
+  done.reach = std::move(reach);
   return done;
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "ground/tool_coverage.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/geometry/polyline.hpp"
 #include "outrider/path/pieces.hpp"
@@ -16,7 +17,10 @@ namespace outrider {
 namespace {
 
 constexpr double bend_m = 0.1, bend_rad = radians(2.0);  // between two points of the way
-constexpr double speck_m = 0.015;                        // narrower places that are left do not count
+constexpr double speck_m = 0.015;  // half the width of places that are left and do not count
+constexpr double spot_m = 1.0, circling_rad = 10.0 * pi;  // five turns in one place
+constexpr double stand_s = 10.0;
+constexpr int most_stands = 8;
 constexpr int most_rounds = 6;
 constexpr double least_gain = 0.1;  // of what was left, that a round has to cover
 constexpr int corners = 8;          // of what stands around a mark
@@ -48,7 +52,21 @@ Region simpler(const Region& region, double off_m) {
   return united(parts);
 }
 
+void add_place(PieceDrive& drive, double time_s, Vec2 place) {
+  drive.way.push_back(place);
+  drive.times_s.push_back(time_s);
+}
+
 }  // namespace
+
+Region without_specks(const Region& left) {
+  return common(grown(shrunk(left, speck_m, chord_m), speck_m, chord_m), left);
+}
+
+bool is_leap(Vec2 from, Vec2 to, double within_s, const Pace& pace) {
+  constexpr double slack_m = 0.02;
+  return distance(from, to) > 2.0 * pace.speed_mps * within_s + slack_m;
+}
 
 CoverOrders::CoverOrders(const CoverProblem& problem, const CoverMethod& method, const CoverOptions& options,
                          const CoverPlan& plan, double rim_m, Budget budget)
@@ -58,7 +76,9 @@ CoverOrders::CoverOrders(const CoverProblem& problem, const CoverMethod& method,
       plan_(plan),
       rim_m_(rim_m),
       budget_(std::move(budget)),
-      tracks_{std::make_shared<const TrackPieces>(plan.track.pieces)} {}
+      tracks_{std::make_shared<const TrackPieces>(plan.track.pieces)} {
+  options_.order.gap = 1.0;  // a rest is driven in a good order, of which nothing has to be proven
+}
 
 double CoverOrders::driven_part(const Navigator& navigator) const {
   const auto behind = static_cast<double>(all_tracks_ - tracks_.size());
@@ -69,21 +89,46 @@ double CoverOrders::driven_part(const Navigator& navigator) const {
   return (behind + part) / static_cast<double>(all_tracks_);
 }
 
-/// Notes the way: its points are where it bends, so that chords are at most 2 mm beside it.
-void CoverOrders::note(const Pose2& pose) {
+/// Notes the way: its points are where it bends, so that chords are at most 2 mm beside it. While it is
+/// carried, the robot covers nothing.
+void CoverOrders::note(double time_s, const Pose2& pose) {
+  std::vector<Vec2>& way = believed_.way;
+  const bool leaps = !way.empty() && is_leap(here_.position, pose.position, time_s - time_s_, problem_.pace);
+  if (leaps) add_place(believed_, time_s_, here_.position);
+  if (leaps) believed_.carried.push_back({time_s_, time_s});
+  note_circling(time_s, pose);
+  here_ = pose;
+  time_s_ = time_s;
   const bool bends = std::abs(wrap_angle(pose.heading_rad - heading_rad_)) > bend_rad;
-  if (!way_.empty() && distance(way_.back(), pose.position) < (bends ? 1e-3 : bend_m)) return;
-  way_.push_back(pose.position);
+  if (!leaps && !way.empty() && distance(way.back(), pose.position) < (bends ? 1e-3 : bend_m)) return;
+  add_place(believed_, time_s, pose.position);
   heading_rad_ = pose.heading_rad;
 }
 
+/// Notes how far the robot has turned on the spot: with a wheel that sticks it circles about that. It stands
+/// for a while then, and gives up after a number of times.
+void CoverOrders::note_circling(double time_s, const Pose2& pose) {
+  if (believed_.way.empty() || distance(pose.position, spot_) > spot_m) {
+    spot_ = pose.position;
+    turned_rad_ = 0.0;
+    stands_ = 0;
+  } else {
+    turned_rad_ += std::abs(wrap_angle(pose.heading_rad - here_.heading_rad));
+  }
+  if (turned_rad_ < circling_rad) return;
+  turned_rad_ = 0.0;
+  stands_until_s_ = time_s + stand_s;
+  if (++stands_ > most_stands) reason_ = "the robot circles and does not get on; does a wheel stick?";
+}
+
 std::optional<Order> CoverOrders::next(const Situation& now, const Navigator& navigator) {
-  note(now.pose);
+  note(now.time_s, now.pose);
   if (complete_ || !reason_.empty()) return std::nullopt;
   if (now.progress.state == Progress::State::lost) {
     reason_ = now.progress.why;
     return std::nullopt;
   }
+  if (now.time_s < stands_until_s_) return Hold{};
   const TrackFollower* track = navigator.track();
   const bool ended = track != nullptr && track->track() == tracks_.front() && track->is_done();
   if (ended) {
@@ -122,7 +167,7 @@ Outcome<CoverPlan> CoverOrders::plan_here(const Region& things) const {
     const double radius_m = problem_.body_radius_m() + wider_m;
     const Region standing = shrunk(ground, radius_m, chord_m);
     if (standing.empty()) break;
-    const Region room = grown({part_around(standing, way_.back())}, radius_m, chord_m);
+    const Region room = grown({part_around(standing, here_.position)}, radius_m, chord_m);
     const Region here = simpler(common(room, ground), chord_m);
     CoverProblem rest = problem_;
     rest.boundary = here.front().outer;
@@ -141,12 +186,10 @@ bool CoverOrders::plan_rest(const Navigator& navigator) {
     reason_ = fmt::format("what is left cannot be planned: {}", plan.error().sentence);
     return false;
   }
-  const double radius_m = problem_.body_radius_m();
   const Region reach = common(plan->ground.reach, plan_.ground.reach);
-  const Coverage so_far = coverage_of(way_, radius_m, reach, budget_.stop);
+  const Coverage so_far = cover::coverage_of_drive(believed_, problem_, reach, budget_.stop);
   const double before_m2 = rounds_ == 0 ? std::numeric_limits<double>::infinity() : area_of(left_);
-  left_ = shrunk(so_far.missed, speck_m, chord_m);
-  left_ = common(grown(left_, speck_m, chord_m), so_far.missed);
+  left_ = without_specks(so_far.missed);
   const double left_m2 = area_of(left_);
   complete_ = left_m2 <= problem_.uncovered * area_of(reach);
   if (complete_) return false;

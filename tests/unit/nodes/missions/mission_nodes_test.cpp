@@ -257,8 +257,8 @@ TEST(MissionNodes, FaultsOfASimulationAreRefused) {
   pursuit.faults.stuck_from_s = 3.0;
   EXPECT_EQ(PursueMissionNode::check(pursuit, pursuit_task()).error().where, "faults");
   CoverScenario cover;
-  cover.faults.slip = 0.1;
-  EXPECT_EQ(CoverMissionNode::check(cover).error().where, "faults");
+  cover.sim = "navigator";
+  EXPECT_EQ(CoverMissionNode::check(cover).error().where, "sim");
   EXPECT_TRUE(check_no_faults(false));
   EXPECT_EQ(check_no_faults(true, "faults.planner_fails_from").error().where, "faults.planner_fails_from");
 }

@@ -1,12 +1,10 @@
-// CoverMission executes a track piece by piece. drive_track() simulates it, and drive_with_faults() simulates
-// CoverRecovery with a robot that is held up.
+// CoverMission executes a track piece by piece. drive_track() simulates it.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 
 #include "outrider/job/watch.hpp"
-#include "outrider/jobs/cover/mission/recovery.hpp"
 #include "outrider/jobs/cover/strokes/track.hpp"
 #include "outrider/robot/mission.hpp"
 #include "outrider/sim/bodies/piece_body.hpp"
@@ -33,21 +31,5 @@ struct CoverMission {
 PieceDrive drive_track(const CoverTrack& track, const PolygonGround& ground, const Pace& pace,
                        double tracking_error_m, std::uint64_t seed, const RunWatch& watch = {},
                        const std::function<void(const PieceDrive&)>& look = {});
-
-/// A drive with faults that the robot was not told.
-struct FaultyDrive {
-  PieceDrive drive;
-  CoverRecovery mission;          ///< in its last state
-  std::size_t contacts = 0;       ///< with the edge of the area
-  std::size_t post_contacts = 0;  ///< with the post that was put on its way
-  bool finished = false;          ///< nobody stopped it
-};
-
-/// Drives the track of the problem on that ground with a robot that suffers the faults. `look` receives the
-/// drive and the mission so far.
-FaultyDrive drive_with_faults(const CoverTrack& track, const CoverProblem& problem,
-                              const std::shared_ptr<const PolygonGround>& ground, const TrackFaults& faults,
-                              std::uint64_t seed, const RunWatch& watch = {},
-                              const std::function<void(const PieceDrive&, const CoverRecovery&)>& look = {});
 
 }  // namespace outrider

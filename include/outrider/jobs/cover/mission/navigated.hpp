@@ -25,8 +25,10 @@ struct NavigatedCover {
   int rounds = 0;                ///< how often it planned what was left
   std::int64_t recoveries = 0;   ///< most in a row
   double left_m2 = 0.0;          ///< that it knows of
-  Region reach;     ///< area that a robot can cover that keeps its room from all that stands there
-  Coverage driven;  ///< coverage of that area by the drive
+  double blocked_s = -1.0;       ///< when a post was put in its way; -1 if none was
+  Region reach;            ///< area that a robot can cover that keeps its room from all that stands there
+  Coverage driven;         ///< coverage of that area by the drive
+  double missed_m2 = 0.0;  ///< missed of that area, without_specks()
 };
 
 /// Returns the problem of the part of the area in which a robot that is beside its track by no more than its

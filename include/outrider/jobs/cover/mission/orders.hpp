@@ -18,8 +18,15 @@
 #include "outrider/core/budget.hpp"
 #include "outrider/jobs/cover/strokes/plan.hpp"
 #include "outrider/navigate/navigator.hpp"
+#include "outrider/sim/bodies/piece_body.hpp"
 
 namespace outrider {
+
+/// Returns true if a robot with that pace was carried, since it does not drive so far within that time.
+bool is_leap(Vec2 from, Vec2 to, double within_s, const Pace& pace);
+
+/// Returns what is left without what is narrower than 3 cm, such as the rim of what a robot drove around.
+Region without_specks(const Region& left);
 
 class CoverOrders {
  public:
@@ -43,7 +50,8 @@ class CoverOrders {
   [[nodiscard]] double driven_part(const Navigator& navigator) const;
 
  private:
-  void note(const Pose2& pose);
+  void note(double time_s, const Pose2& pose);
+  void note_circling(double time_s, const Pose2& pose);
   [[nodiscard]] Region things(const Navigator& navigator) const;
   [[nodiscard]] Outcome<CoverPlan> plan_here(const Region& things) const;
   bool plan_rest(const Navigator& navigator);
@@ -51,12 +59,18 @@ class CoverOrders {
 
   const CoverProblem& problem_;
   const CoverMethod& method_;
-  const CoverOptions& options_;
+  CoverOptions options_;
   const CoverPlan& plan_;
   double rim_m_;
   Budget budget_;
-  std::vector<Vec2> way_;  // where it was, by its belief
-  double heading_rad_ = 0.0;
+  PieceDrive believed_;       // where it was when
+  double heading_rad_ = 0.0;  // at the last place of that
+  Pose2 here_;
+  double time_s_ = 0.0;
+  Vec2 spot_;                // from which it has not gone far
+  double turned_rad_ = 0.0;  // there, since it stood last
+  double stands_until_s_ = 0.0;
+  int stands_ = 0;  // in a row
   std::deque<std::shared_ptr<const TrackPieces>> tracks_;
   std::size_t all_tracks_ = 1;  // of this round
   Region left_;

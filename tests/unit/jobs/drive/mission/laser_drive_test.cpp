@@ -203,7 +203,7 @@ TEST(LaserDriveOnMap, GoesThroughADoorThatTheMapDoesNotHave) {
 TEST(LaserDriveOnMap, PassesPeople) {
   DriveTask task = office_drive(office, first_room, last_room);
   LaserDriveOptions how = near_sighted();
-  how.walk_ins.people = 6;
+  how.faults.walk_ins.people = 6;
   for (int seed = 1; seed <= testing::cases(2); ++seed) {
     Log log;
     const Report report = driven(task, how, log, static_cast<std::uint64_t>(seed));
@@ -354,8 +354,8 @@ TEST(LaserDriveOnMap, PassesPeopleWhoDoNotHeedIt) {
   };
   DriveTask task = office_drive(hall, {{1.0, 2.5}, 0.0}, {{14.0, 2.5}, 0.0});
   LaserDriveOptions how = near_sighted();
-  how.walk_ins.people = 8;
-  how.walk_ins.people_heed = false;
+  how.faults.walk_ins.people = 8;
+  how.faults.walk_ins.people_heed = false;
   const int runs = testing::cases(3);
   int done = 0;
   for (int seed = 1; seed <= runs; ++seed) {
