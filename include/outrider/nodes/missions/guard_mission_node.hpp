@@ -74,7 +74,8 @@ class GuardMissionNode final : public MissionNode {
   GuardMission* mission_;  ///< that of guard_, which has one
   RemoteGun gun_;
   RangeFinder solids_;  ///< what is on the map
-  std::unique_ptr<GuardMissionLog> run_log_;
+  LogQueue queue_;
+  std::unique_ptr<TargetLog> run_log_;
   std::optional<Command> present_;  ///< what the robot does
   double began_command_s_ = 0.0;
   PieceDriver driver_;

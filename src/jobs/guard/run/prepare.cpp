@@ -7,12 +7,11 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/job/plan_cache.hpp"
-#include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/plan/supply_plan.hpp"
 #include "outrider/jobs/guard/yard/team_starts.hpp"
 #include "outrider/log/append.hpp"
-#include "run/regions_log.hpp"
+#include "run/guard_log.hpp"
 
 namespace outrider {
 namespace {
@@ -204,10 +203,13 @@ Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, Ru
   return guard;
 }
 
-Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const RunWatch& watch) {
+Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const RunWatch& watch,
+                                                      const std::vector<Capability>& of_caller) {
   auto requested = requested_capabilities(scenario);
+  requested.insert(requested.end(), of_caller.begin(), of_caller.end());
   requested.push_back(Capability::own_robot);
   if (auto ok = check_capabilities(requested); !ok) return pass_on(ok);
+  scenario.sim.clear();
   RunSteps steps(watch, 2);
   Log log;
   return prepare_guard(std::move(scenario), steps, watch, log);

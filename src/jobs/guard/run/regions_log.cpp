@@ -1,5 +1,3 @@
-#include "run/regions_log.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +6,7 @@
 #include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/sim/simulated_gun.hpp"
+#include "run/guard_log.hpp"
 
 namespace outrider {
 namespace {

@@ -74,33 +74,14 @@ outrider_msgs::Supplies supplies_entry(const Supplies& supplies) {
   return entry;
 }
 
-}  // namespace
-
-TargetSimParams target_params(const GuardRun& run) {
-  TargetSimParams params;
-  params.survival = run.survival;
-  if (const auto* const arriving = run.mission.arriving()) {
-    params.intruders = arriving->plan().yard.intruders;
-    params.foreseen = arriving->plan().policy.foresees;
-  }
-  if (const auto* const moving = run.mission.moving()) {
-    params.walks = run.walks;
-    params.look_s = moving->plan().options.look_s;
-    params.sight_m = moving->plan().options.sight_m;
-  }
-  return params;
-}
-
-namespace {
-
-void log_run(Log& log, const GuardProblem& problem, const GuardOptions& options, std::uint64_t seed,
-             bool rigid) {
-  outrider_msgs::RunInfo info = run_info("guard", seed, problem.world, problem.robot.radius_m);
-  if (rigid) info.sim = "physics";
+void log_run(Log& log, const GuardProblem& problem, const GuardScenario& scenario) {
+  outrider_msgs::RunInfo info =
+      run_info("guard", static_cast<std::uint64_t>(scenario.seed), problem.world, problem.robot.radius_m);
+  if (scenario.sim == "physics") info.sim = "physics";
   info.gravity = problem.world.gravity_mps2;
   info.gun_length = std::hypot(problem.gun.tip_forward_m, problem.gun.tip_up_m);
   info.ball_radius = problem.gun.ball_radius_m;
-  info.margin = options.margin_m;
+  info.margin = scenario.options.margin_m;
   log.append(topic::run, 0.0, std::move(info));
 }
 
@@ -116,10 +97,9 @@ void log_world(Log& log, const GuardProblem& problem) {
 
 }  // namespace
 
-void log_yard(Log& log, const GuardProblem& problem, const GuardOptions& options, std::uint64_t seed,
-              bool rigid) {
+void log_yard(Log& log, const GuardProblem& problem, const GuardScenario& scenario) {
   const bool first = log.latest<outrider_msgs::RunInfo>(topic::run) == nullptr;
-  if (first) log_run(log, problem, options, seed, rigid);
+  if (first) log_run(log, problem, scenario);
   if (first) log_world(log, problem);
   if (problem.supplies.any() && log.latest<outrider_msgs::Supplies>(topic::supplies) == nullptr)
     log.append(topic::supplies, 0.0, supplies_entry(problem.supplies));

@@ -1,5 +1,3 @@
-#include "team/team_log.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "outrider/log/messages/ros_messages.hpp"
 #include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/log/topics.hpp"
+#include "team/team_report.hpp"
 
 namespace outrider {
 namespace {

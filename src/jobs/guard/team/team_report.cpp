@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "outrider/core/units.hpp"
-#include "outrider/jobs/guard/run/run.hpp"
 #include "run/guard_log.hpp"
 #include "team/team_report.hpp"
 
@@ -85,10 +84,10 @@ Report judge_team(const GuardScenario& scenario, const FiringMap& firing_map, co
                   const TeamRun& team, const Log& log) {
   const GuardProblem& problem = scenario.problem;
   const GuardPlan whole = whole_plan(plan, firing_map);
-  GuardMission mission(problem, firing_map, whole);
-  mission.board().set_records(team.records);
-  const GuardRun run{.mission = mission, .options = scenario.options, .faults = scenario.faults};
-  Report report = judge(run, mission, sum_of(team.robots), log, team.mission_s, 0.0);
+  const SimRecord record = sum_of(team.robots);
+  const EndedMission ended{problem,           team.records,         record, log, team.mission_s,
+                           whole.on_the_move, scenario.faults.any()};
+  Report report = judge(ended, tour_metrics(whole, ended));
 
   Table& targets = report.tables.front();
   targets.columns.emplace_back("robot");

@@ -116,8 +116,6 @@ class TaskBoard {
   void set_stop(std::stop_token stop) { stop_ = std::move(stop); }
   /// Sets the budget of each search for a way.
   void set_budget(const Budget& budget) { budget_ = budget; }
-  /// Replaces the records by those of missions that share the targets.
-  void set_records(std::vector<TargetRecord> records) { records_ = std::move(records); }
 
   /// Updates the records with the results of the last shots. A shot without a result counts as a miss; one
   /// that nobody waits for, 5 s after the planned landing. Without `again` a miss leads to no further task.

@@ -14,6 +14,7 @@
 
 #include "outrider/job/watch.hpp"
 #include "outrider/jobs/guard/behaviour/survivors.hpp"
+#include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/jobs/guard/mission/mission.hpp"
 #include "outrider/jobs/guard/scenario.hpp"
 #include "outrider/jobs/guard/team/team_plan.hpp"
@@ -52,8 +53,9 @@ Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, Ru
                                                       const RunWatch& watch, Log& log, double time_s = 0.0);
 
 /// Prepares the mission of a robot that is not simulated. Faults: besides, those of check_capabilities() with
-/// `own_robot`.
-Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const RunWatch& watch = {});
+/// `own_robot` and those of the caller.
+Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const RunWatch& watch = {},
+                                                      const std::vector<Capability>& of_caller = {});
 
 /// The verdict on a mission.
 struct GuardVerdict {

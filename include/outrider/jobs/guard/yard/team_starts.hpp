@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "outrider/jobs/guard/yard/firing_map.hpp"
@@ -10,11 +9,6 @@
 namespace outrider {
 
 inline constexpr std::int64_t most_robots = 5;
-
-/// Parses the starts of the robots after the first, "x,y,heading; x,y,heading", in m, m and degrees. An empty
-/// text has none. Fault: bad_input at `robot_starts`, for a pose that is not valid and for a number of poses
-/// other than `robots` - 1.
-Outcome<std::vector<Pose2>> parse_starts(const std::string& text, std::int64_t robots);
 
 /// Returns the starts of `robots` robots: that of the problem and the `others`. If there are no others, they
 /// are chosen: the centres of reachable cells with the heading of the first robot, one after another. Each is
