@@ -9,7 +9,7 @@
 #include "outrider/core/parallel.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/jobs/guard/plan/arrival_bound.hpp"
+#include "outrider/jobs/guard/plan/bound.hpp"
 #include "outrider/jobs/guard/run/run.hpp"
 #include "outrider/jobs/guard/yard/inputs.hpp"
 

@@ -14,8 +14,8 @@
 #include "outrider/io/sdf/sdf.hpp"
 #include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
+#include "outrider/jobs/guard/team/team_plan.hpp"
 #include "outrider/jobs/guard/yard/inputs.hpp"
-#include "outrider/jobs/guard/yard/team_starts.hpp"
 #include "outrider/sim/faults/post_place.hpp"
 
 namespace outrider {

@@ -1,14 +1,120 @@
 #include "outrider/jobs/guard/behaviour/policy.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
+#include <deque>
 
 #include "outrider/core/options.hpp"
+#include "outrider/core/parallel.hpp"
+#include "outrider/tour/sequence.hpp"
 
 namespace outrider {
 namespace {
 
 std::size_t whenever_someone_enters(const ReplanState& state) {
   return state.idle || state.entered > 0 ? state.inside : 0;
+}
+
+constexpr double least_leave = 0.001;
+constexpr std::size_t most_planned_survivors = 64;
+
+struct Model {
+  const GuardProblem& problem;
+  const PrecomputedStops& precomputed;
+  const ArrivalOptions& options;
+  const Policy& policy;
+};
+
+/// A hit to come: from where, and of whom.
+struct NextHit {
+  std::size_t stop = 0;
+  std::size_t who = 0;
+};
+
+/// One mission in the model.
+class Played {
+ public:
+  explicit Played(const Model& model) : model_(model) {
+    const TourProblem& table = model.precomputed.table;
+    for (std::uint32_t place = 0; place < table.goals; ++place) {
+      if (model.precomputed.reachable[place] == 0) continue;
+      inside_.push_back(everybody_.size());
+      everybody_.push_back({place, 0.0});
+    }
+    entered_ = inside_.size();
+    const auto row = table.drives.begin();
+    now_.heading_rad = table.heading_rad;
+    now_.drives = {row, row + static_cast<std::ptrdiff_t>(table.services.size())};
+  }
+
+  double time_s(Rng rng) {
+    const auto group = static_cast<std::size_t>(model_.options.group);
+    while (!inside_.empty()) {
+      const std::size_t count = model_.policy.replan.take({inside_.size(), entered_, hits_.empty(), group});
+      if (count > 0) plan(std::min({count, inside_.size(), most_planned_survivors}));
+      if (hits_.empty()) return now_.time_s;  // nobody of them can be hit
+      hit(rng);
+    }
+    return now_.time_s;
+  }
+
+ private:
+  void plan(std::size_t count) {
+    std::vector<PendingTarget> pending;
+    for (std::size_t i = 0; i < count; ++i) pending.push_back(everybody_[inside_[i]]);
+    const PrecomputedStops& precomputed = model_.precomputed;
+    std::size_t toured = 0;
+    for (const Visit& visit : precomputed.tour) toured += visit.goals.size();
+    const auto objective = model_.policy.objective;
+    const bool still = objective == ArrivalObjective::makespan && !planned_ && pending.size() == toured;
+    const Sequence best = sequence_beside(precomputed.tour, precomputed.table, pending, now_, objective,
+                                          static_cast<std::size_t>(model_.options.beam), still);
+    hits_.clear();
+    for (const Visit& visit : best.visits) {
+      for (const std::uint32_t who : visit.goals) hits_.push_back({visit.stop, inside_[who]});
+    }
+    entered_ = 0;
+    planned_ = true;
+  }
+
+  void hit(Rng& rng) {
+    const NextHit next_hit = hits_.front();
+    hits_.pop_front();
+    now_ = after_hit(model_.precomputed.table, everybody_[next_hit.who], now_, next_hit.stop);
+    std::erase(inside_, next_hit.who);
+    if (rng.uniform() < model_.options.leave) return;
+    const auto& places = model_.problem.targets;
+    PendingTarget& one = everybody_[next_hit.who];
+    const std::size_t next = elsewhere(one.goal, places.size(), rng);
+    const double way_m = distance(xy(places[one.goal].base), xy(places[next].base));
+    const double walk_mps = model_.options.walk_mps;
+    one = {static_cast<std::uint32_t>(next), now_.time_s + (walk_mps > 0.0 ? way_m / walk_mps : 0.0)};
+    if (model_.precomputed.reachable[next] == 0) return;
+    inside_.push_back(next_hit.who);
+    ++entered_;
+  }
+
+  const Model& model_;
+  std::vector<PendingTarget> everybody_;
+  std::vector<std::size_t> inside_;  // those to be hit, who came last at the end
+  std::deque<NextHit> hits_;
+  std::size_t entered_ = 0;
+  bool planned_ = false;
+  RobotState now_;
+};
+
+ExpectedTime mean_time(const Model& model, const Rng& draws, std::size_t missions,
+                       const std::stop_token& stop) {
+  std::vector<double> times(missions);
+  parallel_for(missions, stop, [&](std::size_t i) { times[i] = Played(model).time_s(draws.child(i)); });
+  const auto n = static_cast<double>(missions);
+  ExpectedTime expected;
+  for (const double time : times) expected.mean_s += time / n;
+  double squares = 0.0;
+  for (const double time : times) squares += (time - expected.mean_s) * (time - expected.mean_s);
+  expected.error_s = missions > 1 ? std::sqrt(squares / (n - 1.0) / n) : 0.0;
+  return expected;
 }
 
 }  // namespace
@@ -42,6 +148,52 @@ const std::vector<ReplanPolicy>& replan_policies() {
 
 Outcome<ReplanPolicy> find_replan_policy(std::string_view name) {
   return find_row(replan_policies(), "policy", name, "arrivals.policy");
+}
+
+std::vector<Policy> policies() {
+  std::vector<Policy> all;
+  for (const ReplanPolicy& policy : replan_policies()) {
+    if (policy.foresees) continue;
+    all.push_back({policy, ArrivalObjective::makespan});
+    all.push_back({policy, ArrivalObjective::time_inside});
+  }
+  return all;
+}
+
+ExpectedTime expected_time(const GuardProblem& problem, const PrecomputedStops& precomputed,
+                           const ArrivalOptions& options, const Policy& policy, std::size_t missions,
+                           const std::stop_token& stop) {
+  return mean_time({problem, precomputed, options, policy}, Rng(0).child("survivors"), missions, stop);
+}
+
+BestPolicy best_policy(const GuardProblem& problem, const PrecomputedStops& precomputed,
+                       const ArrivalOptions& options, std::size_t missions, const std::stop_token& stop) {
+  std::optional<BestPolicy> best;
+  for (const Policy& policy : policies()) {
+    const auto time =
+        mean_time({problem, precomputed, options, policy}, Rng(0).child("choice"), missions, stop);
+    if (!best || time.mean_s < best->time.mean_s) best = BestPolicy{policy, time};
+  }
+  best->time = expected_time(problem, precomputed, options, best->policy, missions, stop);
+  return *best;
+}
+
+ArrivalOptions survivor_options(ArrivalOptions options) {
+  options.beam = std::min<std::int64_t>(options.beam, 4);
+  return options;
+}
+
+Status check_survivors(const GuardProblem& problem, const ArrivalOptions& options) {
+  if (options.leave < least_leave) {
+    return bad_input(fmt::format("with {:g} the mission would not end; give a probability from {:g} to 1",
+                                 options.leave, least_leave),
+                     "arrivals.leave");
+  }
+  if (options.may_survive() && problem.targets.size() < 2) {
+    return bad_input("who does not leave goes to another target's place, and there is none; list two targets",
+                     "arrivals.leave");
+  }
+  return {};
 }
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/plan/passing_plan.hpp"
+#include "outrider/jobs/guard/plan/plan.hpp"
 
 #include <algorithm>
 #include <cmath>

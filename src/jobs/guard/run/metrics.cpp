@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "outrider/jobs/guard/plan/arrival_bound.hpp"
+#include "outrider/jobs/guard/plan/bound.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/log/topics.hpp"
 #include "run/guard_log.hpp"

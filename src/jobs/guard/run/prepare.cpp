@@ -9,7 +9,7 @@
 #include "outrider/job/plan_cache.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/plan/supply_plan.hpp"
-#include "outrider/jobs/guard/yard/team_starts.hpp"
+#include "outrider/jobs/guard/team/team_plan.hpp"
 #include "outrider/log/append.hpp"
 #include "run/guard_log.hpp"
 

@@ -9,7 +9,6 @@
 #include "outrider/io/files/text.hpp"
 #include "outrider/io/scenario/values.hpp"
 #include "outrider/jobs/guard/behaviour/policy.hpp"
-#include "outrider/jobs/guard/behaviour/survivors.hpp"
 
 namespace outrider {
 namespace {

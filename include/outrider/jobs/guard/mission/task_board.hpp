@@ -26,8 +26,7 @@
 #include <vector>
 
 #include "outrider/core/budget.hpp"
-#include "outrider/jobs/guard/mission/cut_drives.hpp"
-#include "outrider/jobs/guard/mission/gun_silence.hpp"
+#include "outrider/jobs/guard/mission/setbacks.hpp"
 #include "outrider/jobs/guard/plan/plan.hpp"
 #include "outrider/robot/mission.hpp"
 

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "outrider/job/watch.hpp"
-#include "outrider/jobs/guard/behaviour/survivors.hpp"
+#include "outrider/jobs/guard/behaviour/policy.hpp"
 #include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/jobs/guard/mission/mission.hpp"
 #include "outrider/jobs/guard/scenario.hpp"
@@ -46,7 +46,7 @@ struct PreparedGuard {
 /// yard is the one in `scenario.problem`, also if it was explored before. Plans are shared through the cache
 /// of the watch. Stations are planned where everybody is there from the start and leaves when hit; else the
 /// mission goes to them as it must. If nobody comes but some survive, the policy is the one with the least
-/// expected time (survivors.hpp). Faults: those of build_firing_map(), the planner, check_supplies(),
+/// expected time (policy.hpp). Faults: those of build_firing_map(), the planner, check_supplies(),
 /// supply_plan(), find_replan_policy(), find_objective(), precompute_stops(), plan_moving(),
 /// starts_of_team() and plan_team().
 Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, RunSteps& steps,

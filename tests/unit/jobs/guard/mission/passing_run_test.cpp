@@ -2,7 +2,7 @@
 
 #include "outrider/jobs/guard/mission/mission.hpp"
 #include "outrider/jobs/guard/mission/task_board.hpp"
-#include "outrider/jobs/guard/plan/passing_plan.hpp"
+#include "outrider/jobs/guard/plan/plan.hpp"
 #include "outrider/jobs/guard/run/robot.hpp"
 #include "outrider/jobs/guard/run/run.hpp"
 #include "outrider/log/messages/conversions.hpp"

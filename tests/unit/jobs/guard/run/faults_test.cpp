@@ -1,7 +1,7 @@
 // Guard missions with faults that they are not told: they end, and call no target reached that no ball hit.
 #include <gtest/gtest.h>
 
-#include "outrider/jobs/guard/plan/passing_plan.hpp"
+#include "outrider/jobs/guard/plan/plan.hpp"
 #include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/guard_runs.hpp"

@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/yard/team_starts.hpp"
+#include "outrider/jobs/guard/team/team_plan.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-
-#include "outrider/jobs/guard/team/team_plan.hpp"
 
 namespace outrider {
 namespace {

@@ -1,8 +1,7 @@
-#include "outrider/jobs/guard/yard/team_starts.hpp"
+#include "outrider/jobs/guard/team/team_plan.hpp"
 
 #include <gtest/gtest.h>
 
-#include "outrider/jobs/guard/team/team_plan.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 
