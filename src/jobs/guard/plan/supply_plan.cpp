@@ -171,17 +171,6 @@ Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const FiringMap& fir
   return options.shoot_on_the_move ? on_the_move(problem, firing_map, plan, options, budget) : plan;
 }
 
-std::vector<SupplyLevel> planned_levels(const GuardProblem& problem, const FiringMap& firing_map,
-                                        const GuardPlan& plan) {
-  std::vector<SupplyLevel> after;
-  PlanClock clock(problem, firing_map, plan);
-  while (!clock.done()) {
-    clock.make_stop();
-    after.push_back(clock.level());
-  }
-  return after;
-}
-
 bool suffices(const Supplies& supplies, const SupplyLevel& level) {
   constexpr double rounding = 1e-9;
   const double spare = supplies.ends(Store::charge) ? supplies.reserve * supplies.full(Store::charge) : 0.0;

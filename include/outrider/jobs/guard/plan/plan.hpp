@@ -103,6 +103,12 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firi
                               const GuardOptions& options, const Budget& budget,
                               const DraftObserver& observe = {});
 
+/// Returns the fastest way between two places on `routes`, or where no corner is seen from them, along the
+/// grid; empty if there is none. Fault: budget_exhausted.
+Outcome<std::vector<Vec2>> yard_way(const GuardProblem& problem, const FiringMap& firing_map,
+                                    const std::optional<Routes>& routes, const Pose2& from, Vec2 to,
+                                    const Budget& budget = {});
+
 /// Returns routes between stops. The search uses the corners of obstacles; if these miss a passage that the
 /// grid has, cells of a grid path are added. All stops that see a reachable cell next to them are connected.
 Outcome<Routes> yard_routes(const GuardProblem& problem, const FiringMap& firing_map,

@@ -36,11 +36,6 @@ Outcome<SupplyTable> supply_table(const GuardProblem& problem, const FiringMap& 
 Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const FiringMap& firing_map, GuardPlan plan,
                                const GuardOptions& options, const Budget& budget);
 
-/// Returns the levels after each stop of a plan if every shot hits, computed from its waypoints and shots.
-/// The reserve is not included.
-std::vector<SupplyLevel> planned_levels(const GuardProblem& problem, const FiringMap& firing_map,
-                                        const GuardPlan& plan);
-
 /// Returns true if the water is not below zero, and the charge not below its reserve.
 bool suffices(const Supplies& supplies, const SupplyLevel& level);
 
