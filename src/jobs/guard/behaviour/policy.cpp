@@ -23,7 +23,7 @@ struct Model {
   const GuardProblem& problem;
   const PrecomputedStops& precomputed;
   const ArrivalOptions& options;
-  const Policy& policy;
+  const ReplanPolicy& policy;
 };
 
 /// A hit to come: from where, and of whom.
@@ -51,7 +51,7 @@ class Played {
   double time_s(Rng rng) {
     const auto group = static_cast<std::size_t>(model_.options.group);
     while (!inside_.empty()) {
-      const std::size_t count = model_.policy.replan.take({inside_.size(), entered_, hits_.empty(), group});
+      const std::size_t count = model_.policy.take({inside_.size(), entered_, hits_.empty(), group});
       if (count > 0) plan(std::min({count, inside_.size(), most_planned_survivors}));
       if (hits_.empty()) return now_.time_s;  // nobody of them can be hit
       hit(rng);
@@ -66,10 +66,10 @@ class Played {
     const PrecomputedStops& precomputed = model_.precomputed;
     std::size_t toured = 0;
     for (const Visit& visit : precomputed.tour) toured += visit.goals.size();
-    const auto objective = model_.policy.objective;
-    const bool still = objective == ArrivalObjective::makespan && !planned_ && pending.size() == toured;
-    const Sequence best = sequence_beside(precomputed.tour, precomputed.table, pending, now_, objective,
-                                          static_cast<std::size_t>(model_.options.beam), still);
+    const bool still = !planned_ && pending.size() == toured;
+    const Sequence best =
+        sequence_beside(precomputed.tour, precomputed.table, pending, now_, ArrivalObjective::makespan,
+                        static_cast<std::size_t>(model_.options.beam), still);
     hits_.clear();
     for (const Visit& visit : best.visits) {
       for (const std::uint32_t who : visit.goals) hits_.push_back({visit.stop, inside_[who]});
@@ -104,19 +104,6 @@ class Played {
   RobotState now_;
 };
 
-ExpectedTime mean_time(const Model& model, const Rng& draws, std::size_t missions,
-                       const std::stop_token& stop) {
-  std::vector<double> times(missions);
-  parallel_for(missions, stop, [&](std::size_t i) { times[i] = Played(model).time_s(draws.child(i)); });
-  const auto n = static_cast<double>(missions);
-  ExpectedTime expected;
-  for (const double time : times) expected.mean_s += time / n;
-  double squares = 0.0;
-  for (const double time : times) squares += (time - expected.mean_s) * (time - expected.mean_s);
-  expected.error_s = missions > 1 ? std::sqrt(squares / (n - 1.0) / n) : 0.0;
-  return expected;
-}
-
 }  // namespace
 
 const std::vector<ReplanPolicy>& replan_policies() {
@@ -150,32 +137,20 @@ Outcome<ReplanPolicy> find_replan_policy(std::string_view name) {
   return find_row(replan_policies(), "policy", name, "arrivals.policy");
 }
 
-std::vector<Policy> policies() {
-  std::vector<Policy> all;
-  for (const ReplanPolicy& policy : replan_policies()) {
-    if (policy.foresees) continue;
-    all.push_back({policy, ArrivalObjective::makespan});
-    all.push_back({policy, ArrivalObjective::time_inside});
-  }
-  return all;
-}
-
 ExpectedTime expected_time(const GuardProblem& problem, const PrecomputedStops& precomputed,
-                           const ArrivalOptions& options, const Policy& policy, std::size_t missions,
+                           const ArrivalOptions& options, const ReplanPolicy& policy, std::size_t missions,
                            const std::stop_token& stop) {
-  return mean_time({problem, precomputed, options, policy}, Rng(0).child("survivors"), missions, stop);
-}
-
-BestPolicy best_policy(const GuardProblem& problem, const PrecomputedStops& precomputed,
-                       const ArrivalOptions& options, std::size_t missions, const std::stop_token& stop) {
-  std::optional<BestPolicy> best;
-  for (const Policy& policy : policies()) {
-    const auto time =
-        mean_time({problem, precomputed, options, policy}, Rng(0).child("choice"), missions, stop);
-    if (!best || time.mean_s < best->time.mean_s) best = BestPolicy{policy, time};
-  }
-  best->time = expected_time(problem, precomputed, options, best->policy, missions, stop);
-  return *best;
+  const Model model{problem, precomputed, options, policy};
+  const Rng draws = Rng(0).child("survivors");
+  std::vector<double> times(missions);
+  parallel_for(missions, stop, [&](std::size_t i) { times[i] = Played(model).time_s(draws.child(i)); });
+  const auto n = static_cast<double>(missions);
+  ExpectedTime expected;
+  for (const double time : times) expected.mean_s += time / n;
+  double squares = 0.0;
+  for (const double time : times) squares += (time - expected.mean_s) * (time - expected.mean_s);
+  expected.error_s = missions > 1 ? std::sqrt(squares / (n - 1.0) / n) : 0.0;
+  return expected;
 }
 
 ArrivalOptions survivor_options(ArrivalOptions options) {

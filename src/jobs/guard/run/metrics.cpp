@@ -18,6 +18,21 @@ double count(const std::vector<TargetRecord>& records, TargetStatus status) {
   return as_number(std::ranges::count(records, status, &TargetRecord::status));
 }
 
+GuardVerdict verdict_of(const std::vector<TargetRecord>& records, std::string_view missed_form) {
+  const double targets = as_number(records.size()), reached = count(records, TargetStatus::reached);
+  const double unreachable = count(records, TargetStatus::unreachable);
+  GuardVerdict verdict{reached + unreachable == targets ? "done" : "not_done", {}};
+  if (reached < targets)
+    verdict.reason = fmt::format(fmt::runtime(missed_form), reached, targets,
+                                 count(records, TargetStatus::failed), unreachable);
+  return verdict;
+}
+
+std::string_view missed_form_of(const GuardMission& mission) {
+  if (mission.arriving() != nullptr) return "{} of {} intruders reached, {} failed, no shot found at {}";
+  return mission.moving() != nullptr ? "{} of {} intruders hit" : targets_missed;
+}
+
 /// The times of intruders inside. One that was not hit stays until the end; one that cannot be hit at all
 /// does not count.
 struct Stays {
@@ -230,13 +245,12 @@ Metrics tour_metrics(const GuardPlan& plan, const EndedMission& ended) {
 
 Report judge(const EndedMission& ended, const Metrics& known, std::string_view missed_form) {
   const auto& records = ended.records;
-  const double targets = as_number(records.size()), reached = count(records, TargetStatus::reached);
-  const double failed = count(records, TargetStatus::failed);
-  const double unreachable = count(records, TargetStatus::unreachable);
   Report report;
   report.world_name = ended.problem.world.name;
-  report.metrics = {
-      {"targets", targets}, {"reached", reached}, {"failed", failed}, {"unreachable", unreachable}};
+  report.metrics = {{"targets", as_number(records.size())},
+                    {"reached", count(records, TargetStatus::reached)},
+                    {"failed", count(records, TargetStatus::failed)},
+                    {"unreachable", count(records, TargetStatus::unreachable)}};
   const auto add = [&](const Metrics& more) {
     report.metrics.insert(report.metrics.end(), more.begin(), more.end());
   };
@@ -252,11 +266,10 @@ Report judge(const EndedMission& ended, const Metrics& known, std::string_view m
   report.tables = {target_table()};
   for (std::size_t i = 0; i < records.size(); ++i)
     report.tables.front().rows.push_back(row_of(ended.problem.targets[i].name, records[i], ended.log));
-  const std::string dry = report.reason = ran_dry(ended.log);
-  report.status = reached + unreachable == targets && dry.empty() ? "done" : "not_done";
-  if (dry.empty() && reached < targets)
-    report.reason = fmt::format(fmt::runtime(missed_form), reached, targets, failed, unreachable);
-  if (dry.empty()) report.reason += why_stranded(ended.log);
+  const GuardVerdict verdict = verdict_of(records, missed_form);
+  const std::string dry = ran_dry(ended.log);
+  report.status = dry.empty() ? verdict.status : "not_done";
+  report.reason = dry.empty() ? verdict.reason + why_stranded(ended.log) : dry;
   if (report.status == "done") return report;
   report.reason += why_unanswered(ended);
   if (ended.board != nullptr) report.reason += why_held_up(ended.board->cut());
@@ -271,13 +284,10 @@ Report judge(const GuardRun& run, const GuardMission& mission, const SimRecord& 
   const EndedMission ended{
       problem, board.records(), record, log, end_s, board.on_the_move(), scenario.faults.any(), &board};
   Metrics known;
-  std::string_view missed_form = targets_missed;
   if (const auto* const arriving = mission.arriving()) {
     known = arrival_metrics(ended, *arriving, scenario.arrivals.may_survive());
-    missed_form = "{} of {} intruders reached, {} failed, no shot found at {}";
   } else if (const auto* const moving = mission.moving()) {
     known = walker_metrics(ended, moving->expected_hits());
-    missed_form = "{} of {} intruders hit";
   } else {
     known = tour_metrics(*mission.tour(), ended);
   }
@@ -285,7 +295,13 @@ Report judge(const GuardRun& run, const GuardMission& mission, const SimRecord& 
     for (auto& metric : supply_metrics(log, problem.supplies, mission.stores()))
       known.push_back(std::move(metric));
   }
-  return judge(ended, known, missed_form);
+  return judge(ended, known, missed_form_of(mission));
+}
+
+GuardVerdict verdict_of(const GuardMission& mission) {
+  GuardVerdict verdict = verdict_of(mission.board().records(), missed_form_of(mission));
+  if (const std::string& why = mission.stores().stranded(); !why.empty()) verdict.reason += "; " + why;
+  return verdict;
 }
 
 }  // namespace outrider

@@ -2,18 +2,11 @@
 // src/jobs/guard/behaviour/policy.cpp is the only list of them; the command line tool, benchmarks and tests
 // read it.
 //
-// Survivors: intruders that may survive a hit. This file estimates the mission time of policies and selects
-// one.
+// Survivors: intruders that may survive a hit. This file estimates the mission time against them.
 //
 // The model: all intruders are inside from the start. The robot drives, aims and shoots as in the tour model
 // (tour/problem.hpp). After a hit the intruder leaves with a given probability; otherwise it walks in a
 // straight line to another place, drawn uniformly. The robot knows at once where it goes.
-//
-// A policy defines when to make a new plan, and with which objective. Each candidate is simulated in the
-// model many times with the same random numbers, and the one with the least mean time is selected: rollout of
-// whole policies (Chang, Givan and Chong, Parallel rollout, Discrete Event Dynamic Systems 14, 2004). In the
-// model, and up to the stated standard error, it is no worse than any candidate; it need not be the best of
-// all possible policies.
 #pragma once
 
 #include <cstddef>
@@ -54,39 +47,21 @@ const std::vector<ReplanPolicy>& replan_policies();
 /// Returns the policy of that name. Fault: bad_input, with the nearest known name.
 Outcome<ReplanPolicy> find_replan_policy(std::string_view name);
 
-/// A candidate policy.
-struct Policy {
-  ReplanPolicy replan;
-  ArrivalObjective objective = ArrivalObjective::makespan;
-};
-
-/// Returns all candidates: each replanning policy without foresight, with each of the two objectives.
-std::vector<Policy> policies();
-
 /// An estimate of the mission time.
 struct ExpectedTime {
   double mean_s = 0.0;
   double error_s = 0.0;  ///< standard error of the mean
 };
 
-/// Estimates the time of the last hit under a policy as the mean over `missions` simulated missions. Of the
-/// options, only leave, walk_mps, group and beam are used. The result is a pure function of the arguments for
-/// any number of threads. After a stop request no more missions begin, and the result is meaningless.
+/// Estimates the time of the last hit under a policy whose plans make the makespan least, as the mean over
+/// `missions` simulated missions. Of the options, only leave, walk_mps, group and beam are used. The result
+/// is a pure function of the arguments for any number of threads. After a stop request no more missions
+/// begin, and the result is meaningless.
 ExpectedTime expected_time(const GuardProblem& problem, const PrecomputedStops& precomputed,
-                           const ArrivalOptions& options, const Policy& policy, std::size_t missions,
+                           const ArrivalOptions& options, const ReplanPolicy& policy, std::size_t missions,
                            const std::stop_token& stop = {});
 
-/// The policy with the least mean. Its expected time is estimated again with new random numbers, because the
-/// least of several means is biased low.
-struct BestPolicy {
-  Policy policy;
-  ExpectedTime time;
-};
-/// Simulates all candidates and returns the best one.
-BestPolicy best_policy(const GuardProblem& problem, const PrecomputedStops& precomputed,
-                       const ArrivalOptions& options, std::size_t missions, const std::stop_token& stop = {});
-
-inline constexpr std::size_t survivor_missions = 40;  ///< simulated for each policy before a mission
+inline constexpr std::size_t survivor_missions = 40;  ///< simulated before a mission
 
 /// Returns the options with which missions against survivors are simulated and planned: a beam of at most 4.
 ArrivalOptions survivor_options(ArrivalOptions options);

@@ -39,8 +39,7 @@ struct TimedPosition {
 using Track = std::vector<TimedPosition>;
 
 /// Draws the true walks of all targets until `until_s`. `weights` has one weight per target. The result is a
-/// pure function of the arguments. Faults: a target that does not stand on the floor or has no room to walk;
-/// targets that block (GuardProblem::targets_block).
+/// pure function of the arguments. Faults: a target that does not stand on the floor or has no room to walk.
 Outcome<std::vector<Walk>> draw_walks(const GuardProblem& problem, const FiringMap& firing_map,
                                       const std::vector<double>& weights, const WanderOptions& options,
                                       std::uint64_t seed, double until_s, const Budget& budget = {});

@@ -312,9 +312,6 @@ TEST(Wander, IsRefusedWhereItCannotBe) {
   problem.targets[1].base = {-1.5, 0.105, 0.0};
   EXPECT_EQ(draw_walks(problem, *firing_map, often_at_the_pond, options, 1, 10.0).error().where,
             "wander.speed");
-  problem.targets_block = true;
-  EXPECT_EQ(draw_walks(problem, *firing_map, often_at_the_pond, options, 1, 10.0).error().where,
-            "targets_block");
 }
 
 }  // namespace
