@@ -8,7 +8,8 @@
 using namespace outrider;
 
 int main() {
-  GuardProblem problem;
+  GuardScenario scenario;
+  GuardProblem& problem = scenario.problem;
   problem.world.name = "court";
   problem.world.bounds = {{-3.0, -3.0}, {3.0, 3.0}};
   problem.world = problem.world.with({"floor", {}, HalfSpaceShape{}});
@@ -16,16 +17,13 @@ int main() {
   problem.targets = {{"tom", {0.0, 2.0, 0.0}, {0.5, 0.2, 0.4}}, {"felix", {2.0, -1.0, 0.0}, {0.5, 0.2, 0.4}}};
   problem.start = {{-2.0, -2.0}, radians(90.0)};
 
-  const GuardOptions options;
-  const auto firing_map = build_firing_map(problem, options);
-  if (!firing_map) return 1;
-  const auto plan = plan_guard(problem, *firing_map, options, {});
-  if (!plan) return 1;
+  const auto guard = prepare_guard(std::move(scenario));
+  if (!guard) return 1;
   Log log;
-  const auto run = run_guard({.mission = {problem, *firing_map, *plan}, .options = options, .seed = 1}, log);
+  const auto run = run_guard({**guard}, log);
   if (!run) return 1;
 
-  fmt::print("{}: {} stops\n", run->status, plan->stops.size());
+  fmt::print("{}: {} stops\n", run->status, (*guard)->plan->tour->stops.size());
   for (const auto& row : table_named(*run, "targets").rows) {
     fmt::print("{}: {} after {} shots\n", std::get<std::string>(row[0]), std::get<std::string>(row[1]),
                std::get<double>(row[3]));

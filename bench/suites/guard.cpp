@@ -130,6 +130,7 @@ Status measure_yard(const GuardRequest& request, const GuardScenario& yard,
   if (!firing_map) return pass_on(firing_map);
   const double survey_s = watch.seconds();
   const std::size_t first = rows.size();
+  PreparedGuard guard{yard};
   for (const GuardPlanner& planner : planners) {
     next_step(observer, fmt::format("{} in {}", planner.name, yard.problem.world.name));
     const Stopwatch planning;
@@ -137,11 +138,11 @@ Status measure_yard(const GuardRequest& request, const GuardScenario& yard,
     if (!plan) return pass_on(plan);
     const double planning_s = survey_s + planning.seconds();
     for (std::int64_t seed = 1; seed <= request.seeds; ++seed) {
-      const auto number = static_cast<std::uint64_t>(seed);
+      guard.scenario.seed = seed;
+      guard.mission.emplace(yard.problem, *firing_map, *plan);
       Log log;
-      const Report report =
-          run_guard({{yard.problem, *firing_map, *plan}, yard.options, number}, log).value();
-      rows.push_back(row_of(yard, planner, report, log, number, planning_s));
+      const Report report = run_guard({guard}, log).value();
+      rows.push_back(row_of(yard, planner, report, log, static_cast<std::uint64_t>(seed), planning_s));
     }
   }
   for (std::size_t i = first; i < rows.size(); ++i) {

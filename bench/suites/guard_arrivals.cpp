@@ -9,9 +9,9 @@
 #include "outrider/core/parallel.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/jobs/guard/plan/arrival_bound.hpp"
+#include "outrider/jobs/guard/plan/bound.hpp"
 #include "outrider/jobs/guard/run/run.hpp"
-#include "outrider/jobs/guard/yard/arrivals_file.hpp"
+#include "outrider/jobs/guard/yard/inputs.hpp"
 
 namespace outrider::bench {
 namespace {
@@ -67,8 +67,12 @@ Sample sample_of(const Yard& yard, std::size_t i, const ReplanPolicy& policy, Ar
                          objective,
                          static_cast<std::size_t>(arrivals.group),
                          static_cast<std::size_t>(arrivals.beam)};
+  PreparedGuard guard{yard.scenario};
+  guard.scenario.seed = static_cast<std::int64_t>(i) + 1;
+  guard.scenario.arrivals.leave = 1.0;
+  guard.mission.emplace(plan);
   Log log;
-  const Report report = run_guard({GuardMission(plan), yard.scenario.options, i + 1}, log).value();
+  const Report report = run_guard({guard}, log).value();
   const double inside = metric(report, "intruder_seconds");
   const double makespan = metric(report, "makespan_s");
   const double count = metric(report, "targets") - metric(report, "unreachable");

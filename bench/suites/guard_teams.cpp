@@ -10,7 +10,6 @@
 
 #include "outrider/jobs/guard/team/team_plan.hpp"
 #include "outrider/jobs/guard/team/team_run.hpp"
-#include "outrider/jobs/guard/yard/team_starts.hpp"
 #include "outrider/motion/closest_approach.hpp"
 #include "rows.hpp"
 #include "stopwatch.hpp"

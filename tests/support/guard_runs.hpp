@@ -7,13 +7,24 @@
 
 namespace outrider::testing {
 
-inline Run carried_out(const GuardRun& run, const RunWatch& watch) {
-  return logged_run(watch, [&](Log& log) { return run_guard(run, log, watch); }).value();
+/// Runs a mission that was not made by prepare_guard(); `scenario` says all but the problem.
+inline Run carried_out(GuardScenario scenario, GuardMission mission, const RunWatch& watch,
+                       std::vector<Walk> walks = {}) {
+  PreparedGuard guard{std::move(scenario)};
+  guard.mission = std::move(mission);
+  return logged_run(watch, [&](Log& log) { return run_guard({guard, {}, walks}, log, watch); }).value();
+}
+
+inline GuardScenario settings(const GuardOptions& options, std::uint64_t seed) {
+  GuardScenario scenario;
+  scenario.options = options;
+  scenario.seed = static_cast<std::int64_t>(seed);
+  return scenario;
 }
 
 inline Run run_still(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
                      const GuardOptions& options, std::uint64_t seed, const RunWatch& watch = {}) {
-  return carried_out({{problem, firing_map, plan}, options, seed}, watch);
+  return carried_out(settings(options, seed), {problem, firing_map, plan}, watch);
 }
 
 struct YardRun : PlannedYard {
@@ -29,13 +40,15 @@ inline YardRun run_yard(GuardProblem problem, const GuardOptions& options, std::
 
 inline Run run_arrivals(const ArrivalPlan& plan, const GuardOptions& options, std::uint64_t seed,
                         const Survival& survival = {}, const RunWatch& watch = {}) {
-  return carried_out({GuardMission(plan), options, seed, survival}, watch);
+  GuardScenario scenario = settings(options, seed);
+  scenario.arrivals.leave = survival.leave;
+  scenario.arrivals.walk_mps = survival.walk_mps;
+  return carried_out(std::move(scenario), GuardMission(plan), watch);
 }
 
 inline Run run_walkers(const MovingPlan& plan, const std::vector<Walk>& walks, const GuardOptions& options,
                        std::uint64_t seed, const RunWatch& watch = {}) {
-  return carried_out({.mission = GuardMission(plan), .options = options, .seed = seed, .walks = walks},
-                     watch);
+  return carried_out(settings(options, seed), GuardMission(plan), watch, walks);
 }
 
 }  // namespace outrider::testing

@@ -20,32 +20,38 @@ constexpr std::string_view untold = "no topic tells where intruders are";
 constexpr std::string_view of_one_robot = "it is made for one robot";
 constexpr std::string_view unseen = "while the yard is explored nobody may come, move or be missed";
 
-const CapabilityRow& row_of(Capability capability) {
-  return capabilities()[static_cast<std::size_t>(capability)];
+bool has_other_faults(const GuardScenario& scenario) {
+  GuardSimParams faults = scenario.faults;
+  faults.way = {};
+  faults.planner = {};
+  return faults.any();
 }
 
 }  // namespace
 
 const std::vector<CapabilityRow>& capabilities() {
   using enum Capability;
+  using Scenario = const GuardScenario&;
   static const std::vector<CapabilityRow> rows = {
       {own_robot, "a robot that is not simulated", ""},
       {topics, "a robot behind topics", ""},
-      {arrivals, "intruders that keep coming", "arrivals"},
-      {survivors, "intruders that may survive a hit", "arrivals.leave"},
-      {walkers, "intruders that walk about", "wander.speed"},
-      {supplies, "limited supplies", "supplies"},
-      {terrain, "terrain", "terrain"},
-      {air, "air", "air.drag"},
-      {unknown, "an unknown yard", "scout.unknown"},
-      {rigid, "rigid bodies", "sim"},
-      {blocking, "targets that block", "targets_block"},
-      {faults, "faults of the robot", "faults"},
+      {arrivals, "intruders that keep coming", "arrivals", [](Scenario s) { return s.arrivals.any(); }},
+      {survivors, "intruders that may survive a hit", "arrivals.leave",
+       [](Scenario s) { return s.arrivals.may_survive(); }},
+      {walkers, "intruders that walk about", "wander.speed", [](Scenario s) { return s.wander.any(); }},
+      {supplies, "limited supplies", "supplies", [](Scenario s) { return s.problem.supplies.any(); }},
+      {terrain, "terrain", "terrain", [](Scenario s) { return s.problem.world.terrain != nullptr; }},
+      {air, "air", "air.drag", [](Scenario s) { return !s.problem.air.none(); }},
+      {unknown, "an unknown yard", "scout.unknown", [](Scenario s) { return s.scout.unknown; }},
+      {rigid, "rigid bodies", "sim", [](Scenario s) { return s.sim != "kinematic"; }},
+      {blocking, "targets that block", "targets_block", [](Scenario s) { return s.problem.targets_block; }},
+      {faults, "faults of the robot", "faults", has_other_faults},
       {held_up, "a robot that is held up (kidnapped_at, stuck_from, blocked_at, planner_fails_from)",
-       "faults.kidnapped_at"},
-      {team, "several robots", "robots"},
-      {planner, "a planner other than best_tour", "plan.planner"},
-      {proof, "a proof that the tour is the best", "plan.prove"},
+       "faults.kidnapped_at", [](Scenario s) { return s.faults.way.any() || s.faults.planner.any(); }},
+      {team, "several robots", "robots", [](Scenario s) { return s.robots > 1; }},
+      {planner, "a planner other than best_tour", "plan.planner",
+       [](Scenario s) { return s.options.planner != guard_planners().front().name; }},
+      {proof, "a proof that the tour is the best", "plan.prove", [](Scenario s) { return s.options.prove; }},
   };
   return rows;
 }
@@ -102,39 +108,18 @@ const std::vector<Clash>& clashes() {
 }
 
 std::vector<Capability> requested_capabilities(const GuardScenario& scenario) {
-  using enum Capability;
-  const GuardProblem& problem = scenario.problem;
-  GuardSimParams other_faults = scenario.faults;
-  other_faults.way = {};
-  other_faults.planner = {};
-  const std::pair<Capability, bool> all[] = {
-      {arrivals, scenario.arrivals.any()},
-      {survivors, scenario.arrivals.may_survive()},
-      {walkers, scenario.wander.any()},
-      {supplies, problem.supplies.any()},
-      {terrain, problem.world.terrain != nullptr},
-      {air, !problem.air.none()},
-      {unknown, scenario.scout.unknown},
-      {rigid, scenario.sim != "kinematic"},
-      {blocking, problem.targets_block},
-      {faults, other_faults.any()},
-      {held_up, scenario.faults.way.any() || scenario.faults.planner.any()},
-      {team, scenario.robots > 1},
-      {planner, scenario.options.planner != guard_planners().front().name},
-      {proof, scenario.options.prove},
-  };
-  std::vector<Capability> asked;
-  for (const auto& [capability, is_asked] : all) {
-    if (is_asked) asked.push_back(capability);
+  std::vector<Capability> requested;
+  for (const CapabilityRow& row : capabilities()) {
+    if (row.asked != nullptr && row.asked(scenario)) requested.push_back(row.capability);
   }
-  return asked;
+  return requested;
 }
 
 Status check_capabilities(const std::vector<Capability>& asked) {
   for (const Clash& clash : clashes()) {
     if (std::ranges::count(asked, clash.one) == 0 || std::ranges::count(asked, clash.other) == 0) continue;
-    const CapabilityRow& one = row_of(clash.one);
-    const CapabilityRow& other = row_of(clash.other);
+    const CapabilityRow& one = capabilities()[static_cast<std::size_t>(clash.one)];
+    const CapabilityRow& other = capabilities()[static_cast<std::size_t>(clash.other)];
     const std::string left_out = one.key.empty() ? "" : fmt::format("{} or ", one.key);
     return bad_input(fmt::format("{} and {} do not go together, because {}; leave out {}{}", one.noun,
                                  other.noun, clash.why, left_out, other.key),

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "outrider/core/units.hpp"
+#include "outrider/geometry/convex.hpp"
 
 namespace outrider {
 namespace {
@@ -28,32 +29,13 @@ TileStep step(std::size_t i) {
 
 Vec2 vector(Cell cell) { return {static_cast<double>(cell.x), static_cast<double>(cell.y)}; }
 
-/// The part of a convex polygon where dot(normal, point) is at most `most` (Sutherland and Hodgman, 1974).
-std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, Vec2 normal, double most) {
-  std::vector<Vec2> part;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-    const double above_a = dot(normal, a) - most, above_b = dot(normal, b) - most;
-    if (above_a <= 0.0) part.push_back(a);
-    if (above_a * above_b < 0.0) part.push_back(a + above_a / (above_a - above_b) * (b - a));
-  }
-  return part;
-}
-
 /// The part in a cell whose sides are `wider` farther from its centre.
 std::vector<Vec2> clipped_to(std::vector<Vec2> polygon, Cell cell, double wider = 0.0) {
   const Vec2 centre = vector(cell);
   for (const Vec2 normal : {Vec2{1.0, 0.0}, Vec2{-1.0, 0.0}, Vec2{0.0, 1.0}, Vec2{0.0, -1.0}}) {
-    polygon = clipped(polygon, normal, dot(normal, centre) + 0.5 + wider);
+    polygon = clip(polygon, normal, dot(normal, centre) + 0.5 + wider);
   }
   return polygon;
-}
-
-double area(const std::vector<Vec2>& polygon) {
-  double twice = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
-  return 0.5 * twice;
 }
 
 /// The linear function with the weights of both steps, as a gradient.
@@ -75,7 +57,7 @@ std::vector<TileOverlap> overlaps(const TileStep& p, const TileStep& q) {
   std::vector<TileOverlap> found;
   each_cell([&](Cell cell) {
     const std::vector<Vec2> part = clipped_to({{0.0, 0.0}, a, a + b, b}, cell);
-    if (area(part) < contact) return;
+    if (RoundedPolygon{part}.area() < contact) return;
     const auto [least, most] = std::minmax_element(
         part.begin(), part.end(), [&](Vec2 l, Vec2 r) { return dot(gradient, l) < dot(gradient, r); });
     found.push_back({cell, static_cast<std::int16_t>(std::floor(dot(gradient, *least) + contact)),

@@ -6,7 +6,6 @@
 #include "outrider/jobs/guard/run/robot.hpp"
 #include "outrider/jobs/guard/run/scout_run.hpp"
 #include "run/guard_log.hpp"
-#include "summary.hpp"
 
 namespace outrider {
 namespace {
@@ -28,7 +27,7 @@ Status guard_yard(const GuardScenario& scenario, const ScoutedYard* scouted, Run
     if (!yard) return pass_on(yard);
     truth = std::move(*yard);
   }
-  auto report = run_guard(**guard, run.log, steps.inner(), truth ? &*truth : nullptr);
+  auto report = run_guard({**guard, truth ? &*truth : nullptr}, run.log, steps.inner());
   if (!report) return pass_on(report);
   if (truth) add_exploring(*report, scenario.problem, *scouted, *truth, run.log);
   if (scenario.sim == "physics") report->machine_times.emplace_back("physics_s", wall_s() - planned_s);
@@ -75,8 +74,7 @@ Outcome<Warnings> GuardJob::load() {
 }
 
 Status GuardJob::run(Run& run, const RunWatch& watch) {
-  log_yard(run.log, scenario.problem, scenario.options, static_cast<std::uint64_t>(scenario.seed),
-           scenario.sim == "physics");
+  log_yard(run.log, scenario.problem, scenario);
   if (scenario.scout.unknown) return explore_and_guard(scenario, run, watch);
   RunSteps steps(watch, 3);
   return guard_yard(scenario, nullptr, steps, run, watch);

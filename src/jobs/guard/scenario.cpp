@@ -14,10 +14,8 @@
 #include "outrider/io/sdf/sdf.hpp"
 #include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
-#include "outrider/jobs/guard/yard/arrivals_file.hpp"
-#include "outrider/jobs/guard/yard/sightings_file.hpp"
-#include "outrider/jobs/guard/yard/stations_file.hpp"
-#include "outrider/jobs/guard/yard/team_starts.hpp"
+#include "outrider/jobs/guard/team/team_plan.hpp"
+#include "outrider/jobs/guard/yard/inputs.hpp"
 #include "outrider/sim/faults/post_place.hpp"
 
 namespace outrider {
@@ -235,7 +233,10 @@ Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
   scenario.problem.world = std::move(*world);
   scenario.problem.targets = std::move(*targets);
   if (auto ok = set_post_place(scenario); !ok) return pass_on(ok);
-  if (auto ok = load_stations(scenario.problem); !ok) return pass_on(ok);
+  Supplies& supplies = scenario.problem.supplies;
+  auto stations = stations_from_text(supplies.stations_text, scenario.problem.world.bounds);
+  if (!stations) return pass_on(stations);
+  supplies.stations = std::move(*stations);
   if (auto ok = check_combination(scenario); !ok) return pass_on(ok);
   auto intruders =
       load_arrivals(scenario.problem, scenario.arrivals, static_cast<std::uint64_t>(scenario.seed));

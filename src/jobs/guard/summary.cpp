@@ -1,11 +1,10 @@
-#include "summary.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
+#include "run/guard_log.hpp"
 
 namespace outrider {
 namespace {

@@ -9,7 +9,6 @@
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/core/overload.hpp"
 #include "outrider/job/scene.hpp"
-#include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/nodes/missions/in_the_way.hpp"
 #include "outrider/sim/simulated_gun.hpp"
@@ -50,12 +49,9 @@ std::vector<OptionGroup> describe(GuardMissionNodeOptions& options) {
 
 Outcome<std::unique_ptr<PreparedGuard>> GuardMissionNode::prepare(GuardScenario scenario,
                                                                   const GuardMissionNodeOptions& options) {
-  auto requested = requested_capabilities(scenario);
-  requested.push_back(Capability::topics);
-  if (auto ok = check_capabilities(requested); !ok) return pass_on(ok);
   scenario.options.shoot_on_the_move = false;
   scenario.problem.robot.radius_m += options.clearance_m;
-  return prepare_guard(std::move(scenario));
+  return prepare_guard(std::move(scenario), {}, {Capability::topics});
 }
 
 GuardMissionNode::GuardMissionNode(GuardMissionNodeOptions options, std::unique_ptr<PreparedGuard> guard)
@@ -95,7 +91,8 @@ void GuardMissionNode::start(const Pose2& pose) {
     return;
   }
   begin_log();
-  run_log_ = std::make_unique<GuardMissionLog>(log(), *guard_);
+  log_prepared(log(), *guard_);
+  run_log_ = std::make_unique<TargetLog>(log(), queue_, guard_->scenario.problem.targets);
 }
 
 /// Asks the mission for the next command.

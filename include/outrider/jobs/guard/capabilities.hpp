@@ -37,6 +37,7 @@ struct CapabilityRow {
   Capability capability = Capability::arrivals;
   std::string_view noun;  ///< noun phrase for messages, such as "intruders that keep coming"
   std::string_view key;   ///< option that turns the capability on; empty: the caller does
+  bool (*asked)(const GuardScenario&) = nullptr;  ///< says if a scenario uses it; null: the caller does
 };
 
 /// Returns all capabilities, in the order of the enum.

@@ -47,7 +47,8 @@ struct GuardOptions {
   std::int64_t memory_mib = 2048;  ///< memory limit; planning that needs more is refused
   double gap = 0.02;               ///< optimality gap at which the tour solver stops
   bool prove = false;              ///< find an optimal tour of the stops; spend more time on both bounds
-  /// Shoot during drives and go on while balls fly, where that makes the mission shorter (passing_plan.hpp).
+  /// Shoot during drives and go on while balls fly, where that makes the mission shorter
+  /// (shoot_in_passing()).
   bool shoot_on_the_move = true;
 };
 

@@ -29,7 +29,7 @@ struct GuardScenario {
   std::string targets;   ///< path of a list of targets
   std::string start = "0,-9.5,90";  ///< x, y in m, heading in degrees
   std::int64_t robots = 1;          ///< number of robots that share the targets
-  std::string robot_starts;         ///< of the robots after the first: x,y,heading; ... (team_starts.hpp)
+  std::string robot_starts;         ///< of the robots after the first: x,y,heading; ... (inputs.hpp)
   std::string bounds;               ///< low x, low y, high x, high y; empty: bounding box of the walls
   std::int64_t seed = 1;            ///< seed of all random numbers
   std::string sim = "kinematic";    ///< simulator: "kinematic" or "physics"

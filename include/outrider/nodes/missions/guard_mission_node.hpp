@@ -16,7 +16,7 @@
 //
 // A shot is answered when its target is told to be hit. If that is not told until `result` after the planned
 // landing, there is no result: the mission takes that for a miss, and gives a gun up of which nothing comes
-// (jobs/guard/mission/gun_silence.hpp). A target that is told to be hit later is not shot at again.
+// (jobs/guard/mission/setbacks.hpp). A target that is told to be hit later is not shot at again.
 //
 // The robot stands while pose, joints or scans are missing that came before, and before what the scan shows
 // farther than 0.1 m from every solid of the world. States: waiting, guarding, stopped, done, not_done,
@@ -74,7 +74,8 @@ class GuardMissionNode final : public MissionNode {
   GuardMission* mission_;  ///< that of guard_, which has one
   RemoteGun gun_;
   RangeFinder solids_;  ///< what is on the map
-  std::unique_ptr<GuardMissionLog> run_log_;
+  LogQueue queue_;
+  std::unique_ptr<TargetLog> run_log_;
   std::optional<Command> present_;  ///< what the robot does
   double began_command_s_ = 0.0;
   PieceDriver driver_;

@@ -258,6 +258,7 @@ std::optional<Command> MovingTargets::propose(TaskBoard& board, const Observatio
   if (const auto led = likely_shot(board, seen, rng.child("shot"))) {
     board.aim_at(aimed_at_, led->planned, seen.odometry);
     aimed_ = true;
+    expected_hits_ += chance_;
     return AimGun{led->planned.shot.yaw_rad, led->planned.shot.pitch_rad};
   }
   // A target that is missed may be hit from here.

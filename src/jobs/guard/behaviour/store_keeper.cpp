@@ -28,16 +28,9 @@ Way way_along(const std::vector<Vec2>& waypoints, double heading_rad, const Task
 }
 
 std::optional<Way> way_to(Vec2 place, const Pose2& from, const TaskBoard& board) {
-  if (const auto& routes = board.routes()) {
-    if (const auto route = routes->route(from, place)) {
-      return way_along(route->waypoints, from.heading_rad, board);
-    }
-  }
-  if (const auto routes = yard_routes(board.problem(), board.firing_map(), {from.position, place}, {})) {
-    if (const auto way = routes->waypoints(0, 1); !way.empty())
-      return way_along(way, from.heading_rad, board);
-  }
-  return std::nullopt;
+  const auto way = yard_way(board.problem(), board.firing_map(), board.routes(), from, place);
+  if (!way || way->empty()) return std::nullopt;
+  return way_along(*way, from.heading_rad, board);
 }
 
 /// Least charge from a pose to a station that gives charge; 0 where there is none to get to.

@@ -44,17 +44,6 @@ std::size_t shots_left(const Observation& seen, const Supplies& supplies) {
   return static_cast<std::size_t>(std::clamp(shots, 0.0, many));
 }
 
-/// The first records of those with these targets that no shot hits.
-std::vector<std::size_t> not_hit_of(const std::vector<std::size_t>& records,
-                                    const std::vector<std::size_t>& targets,
-                                    const std::vector<PassingHit>& hits) {
-  std::vector<std::size_t> left;
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    if (std::ranges::find(hits, targets[i], &PassingHit::target) == hits.end()) left.push_back(records[i]);
-  }
-  return left;
-}
-
 }  // namespace
 
 std::string missed(const TargetRecord& record) {
@@ -73,18 +62,9 @@ Outcome<std::vector<Vec2>> TaskBoard::way_between(const Pose2& from, Vec2 to) co
     if (auto way = way_around(*problem_, *firing_map_, from.position, to, standing, gap_m, budget_))
       return std::move(*way);
   }
-  if (routes_) {
-    auto route = routes_->route(from, to, budget_);
-    if (route) return std::move(route->waypoints);
-    if (route.error().code == FaultCode::budget_exhausted) return pass_on(route);
-  }
-  // No corner of an obstacle is seen from here or from there: along the grid.
-  auto routes = yard_routes(*problem_, *firing_map_, {from.position, to}, budget_);
-  if (!routes && routes.error().code == FaultCode::budget_exhausted) return pass_on(routes);
-  if (routes) {
-    if (auto way = routes->waypoints(0, 1); !way.empty()) return way;
-  }
-  return std::vector<Vec2>{from.position};
+  auto way = yard_way(*problem_, *firing_map_, routes_, from, to, budget_);
+  if (way && way->empty()) way->push_back(from.position);
+  return way;
 }
 
 /// Takes a target off the stops that were to hit it.
@@ -126,19 +106,17 @@ void TaskBoard::note_shot(std::size_t target, const PassingHit& hit, const std::
   launch({target, leaves_s + hit.shot.flight_s, true, leaves_s});
 }
 
-std::optional<std::vector<FireInPassing>> TaskBoard::shots_in_passing(const std::vector<Vec2>& way,
-                                                                      const Observation& seen) {
+std::vector<FireInPassing> TaskBoard::shots_in_passing(const std::vector<Vec2>& way,
+                                                       const Observation& seen) {
   const std::vector<std::size_t> wanted = wanted_in_passing();
   std::vector<FireInPassing> shots;
   if (wanted.empty()) return shots;
-  auto planned = queue_.front().passing;
+  auto planned = std::exchange(queue_.front().passing, {});
   std::vector<std::size_t> targets;
   for (const std::size_t record : wanted) targets.push_back(target_of(record));
   PassingShots solver(*problem_, *firing_map_);
   auto hits = hits_along(solver, seen, way, targets, planned.size());
   hits.resize(std::min(hits.size(), shots_left(seen, problem_->supplies)));
-  if (stops_first(not_hit_of(planned, targets, hits), seen)) return std::nullopt;
-  queue_.front().passing.clear();
   for (const PassingHit& hit : hits) {
     const auto nth = std::ranges::find(targets, hit.target) - targets.begin();
     const std::size_t record = wanted[static_cast<std::size_t>(nth)];

@@ -14,8 +14,7 @@ namespace {
 
 std::optional<Vec2> another_place(const GuardProblem& problem, const FiringMap& firing_map,
                                   std::size_t target, Vec2 here) {
-  return nearest_place(firing_map, SureCells(problem, firing_map).of(target), here,
-                       problem.errors.position_m);
+  return nearest_place(firing_map, sure_cells(problem, firing_map, target), here, problem.errors.position_m);
 }
 
 /// Returns the time that a hit takes on average with up to `tries` such shots after a drive, s.
@@ -156,12 +155,11 @@ std::optional<Command> TaskBoard::set_off(const Observation& seen) {
   if (!way) return wait_for_planner(seen.time_s, way.error());
   planless_s_.reset();
   auto shots = shots_in_passing(*way, seen);
-  if (!shots) return set_off(seen);
   arrived_ = true;
   last_place_ = place;
   if (distance(seen.odometry.position, place) <= there_m) return std::nullopt;
   cut_.driving = true;
-  FollowWaypoints drive{std::move(*way), false, std::move(*shots)};
+  FollowWaypoints drive{std::move(*way), false, std::move(shots)};
   const StopTask& task = queue_.front();
   const auto& along = drive.waypoints;
   if (on_the_move_ && !task.guns.empty()) {

@@ -5,7 +5,6 @@
 
 #include "outrider/core/parallel.hpp"
 #include "outrider/jobs/guard/plan/plan.hpp"
-#include "plan/draft_shots.hpp"
 
 namespace outrider {
 namespace {

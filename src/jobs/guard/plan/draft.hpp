@@ -43,4 +43,17 @@ Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_m
 /// Returns the targets that have a firing region, ascending.
 std::vector<std::size_t> targets_with_region(const FiringMap& firing_map);
 
+/// Gives each hit of the draft's tour, in its order, the shot of those found at its stop with which the tour
+/// ends soonest. They replace those of the same stops and targets in `offered` and in `book`; the tour gets
+/// its new cost and loses its bound. No shot becomes less sure. O(hits x pitches) searches for a shot.
+void choose_shots(const GuardProblem& problem, const FiringMap& firing_map, const GuardOptions& options,
+                  ShotBook& book, Draft& draft);
+
+/// Plans like plan_guard(), but hits only `targets`, each of which needs a firing region. Others are neither
+/// in a stop nor in `unreachable`. There are no lower bounds. The start of the problem may be any place that
+/// is connected with the start for which the firing map was built.
+Outcome<GuardPlan> plan_part(const GuardProblem& problem, const FiringMap& firing_map,
+                             const std::vector<std::size_t>& targets, const GuardOptions& options,
+                             const Budget& budget);
+
 }  // namespace outrider

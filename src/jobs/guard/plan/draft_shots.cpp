@@ -1,4 +1,4 @@
-#include "plan/draft_shots.hpp"
+#include "plan/draft.hpp"
 
 #include <algorithm>
 #include <limits>

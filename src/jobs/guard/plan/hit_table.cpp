@@ -1,23 +1,12 @@
 #include "plan/hit_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "outrider/jobs/guard/plan/supply_plan.hpp"
 #include "plan/plan_clock.hpp"
 
 namespace outrider {
-namespace {
-
-constexpr double lost_shot_s = 10.0;  // for a target that has no shot from where the robot got to
-
-/// Displacements of a stop by the largest error of a drive.
-std::array<Vec2, 4> displacements(double off_m) {
-  return {Vec2{off_m, 0.0}, Vec2{0.0, off_m}, Vec2{-off_m, 0.0}, Vec2{0.0, -off_m}};
-}
-
-}  // namespace
 
 std::vector<std::size_t>& HitTable::passing_beside(std::size_t stop) {
   const auto before = stops.begin() + static_cast<std::ptrdiff_t>(stop);
@@ -40,7 +29,7 @@ TablePlanner::TablePlanner(const GuardProblem& problem, const FiringMap& firing_
     : problem_(problem),
       firing_map_(firing_map),
       plan_(plan),
-      sure_(problem, firing_map),
+      sure_(sure_hits(problem, firing_map)),
       passing_(problem, firing_map) {
   routes_index_[{problem.start.position.x, problem.start.position.y}] = 0;
   for (std::size_t i = 0; i < plan.stops.size(); ++i) {
@@ -111,55 +100,7 @@ bool TablePlanner::may_stop(Vec2 place, const std::vector<std::size_t>& targets)
   const double room_m = problem_.robot.radius_m + problem_.errors.position_m;
   if (firing_map_.ground.clearance(place, room_m) < room_m) return false;
   if (!firing_map_.ground.segment_free({place, place}, problem_.robot.radius_m)) return false;  // on a slope
-  return std::ranges::all_of(targets, [&](std::size_t target) { return sure_.has(target, index); });
-}
-
-double TablePlanner::expected_s(const GuardPlan& plan) {
-  double time = plan.cost_s;
-  for (const PlannedStop& stop : plan.stops) {
-    for (const PlannedHit& hit : stop.hits) time += expected_wait_s(stop.position, hit);
-    // On a slope, a way beside the planned one leans the robot otherwise.
-    const bool displaced = &stop != plan.stops.data() && firing_map_.rules.terrain != nullptr;
-    for (const PassingHit& hit : stop.passing) {
-      if (displaced && hit.leg == 1) time += expected_loss_s(stop.waypoints, hit);
-    }
-  }
-  return time;
-}
-
-/// The time that a shot from the first leg adds on average because the leg begins beside the stop before it,
-/// and no shot is found there at about the same time.
-double TablePlanner::expected_loss_s(const std::vector<Vec2>& waypoints, const PassingHit& hit) const {
-  constexpr double later_s = 0.2;
-  const double off = problem_.errors.position_m;
-  if (off == 0.0) return 0.0;
-  double loss_s = 0.0;
-  for (const Vec2 aside : displacements(off)) {
-    const Straight leg{1, waypoints[0] + aside, waypoints[1], 0.0, 0.0};
-    const auto is_found = [&](int k) {
-      const double after_s = std::max(0.0, hit.after_s + k * later_s);
-      return passing_shot(problem_, firing_map_, hit.target, leg, waypoints.size() == 2, after_s).has_value();
-    };
-    if (!is_found(0) && !is_found(-1) && !is_found(1)) loss_s += lost_shot_s / 4.0;
-  }
-  return loss_s;
-}
-
-/// The time that a shot adds on average because the errors of the drive lead to a place where it has to be
-/// waited for, or where there is none.
-double TablePlanner::expected_wait_s(Vec2 place, const PlannedHit& hit) {
-  const double off = problem_.errors.position_m;
-  if (off == 0.0) return 0.0;
-  double wait_s = 0.0;
-  for (const Vec2 aside : displacements(off)) {
-    const auto& shot = shot_from(place + aside, hit.target, hit.shot.gun.pitch_rad);
-    if (!shot) {
-      wait_s += lost_shot_s / 4.0;
-    } else if (hit.shot.survives && !shot->survives) {
-      wait_s += shot->flight_s / 4.0;
-    }
-  }
-  return wait_s;
+  return std::ranges::all_of(targets, [&](std::size_t target) { return sure_.has(index, target); });
 }
 
 DriveCost TablePlanner::drive(const Pose2& from, const std::vector<Vec2>& waypoints) const {

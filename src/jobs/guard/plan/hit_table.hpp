@@ -48,18 +48,12 @@ class TablePlanner {
   /// Returns the time of the drives, turns included; infinite if there is no way.
   double drives_s(const HitTable& table);
   /// Returns true if the robot fits at the place despite the errors of a drive, and the place is in cells
-  /// from which all those targets are sure hits (SureCells).
+  /// from which all those targets are sure hits (sure_cells()).
   [[nodiscard]] bool may_stop(Vec2 place, const std::vector<std::size_t>& targets);
-  /// Returns the time of the plan and what the errors of the drives add to it on average: flights that have
-  /// to be waited for, and targets that are lost, from places around the stops; on terrain also shots in
-  /// passing that are lost.
-  double expected_s(const GuardPlan& plan);
 
  private:
   using Place = std::pair<double, double>;
 
-  double expected_wait_s(Vec2 place, const PlannedHit& hit);
-  [[nodiscard]] double expected_loss_s(const std::vector<Vec2>& waypoints, const PassingHit& hit) const;
   [[nodiscard]] DriveCost drive(const Pose2& from, const std::vector<Vec2>& waypoints) const;
   const std::vector<Vec2>& way(const Pose2& from, Vec2 to);
   const std::optional<PlannedShot>& shot_from(Vec2 place, std::size_t target, double pitch_rad);
@@ -67,7 +61,7 @@ class TablePlanner {
   const GuardProblem& problem_;
   const FiringMap& firing_map_;
   const GuardPlan& plan_;
-  SureCells sure_;
+  SureHits sure_;
   PassingShots passing_;
   std::map<Place, std::size_t> routes_index_;  // of the places that the routes of the plan join
   std::map<std::tuple<Place, double, Place>, std::vector<Vec2>> ways_;

@@ -106,6 +106,32 @@ std::optional<PlannedShot> flown(const ShotRules& rules, const FlightSpace& spac
                      1.0};
 }
 
+/// Returns the flattest shot at the target's centre, or nothing if there is none. Candidates are the pitches
+/// of the lattice: the lowest four that reach the centre with an error_ratio of at most 0.7. A shot must keep
+/// the margin, and hit under all combinations of extreme errors: of the gun, of the muzzle speed, of the
+/// firing time and, on the last leg (`last`), of the place where the leg ends. Tried only where a standing
+/// robot could hit the target.
+std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const FiringMap& firing_map,
+                                        std::size_t target, const Straight& straight, bool last,
+                                        double after_s) {
+  const Target& aim = problem.targets[target];
+  const HeightField* const terrain = firing_map.ground.terrain();
+  const Platform platform = platform_on(problem.robot, straight.from, straight.to, after_s, terrain);
+  const Cell cell = firing_map.frame.cell_at(platform.position);
+  if (!firing_map.frame.contains(cell) || !clear_of(firing_map.rules, aim, platform.position))
+    return std::nullopt;
+  if (firing_map.regions[target].pitch[firing_map.frame.index(cell)] == FiringRegion::no_shot)
+    return std::nullopt;
+
+  const FlightSpace& space = firing_map.space(target);
+  const auto shot_with_errors = displaced_platforms(problem, terrain, straight, last, after_s);
+  for (const PassingShot& candidate : candidates(firing_map.rules, aim, platform)) {
+    const auto shot = flown(firing_map.rules, space, aim, platform, candidate);
+    if (shot && survives(firing_map.rules, space, aim, shot->shot, shot_with_errors)) return shot;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Platform platform_on(const RobotModel& robot, Vec2 from, Vec2 to, double after_s,
@@ -139,27 +165,6 @@ double last_landing_s(const std::vector<PassingHit>& passing) {
 
 GunState gun_after(const std::vector<PassingHit>& passing, GunState before) {
   return passing.empty() ? before : passing.back().gun;
-}
-
-std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const FiringMap& firing_map,
-                                        std::size_t target, const Straight& straight, bool last,
-                                        double after_s) {
-  const Target& aim = problem.targets[target];
-  const HeightField* const terrain = firing_map.ground.terrain();
-  const Platform platform = platform_on(problem.robot, straight.from, straight.to, after_s, terrain);
-  const Cell cell = firing_map.frame.cell_at(platform.position);
-  if (!firing_map.frame.contains(cell) || !clear_of(firing_map.rules, aim, platform.position))
-    return std::nullopt;
-  if (firing_map.regions[target].pitch[firing_map.frame.index(cell)] == FiringRegion::no_shot)
-    return std::nullopt;
-
-  const FlightSpace& space = firing_map.space(target);
-  const auto shot_with_errors = displaced_platforms(problem, terrain, straight, last, after_s);
-  for (const PassingShot& candidate : candidates(firing_map.rules, aim, platform)) {
-    const auto shot = flown(firing_map.rules, space, aim, platform, candidate);
-    if (shot && survives(firing_map.rules, space, aim, shot->shot, shot_with_errors)) return shot;
-  }
-  return std::nullopt;
 }
 
 /// Finds the targets that a robot could hit from rest at each moment, without solving a shot.

@@ -3,9 +3,7 @@
 #include <algorithm>
 
 #include "outrider/jobs/guard/plan/bound.hpp"
-#include "outrider/jobs/guard/plan/passing_plan.hpp"
 #include "plan/draft.hpp"
-#include "plan/part_plan.hpp"
 #include "plan/plan_clock.hpp"
 
 namespace outrider {

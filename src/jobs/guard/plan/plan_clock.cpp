@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "yard/reason.hpp"
+#include "outrider/jobs/guard/yard/firing_map.hpp"
 
 namespace outrider {
 namespace {

@@ -129,37 +129,20 @@ std::vector<std::size_t> covers(const SureHits& hits, std::vector<std::size_t> c
 
 }  // namespace
 
-SureCells::SureCells(const GuardProblem& problem, const FiringMap& firing_map)
-    : firing_map_(firing_map),
-      around_(disk(problem.errors.position_m, firing_map.frame.resolution_m)),
-      roomy_m_(static_cast<float>(problem.robot.radius_m + problem.errors.position_m)),
-      any_(problem.targets.size()) {}
-
-bool SureCells::meets_conditions(const FiringRegion& region, std::size_t cell) const {
-  return region.error_ratio[cell] <= sure_ratio && firing_map_.clearance_m[cell] >= roomy_m_ &&
-         hit_all_around(firing_map_, region, firing_map_.frame.cell(cell), around_);
-}
-
-std::vector<std::size_t> SureCells::of(std::size_t target) const {
-  const FiringRegion& region = firing_map_.regions[target];
+std::vector<std::size_t> sure_cells(const GuardProblem& problem, const FiringMap& firing_map,
+                                    std::size_t target) {
+  const FiringRegion& region = firing_map.regions[target];
+  const std::vector<Cell> around = disk(problem.errors.position_m, firing_map.frame.resolution_m);
+  const auto roomy_m = static_cast<float>(problem.robot.radius_m + problem.errors.position_m);
   std::vector<std::size_t> sure, possible;
   region.pitch.each([&](std::size_t cell, std::uint8_t pitch) {
     if (pitch == FiringRegion::no_shot) return;
     possible.push_back(cell);
-    if (meets_conditions(region, cell)) sure.push_back(cell);
+    if (region.error_ratio[cell] <= sure_ratio && firing_map.clearance_m[cell] >= roomy_m &&
+        hit_all_around(firing_map, region, firing_map.frame.cell(cell), around))
+      sure.push_back(cell);
   });
   return sure.empty() ? possible : sure;
-}
-
-bool SureCells::has(std::size_t target, std::size_t cell) {
-  const FiringRegion& region = firing_map_.regions[target];
-  if (region.pitch[cell] == FiringRegion::no_shot) return false;
-  if (meets_conditions(region, cell)) return true;
-  if (!any_[target]) {
-    const auto cells = of(target);
-    any_[target] = !cells.empty() && meets_conditions(region, cells.front());
-  }
-  return !*any_[target];
 }
 
 SureHits::SureHits(std::size_t cells, const std::vector<std::vector<std::uint32_t>>& cells_of)
@@ -207,10 +190,9 @@ void SureHits::keep_only(const std::vector<std::size_t>& kept) {
 }
 
 SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map) {
-  const SureCells sure(problem, firing_map);
   std::vector<std::vector<std::uint32_t>> cells_of;
   for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
-    const auto cells = sure.of(t);
+    const auto cells = sure_cells(problem, firing_map, t);
     cells_of.emplace_back(cells.begin(), cells.end());
   }
   return {firing_map.frame.size(), cells_of};

@@ -1,58 +1,35 @@
 // The log of a guard mission, and its result: status, metrics and the table of targets, by capability.
 #pragma once
 
-#include <cstddef>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "outrider/jobs/guard/mission/mission_log.hpp"
 #include "outrider/jobs/guard/run/run.hpp"
-#include "outrider/log/log_queue.hpp"
-#include "outrider/log/messages/gun_messages.hpp"
 
 namespace outrider {
 
 /// The yard as it really is.
 inline const GuardProblem& true_problem(const GuardRun& run) {
-  return run.truth != nullptr ? run.truth->problem : run.mission.board().problem();
+  return run.truth != nullptr ? run.truth->problem : run.guard.mission->board().problem();
 }
-/// Returns the intruders that the simulation lets come, survive or walk.
-TargetSimParams target_params(const GuardRun& run);
 
 /// Logs what stands still: the run, the world, the terrain, the stations, and all of it with the targets as
 /// markers. Leaves out what the log has, such as that of an exploration before.
-void log_yard(Log& log, const GuardProblem& problem, const GuardOptions& options, std::uint64_t seed,
-              bool rigid);
+void log_yard(Log& log, const GuardProblem& problem, const GuardScenario& scenario);
 
-/// Logs what becomes of the targets, and where they are.
-class TargetLog {
- public:
-  /// Logs the targets as they are at first. What is known before its time, such as when intruders come in, is
-  /// put into the queue. The references must outlive this object.
-  TargetLog(Log& log, LogQueue& queue, const GuardRun& run);
-  /// Logs targets that stand still.
-  TargetLog(Log& log, LogQueue& queue, const std::vector<Target>& targets);
-  /// Logs what has changed. Call it after each step of the mission.
-  void note(const GuardMission& mission, double time_s);
-  /// Logs where walkers are in the end.
-  void finish(const GuardMission& mission, double time_s);
-
- private:
-  void begin(const Target& target, const Intruder* comes);
-  [[nodiscard]] bool walks() const { return run_ != nullptr && run_->mission.moving() != nullptr; }
-  void place(double time_s, std::size_t who, Vec2 at, Vec2 believed);
-  void note_walker(const GuardMission& mission, std::size_t who);
-  void note_record(const TargetRecord& record, std::size_t who, double time_s);
-  /// Logs where a walker was when it was hit, or in the end.
-  void place_last(double time_s, std::size_t who);
-
-  Log& log_;
-  LogQueue& queue_;
-  const GuardRun* run_ = nullptr;            ///< unset if targets stand still
-  std::vector<outrider_msgs::Target> told_;  ///< by target: its newest message
-  std::vector<double> heights_m_;            ///< by target: of its centre
-  std::vector<std::size_t> seen_;            ///< by walker: number of observations that are logged
-  double noted_s_ = 0.0;                     ///< time of the last note
-};
+/// Log from where targets can be hit, at `time_s`: one grid for each target, or one for all. O(cells *
+/// targets).
+void log_firing_regions(Log& log, const GuardProblem& problem, const FiringMap& firing_map,
+                        double time_s = 0.0);
+void log_firing_map(Log& log, const FiringMap& firing_map, double time_s = 0.0);
+/// Logs for each target that cannot be hit the flight that comes nearest to a hit.
+void log_blocked_flights(Log& log, const GuardProblem& problem, const FiringMap& firing_map,
+                         double time_s = 0.0);
+/// Logs a tour.
+void log_tour(Log& log, const GuardProblem& problem, const TourDraft& tour, double time_s = 0.0);
 
 /// Returns the first store that ran empty, in a sentence; empty if none did.
 std::string ran_dry(const Log& log);
@@ -70,8 +47,34 @@ std::vector<TableValue> unshot_row(const std::string& name, const std::string& s
 /// Returns the part of the targets that do not wait any more.
 double settled_part(const std::vector<TargetRecord>& records);
 
-/// Returns the report of the mission. `expected_hits` is the sum of the chances of all shots at walkers.
+using Metrics = std::vector<std::pair<std::string, double>>;
+
+/// A mission that is over, of one robot or several.
+struct EndedMission {
+  const GuardProblem& problem;  ///< the yard as it really is
+  const std::vector<TargetRecord>& records;
+  const SimRecord& record;  ///< the sum of all robots
+  const Log& log;
+  double end_s = 0.0;
+  bool on_the_move = false;
+  bool has_faults = false;
+  const TaskBoard* board = nullptr;  ///< of the robot, if there is one
+};
+
+/// The form of the reason where not all were reached, for the numbers of those reached, all, failed and
+/// without a shot.
+inline constexpr std::string_view targets_missed = "{} of {} targets reached, {} failed, no shot found at {}";
+
+/// Returns the metrics of missions against targets that stand still.
+Metrics tour_metrics(const GuardPlan& plan, const EndedMission& ended);
+
+/// Returns the report: what all missions have, with the metrics of what is `known` of the targets.
+Report judge(const EndedMission& ended, const Metrics& known, std::string_view missed_form = targets_missed);
+/// Returns the report of the mission of one robot.
 Report judge(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,
-             double end_s, double expected_hits);
+             double end_s);
+
+/// Returns a guarded yard in words for people, from its metrics and tables.
+std::string guard_summary(const Report& report);
 
 }  // namespace outrider

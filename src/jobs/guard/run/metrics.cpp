@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "outrider/jobs/guard/plan/arrival_bound.hpp"
+#include "outrider/jobs/guard/plan/bound.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/log/topics.hpp"
 #include "run/guard_log.hpp"
@@ -12,41 +12,48 @@
 namespace outrider {
 namespace {
 
-using Metrics = std::vector<std::pair<std::string, double>>;
-
 double as_number(auto value) { return static_cast<double>(value); }
 
-/// Targets by their last status, and the time of intruders inside. A target that was not hit stays until the
-/// end, unless it cannot be hit at all.
-struct Tally {
-  double targets = 0.0;
-  double reached = 0.0;
-  double failed = 0.0;
-  double unreachable = 0.0;
-  double inside_s = 0.0;
+double count(const std::vector<TargetRecord>& records, TargetStatus status) {
+  return as_number(std::ranges::count(records, status, &TargetRecord::status));
+}
+
+GuardVerdict verdict_of(const std::vector<TargetRecord>& records, std::string_view missed_form) {
+  const double targets = as_number(records.size()), reached = count(records, TargetStatus::reached);
+  const double unreachable = count(records, TargetStatus::unreachable);
+  GuardVerdict verdict{reached + unreachable == targets ? "done" : "not_done", {}};
+  if (reached < targets)
+    verdict.reason = fmt::format(fmt::runtime(missed_form), reached, targets,
+                                 count(records, TargetStatus::failed), unreachable);
+  return verdict;
+}
+
+std::string_view missed_form_of(const GuardMission& mission) {
+  if (mission.arriving() != nullptr) return "{} of {} intruders reached, {} failed, no shot found at {}";
+  return mission.moving() != nullptr ? "{} of {} intruders hit" : targets_missed;
+}
+
+/// The times of intruders inside. One that was not hit stays until the end; one that cannot be hit at all
+/// does not count.
+struct Stays {
+  double sum_s = 0.0;
   double longest_s = 0.0;
-  double last_s = 0.0;
+  double last_s = 0.0;  ///< when the last one left
 };
 
-Tally tally_of(const GuardRun& run, const std::vector<TargetRecord>& records, double end_s) {
-  Tally tally;
-  tally.targets = as_number(records.size());
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    if (records[i].status == TargetStatus::unreachable) {
-      tally.unreachable += 1.0;
-      continue;
-    }
-    const bool reached = records[i].status == TargetStatus::reached;
-    if (reached) tally.reached += 1.0;
-    if (records[i].status == TargetStatus::failed) tally.failed += 1.0;
-    const auto* const arriving = run.mission.arriving();
-    const double enters_s = arriving != nullptr ? arriving->plan().yard.intruders[i].enters_s : 0.0;
-    const double leaves_s = reached ? records[i].done_s : end_s;
-    tally.inside_s += std::max(0.0, leaves_s - enters_s);  // it may not have come before the end
-    tally.longest_s = std::max(tally.longest_s, leaves_s - enters_s);
-    tally.last_s = std::max(tally.last_s, leaves_s);
+/// `intruders` is empty if all are inside from the start.
+Stays stays_of(const EndedMission& ended, const std::vector<Intruder>& intruders = {}) {
+  Stays stays;
+  for (std::size_t i = 0; i < ended.records.size(); ++i) {
+    const TargetRecord& record = ended.records[i];
+    if (record.status == TargetStatus::unreachable) continue;
+    const double enters_s = intruders.empty() ? 0.0 : intruders[i].enters_s;
+    const double leaves_s = record.status == TargetStatus::reached ? record.done_s : ended.end_s;
+    stays.sum_s += std::max(0.0, leaves_s - enters_s);  // it may not have come before the end
+    stays.longest_s = std::max(stays.longest_s, leaves_s - enters_s);
+    stays.last_s = std::max(stays.last_s, leaves_s);
   }
-  return tally;
+  return stays;
 }
 
 const std::vector<Stamped<outrider_msgs::Shot>>& shots_of(const Log& log) {
@@ -65,52 +72,34 @@ double reached_by_reference_rule(const Log& log, const std::vector<Target>& targ
   return reached;
 }
 
-Metrics still_metrics(const GuardPlan& plan, const SimRecord& record, double by_reference_rule,
-                      double end_s) {
-  return {{"reached_by_reference_rule", by_reference_rule},
-          {"mission_s", end_s},
-          {"planned_s", plan.cost_s},
-          {"expected_s", plan.bounded_s()},
-          {"lower_bound_s", plan.lower_bound_s},
-          {"gap", plan.gap()},
-          {"anywhere_lower_bound_s", plan.anywhere_lower_bound_s},
-          {"anywhere_gap", plan.anywhere_gap()},
-          {"tour_proven", plan.tour_proven ? 1.0 : 0.0},
-          {"stops_offered", as_number(plan.stops_offered)},
-          {"driven_m", record.driven_m},
-          {"turned_rad", record.turned_rad},
-          {"shots", as_number(record.shots)},
-          {"stops", as_number(plan.stops.size())},
-          {"places", as_number(plan.places)}};
-}
-
-Metrics arrival_metrics(const GuardRun& run, const GuardMission& mission, const Tally& tally,
-                        const SimRecord& record, double end_s) {
-  const ArrivalPlan& plan = mission.arriving()->plan();
+Metrics arrival_metrics(const EndedMission& ended, const ArrivingTargets& arriving, bool may_survive) {
+  const ArrivalPlan& plan = arriving.plan();
   const ArrivalBound bound = arrival_bound(plan.yard, plan.stops.on_the_move);
   const bool makespan = plan.objective == ArrivalObjective::makespan;
-  Metrics metrics = {{"mission_s", end_s},
-                     {"intruder_seconds", tally.inside_s},
-                     {"makespan_s", tally.last_s},
-                     {"longest_s", tally.longest_s},
+  const Stays stays = stays_of(ended, plan.yard.intruders);
+  Metrics metrics = {{"mission_s", ended.end_s},
+                     {"intruder_seconds", stays.sum_s},
+                     {"makespan_s", stays.last_s},
+                     {"longest_s", stays.longest_s},
                      {"lower_bound_s", makespan ? bound.makespan_s : bound.time_inside_s},
                      {"intruder_seconds_bound", bound.time_inside_s},
                      {"makespan_bound_s", bound.makespan_s},
-                     {"plans", as_number(mission.arriving()->plans())},
-                     {"driven_m", record.driven_m},
-                     {"turned_rad", record.turned_rad},
-                     {"shots", as_number(record.shots)}};
-  if (run.survival.leave < 1.0) metrics.emplace_back("survived", as_number(mission.arriving()->survived()));
+                     {"plans", as_number(arriving.plans())},
+                     {"driven_m", ended.record.driven_m},
+                     {"turned_rad", ended.record.turned_rad},
+                     {"shots", as_number(ended.record.shots)}};
+  if (may_survive) metrics.emplace_back("survived", as_number(arriving.survived()));
   return metrics;
 }
 
-Metrics walker_metrics(const Tally& tally, const SimRecord& record, double end_s, double expected_hits) {
-  const double shots = as_number(record.shots);
-  return {{"mission_s", end_s},
-          {"intruder_seconds", tally.inside_s},
-          {"makespan_s", tally.last_s},
-          {"driven_m", record.driven_m},
-          {"turned_rad", record.turned_rad},
+Metrics walker_metrics(const EndedMission& ended, double expected_hits) {
+  const double shots = as_number(ended.record.shots);
+  const Stays stays = stays_of(ended);
+  return {{"mission_s", ended.end_s},
+          {"intruder_seconds", stays.sum_s},
+          {"makespan_s", stays.last_s},
+          {"driven_m", ended.record.driven_m},
+          {"turned_rad", ended.record.turned_rad},
           {"shots", shots},
           {"chance", shots > 0.0 ? expected_hits / shots : 0.0},
           {"expected_hits", expected_hits}};
@@ -151,39 +140,26 @@ Metrics rigid_metrics(const RigidRecord& rigid) {
           {"bumps", as_number(rigid.bumps)}};
 }
 
-/// Why not every target was reached; empty where all were.
-std::string reason_of(const GuardRun& run, const Tally& tally) {
-  if (tally.reached == tally.targets) return {};
-  if (run.mission.moving() != nullptr)
-    return fmt::format("{} of {} intruders hit", tally.reached, tally.targets);
-  if (run.mission.arriving() != nullptr) {
-    return fmt::format("{} of {} intruders reached, {} failed, no shot found at {}", tally.reached,
-                       tally.targets, tally.failed, tally.unreachable);
-  }
-  return fmt::format("{} of {} targets reached, {} failed, no shot found at {}", tally.reached, tally.targets,
-                     tally.failed, tally.unreachable);
-}
-
 /// Returns the text to add to the reason if shots had no result; else an empty one.
-std::string why_unanswered(const TaskBoard& board) {
-  if (!board.given_up().empty())
-    return fmt::format("; {}: is the gun jammed, or its tank empty?", board.given_up());
+std::string why_unanswered(const EndedMission& ended) {
+  if (ended.board != nullptr && !ended.board->given_up().empty())
+    return fmt::format("; {}: is the gun jammed, or its tank empty?", ended.board->given_up());
   int unanswered = 0;
-  for (const TargetRecord& record : board.records()) unanswered += record.unanswered;
+  for (const TargetRecord& record : ended.records) unanswered += record.unanswered;
   if (unanswered == 0) return {};
   return fmt::format("; {} shot{} had no result: is the gun jammed, or its tank empty?", unanswered,
                      unanswered == 1 ? "" : "s");
 }
 
 /// Returns the targets that are called reached and that no ball hit.
-double falsely_reached(const std::vector<TargetRecord>& records, const std::vector<Target>& targets,
-                       const Log& log) {
+double falsely_reached(const EndedMission& ended) {
   double count = 0.0;
-  for (std::size_t i = 0; i < records.size(); ++i) {
+  for (std::size_t i = 0; i < ended.records.size(); ++i) {
     const auto hits = [&](const Stamped<outrider_msgs::Shot>& shot) {
-      return shot.message.hit && shot.message.target == targets[i].name;
+      return shot.message.hit && shot.message.target == ended.problem.targets[i].name;
     };
-    if (records[i].status == TargetStatus::reached && std::ranges::none_of(shots_of(log), hits)) count += 1.0;
+    if (ended.records[i].status == TargetStatus::reached && std::ranges::none_of(shots_of(ended.log), hits))
+      count += 1.0;
   }
   return count;
 }
@@ -249,47 +225,83 @@ std::string why_stranded(const Log& log) {
   return stranded.empty() ? std::string() : "; " + stranded.front().message.msg;
 }
 
-Report judge(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,
-             double end_s, double expected_hits) {
-  const std::vector<Target>& targets = true_problem(run).targets;
+Metrics tour_metrics(const GuardPlan& plan, const EndedMission& ended) {
+  return {{"reached_by_reference_rule", reached_by_reference_rule(ended.log, ended.problem.targets)},
+          {"mission_s", ended.end_s},
+          {"planned_s", plan.cost_s},
+          {"expected_s", plan.bounded_s()},
+          {"lower_bound_s", plan.lower_bound_s},
+          {"gap", plan.gap()},
+          {"anywhere_lower_bound_s", plan.anywhere_lower_bound_s},
+          {"anywhere_gap", plan.anywhere_gap()},
+          {"tour_proven", plan.tour_proven ? 1.0 : 0.0},
+          {"stops_offered", as_number(plan.stops_offered)},
+          {"driven_m", ended.record.driven_m},
+          {"turned_rad", ended.record.turned_rad},
+          {"shots", as_number(ended.record.shots)},
+          {"stops", as_number(plan.stops.size())},
+          {"places", as_number(plan.places)}};
+}
+
+Report judge(const EndedMission& ended, const Metrics& known, std::string_view missed_form) {
+  const auto& records = ended.records;
   Report report;
-  report.world_name = true_problem(run).world.name;
-  const auto& records = mission.board().records();
-  const Tally tally = tally_of(run, records, end_s);
-  report.metrics = {{"targets", tally.targets},
-                    {"reached", tally.reached},
-                    {"failed", tally.failed},
-                    {"unreachable", tally.unreachable}};
+  report.world_name = ended.problem.world.name;
+  report.metrics = {{"targets", as_number(records.size())},
+                    {"reached", count(records, TargetStatus::reached)},
+                    {"failed", count(records, TargetStatus::failed)},
+                    {"unreachable", count(records, TargetStatus::unreachable)}};
   const auto add = [&](const Metrics& more) {
     report.metrics.insert(report.metrics.end(), more.begin(), more.end());
   };
-  if (mission.arriving() != nullptr) {
-    add(arrival_metrics(run, mission, tally, record, end_s));
-  } else if (mission.moving() != nullptr) {
-    add(walker_metrics(tally, record, end_s, expected_hits));
-  } else {
-    add(still_metrics(*mission.tour(), record, reached_by_reference_rule(log, targets), end_s));
+  add(known);
+  if (ended.on_the_move) add(passing_metrics(ended.log));
+  if (ended.record.rigid) add(rigid_metrics(*ended.record.rigid));
+  if (ended.has_faults) {
+    add({{"false_reached", falsely_reached(ended)},
+         {"cut_drives", as_number(events_of(ended.log, "stopped").size())},
+         {"contacts", as_number(ended.record.contacts)},
+         {"post_contacts", as_number(ended.record.post_contacts)}});
   }
-  const Supplies& supplies = true_problem(run).supplies;
-  if (supplies.any()) add(supply_metrics(log, supplies, mission.stores()));
-  if (mission.board().on_the_move()) add(passing_metrics(log));
-  if (record.rigid) add(rigid_metrics(*record.rigid));
-  if (run.faults.any()) {
-    add({{"false_reached", falsely_reached(records, targets, log)},
-         {"cut_drives", as_number(events_of(log, "stopped").size())},
-         {"contacts", as_number(record.contacts)},
-         {"post_contacts", as_number(record.post_contacts)}});
-  }
-  Table table = target_table();
+  report.tables = {target_table()};
   for (std::size_t i = 0; i < records.size(); ++i)
-    table.rows.push_back(row_of(targets[i].name, records[i], log));
-  report.tables = {std::move(table)};
-  const std::string dry = ran_dry(log);
-  report.status = tally.reached + tally.unreachable == tally.targets && dry.empty() ? "done" : "not_done";
-  report.reason = dry.empty() ? reason_of(run, tally) + why_stranded(log) : dry;
-  if (report.status != "done")
-    report.reason += why_unanswered(mission.board()) + why_held_up(mission.board().cut());
+    report.tables.front().rows.push_back(row_of(ended.problem.targets[i].name, records[i], ended.log));
+  const GuardVerdict verdict = verdict_of(records, missed_form);
+  const std::string dry = ran_dry(ended.log);
+  report.status = dry.empty() ? verdict.status : "not_done";
+  report.reason = dry.empty() ? verdict.reason + why_stranded(ended.log) : dry;
+  if (report.status == "done") return report;
+  report.reason += why_unanswered(ended);
+  if (ended.board != nullptr) report.reason += why_held_up(ended.board->cut());
   return report;
+}
+
+Report judge(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,
+             double end_s) {
+  const GuardProblem& problem = true_problem(run);
+  const GuardScenario& scenario = run.guard.scenario;
+  const TaskBoard& board = mission.board();
+  const EndedMission ended{
+      problem, board.records(), record, log, end_s, board.on_the_move(), scenario.faults.any(), &board};
+  Metrics known;
+  if (const auto* const arriving = mission.arriving()) {
+    known = arrival_metrics(ended, *arriving, scenario.arrivals.may_survive());
+  } else if (const auto* const moving = mission.moving()) {
+    known = walker_metrics(ended, moving->expected_hits());
+  } else {
+    known = tour_metrics(*mission.tour(), ended);
+  }
+  if (problem.supplies.any()) {
+    for (auto& metric : supply_metrics(log, problem.supplies, mission.stores()))
+      known.push_back(std::move(metric));
+  }
+  return judge(ended, known, missed_form_of(mission));
+}
+
+GuardVerdict verdict_of(const GuardMission& mission) {
+  GuardVerdict verdict = verdict_of(mission.board().records(), missed_form_of(mission));
+  if (const std::string& why = mission.stores().stranded(); !why.empty()) verdict.reason += "; " + why;
+  return verdict;
 }
 
 }  // namespace outrider

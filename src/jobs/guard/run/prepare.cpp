@@ -7,12 +7,11 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/job/plan_cache.hpp"
-#include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/plan/supply_plan.hpp"
-#include "outrider/jobs/guard/yard/team_starts.hpp"
+#include "outrider/jobs/guard/team/team_plan.hpp"
 #include "outrider/log/append.hpp"
-#include "run/regions_log.hpp"
+#include "run/guard_log.hpp"
 
 namespace outrider {
 namespace {
@@ -124,35 +123,28 @@ Outcome<std::shared_ptr<const YardPlan>> planned_yard(GuardScenario& scenario, R
   return keep_plan(plans, key, std::move(*yard));
 }
 
-/// Sets the policy and the objective: those of the options, or the best ones if nobody comes but some
-/// survive.
+/// Sets the policy and the objective: those of the options, or the makespan if nobody comes but some survive.
+/// Then the expected time is estimated.
 Status choose_policy(PreparedGuard& guard, const Budget& budget, const Notes& notes) {
   const ArrivalOptions& options = guard.scenario.arrivals;
-  ArrivalPlan& plan = guard.arrivals.emplace(ArrivalPlan{*guard.yard, *guard.stops, {}});
-  plan.group = static_cast<std::size_t>(options.group);
-  plan.beam = static_cast<std::size_t>(options.beam);
-  if (!options.any()) {
-    const ArrivalOptions quick = survivor_options(options);
-    const auto [best, expected] =
-        best_policy(guard.scenario.problem, *guard.stops, quick, survivor_missions, budget.stop);
-    if (budget.stop.stop_requested())
-      return fault(FaultCode::cancelled, "it was cancelled while it chose how to plan");
-    log_event(notes.log, notes.time_s, "plan",
-              fmt::format("expects {:.1f} s, to a standard error of {:.1f} s; plans as {}, for the {}",
-                          expected.mean_s, expected.error_s, best.replan.name,
-                          best.objective == ArrivalObjective::makespan ? "makespan" : "time inside"));
-    plan.policy = best.replan;
-    plan.objective = best.objective;
-    plan.beam = static_cast<std::size_t>(quick.beam);
-    guard.expected = expected;
-    return {};
-  }
   auto policy = find_replan_policy(options.policy);
   if (!policy) return pass_on(policy);
   auto objective = find_objective(options.objective);
   if (!objective) return pass_on(objective);
-  plan.policy = std::move(*policy);
-  plan.objective = *objective;
+  ArrivalPlan& plan = guard.arrivals.emplace(ArrivalPlan{*guard.yard, *guard.stops, std::move(*policy)});
+  plan.group = static_cast<std::size_t>(options.group);
+  plan.objective = options.any() ? *objective : ArrivalObjective::makespan;
+  plan.beam = static_cast<std::size_t>(options.beam);
+  if (options.any()) return {};
+  const ArrivalOptions quick = survivor_options(options);
+  plan.beam = static_cast<std::size_t>(quick.beam);
+  guard.expected =
+      expected_time(guard.scenario.problem, *guard.stops, quick, plan.policy, survivor_missions, budget.stop);
+  if (budget.stop.stop_requested())
+    return fault(FaultCode::cancelled, "it was cancelled while it estimated the time of the mission");
+  log_event(notes.log, notes.time_s, "plan",
+            fmt::format("expects {:.1f} s, to a standard error of {:.1f} s; plans as {}, for the makespan",
+                        guard.expected->mean_s, guard.expected->error_s, plan.policy.name));
   return {};
 }
 
@@ -204,27 +196,16 @@ Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, Ru
   return guard;
 }
 
-Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const RunWatch& watch) {
+Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const RunWatch& watch,
+                                                      const std::vector<Capability>& of_caller) {
   auto requested = requested_capabilities(scenario);
+  requested.insert(requested.end(), of_caller.begin(), of_caller.end());
   requested.push_back(Capability::own_robot);
   if (auto ok = check_capabilities(requested); !ok) return pass_on(ok);
+  scenario.sim.clear();
   RunSteps steps(watch, 2);
   Log log;
   return prepare_guard(std::move(scenario), steps, watch, log);
-}
-
-GuardVerdict verdict_of(const GuardMission& mission) {
-  const auto& records = mission.board().records();
-  const auto count = [&](TargetStatus status) {
-    return static_cast<std::size_t>(std::ranges::count(records, status, &TargetRecord::status));
-  };
-  const std::size_t reached = count(TargetStatus::reached), unreachable = count(TargetStatus::unreachable);
-  GuardVerdict verdict{reached + unreachable == records.size() ? "done" : "not_done", {}};
-  if (reached < records.size())
-    verdict.reason =
-        fmt::format("{} of {} targets reached, no shot found at {}", reached, records.size(), unreachable);
-  if (const std::string& why = mission.stores().stranded(); !why.empty()) verdict.reason += "; " + why;
-  return verdict;
 }
 
 }  // namespace outrider

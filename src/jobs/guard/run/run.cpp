@@ -6,7 +6,6 @@
 
 #include "outrider/log/append.hpp"
 #include "run/guard_log.hpp"
-#include "team/team_log.hpp"
 #include "team/team_report.hpp"
 
 namespace outrider {
@@ -15,6 +14,8 @@ namespace {
 // Ways may pass obstacles as near as the disk, and rigid wheels are a little off them: the robot of rigid
 // bodies is 0.9 times as large, and may find new ways from half of the room between.
 constexpr double way_radius = 0.95;
+
+std::uint64_t seed_of(const PreparedGuard& guard) { return static_cast<std::uint64_t>(guard.scenario.seed); }
 
 void log_aim(Log& log, double time_s, const MovingTargets& targets, const GuardProblem& problem) {
   const Track& track = targets.tracks()[targets.aimed_at()];
@@ -46,16 +47,6 @@ void doubt_proofs(TaskBoard& board) {
   }
 }
 
-/// Notes when intruders come in.
-void note_entrances(LogQueue& queue, const GuardRun& run) {
-  if (run.mission.arriving() == nullptr) return;
-  for (const Intruder& intruder : run.mission.arriving()->plan().yard.intruders) {
-    if (intruder.entrance.empty()) continue;
-    queue.note_event(intruder.enters_s, "enter",
-                     fmt::format("{} comes in by {}", intruder.name, intruder.entrance));
-  }
-}
-
 /// A mission whose path planner may be without a budget at times, which is a fault to try out.
 struct WithOutage {
   GuardMission& mission;
@@ -65,44 +56,71 @@ struct WithOutage {
   }
 };
 
+/// Returns the targets that the simulation lets come, survive or walk.
+TargetSimParams target_params(const GuardRun& run) {
+  const GuardMission& mission = *run.guard.mission;
+  const ArrivalOptions& arrivals = run.guard.scenario.arrivals;
+  TargetSimParams params;
+  params.survival = {arrivals.leave, arrivals.walk_mps};
+  if (const auto* const arriving = mission.arriving()) {
+    params.intruders = arriving->plan().yard.intruders;
+    params.foreseen = arriving->plan().policy.foresees;
+  }
+  if (const auto* const moving = mission.moving()) {
+    params.walks = run.walks;
+    params.look_s = moving->plan().options.look_s;
+    params.sight_m = moving->plan().options.sight_m;
+  }
+  return params;
+}
+
+/// Notes when intruders come in.
+void note_entrances(LogQueue& queue, const std::vector<Intruder>& intruders) {
+  for (const Intruder& intruder : intruders) {
+    if (intruder.entrance.empty()) continue;
+    queue.note_event(intruder.enters_s, "enter",
+                     fmt::format("{} comes in by {}", intruder.name, intruder.entrance));
+  }
+}
+
 /// `robot` logs what it does.
 Report simulate(const GuardRun& run, GuardMission mission, SimulatedRobot& robot, Log& log,
                 const RunWatch& watch) {
-  const SimRecord& record = robot.record;
-  TargetLog targets(log, robot.queue(), run);
-  note_entrances(robot.queue(), run);
+  const auto* const arriving = mission.arriving();
+  TargetLog targets(log, robot.queue(), true_problem(run).targets,
+                    arriving != nullptr ? &arriving->plan().yard.intruders : nullptr,
+                    mission.moving() != nullptr ? &run.walks : nullptr);
+  if (arriving != nullptr) note_entrances(robot.queue(), arriving->plan().yard.intruders);
   mission.board().set_stop(watch.stop);
   if (run.truth != nullptr) doubt_proofs(mission.board());
-  WithOutage stepped{mission, run.faults.planner};
-  double expected_hits = 0.0, now_s = 0.0;
+  WithOutage stepped{mission, run.guard.scenario.faults.planner};
+  double now_s = 0.0;
   const bool ended =
       run_mission(stepped, robot, watch.stop, [&](const Observation& seen, const Command* command) {
         now_s = seen.time_s;
         watch.part(settled_part(mission.board().records()));
-        if (mission.moving() != nullptr && command != nullptr && std::holds_alternative<AimGun>(*command)) {
+        if (mission.moving() != nullptr && command != nullptr && std::holds_alternative<AimGun>(*command))
           log_aim(log, now_s, *mission.moving(), mission.board().problem());
-          expected_hits += mission.moving()->chance();
-        }
         targets.note(mission, now_s);
       });
-  if (record.rigid) add_misses(mission.board(), *record.rigid);
+  if (robot.record.rigid) add_misses(mission.board(), *robot.record.rigid);
   targets.finish(mission, now_s);
   if (const std::string& why = mission.stores().stranded(); !why.empty())
     log_event(log, now_s, "stranded", why);
-  Report report = judge(run, mission, record, log, now_s, expected_hits);
+  Report report = judge(run, mission, robot.record, log, now_s);
   if (!ended || watch.stopped()) mark_cancelled(report, log, now_s);
   return report;
 }
 
 Outcome<Report> simulate_bodies(const GuardRun& run, Log& log, const RunWatch& watch) {
-  const GuardProblem& problem = run.mission.board().problem();
-  const FiringMap& firing_map = run.mission.board().firing_map();
-  log_yard(log, problem, run.options, run.seed, true);
-  auto robot = rigid_guard(problem, firing_map, log, run.seed);
+  const TaskBoard& board = run.guard.mission->board();
+  const GuardProblem& problem = board.problem();
+  auto robot = rigid_guard(problem, board.firing_map(), log, seed_of(run.guard));
   if (!robot) return pass_on(robot);
   GuardProblem yielding = problem;
   yielding.robot.radius_m *= way_radius;
-  Report report = simulate(run, {yielding, firing_map, *run.mission.tour()}, *robot, log, watch);
+  Report report =
+      simulate(run, {yielding, board.firing_map(), *run.guard.mission->tour()}, *robot, log, watch);
   robot->log_landed();
   return report;
 }
@@ -112,8 +130,7 @@ constexpr double longest_walk_s = 7200.0;  // walkers stay at their last place t
 Report run_team(const PreparedGuard& guard, Log& log, const RunWatch& watch) {
   const GuardScenario& scenario = guard.scenario;
   const auto& [firing_map, tour, drafts, starts, plan] = *guard.plan;
-  const TeamRun team = run_team(scenario.problem, firing_map, *plan,
-                                static_cast<std::uint64_t>(scenario.seed), watch, scenario.faults);
+  const TeamRun team = run_team(scenario.problem, firing_map, *plan, seed_of(guard), watch, scenario.faults);
   append_team(log, team);
   Report report = judge_team(scenario, firing_map, *plan, team, log);
   if (team.ended_early || watch.stopped()) mark_cancelled(report, log, team.mission_s);
@@ -122,36 +139,26 @@ Report run_team(const PreparedGuard& guard, Log& log, const RunWatch& watch) {
 
 }  // namespace
 
-Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch) {
-  if (run.rigid) return simulate_bodies(run, log, watch);
-  log_yard(log, true_problem(run), run.options, run.seed, false);
-  SimulatedRobot robot = simulated_guard(
-      true_problem(run), run.truth ? run.truth->firing_map : run.mission.board().firing_map(), log, run.seed,
-      target_params(run), run.truth ? run.truth->levels : StoreLevels{}, run.faults);
-  return simulate(run, run.mission, robot, log, watch);
-}
-
-Outcome<Report> run_guard(const PreparedGuard& guard, Log& log, const RunWatch& watch,
-                          const TrueYard* truth) {
-  if (guard.plan->team) return run_team(guard, log, watch);
-  const GuardScenario& scenario = guard.scenario;
-  GuardRun run{.mission = *guard.mission,
-               .options = scenario.options,
-               .seed = static_cast<std::uint64_t>(scenario.seed),
-               .survival = {scenario.arrivals.leave, scenario.arrivals.walk_mps},
-               .truth = truth,
-               .rigid = scenario.sim == "physics",
-               .faults = scenario.faults};
-  if (guard.walkers) {
-    auto walks = draw_walks(scenario.problem, guard.plan->firing_map, scenario.preferences, scenario.wander,
-                            run.seed, longest_walk_s, watch.budget());
+Outcome<Report> run_guard(GuardRun run, Log& log, const RunWatch& watch) {
+  const PreparedGuard& guard = run.guard;
+  if (!guard.mission) return run_team(guard, log, watch);
+  const TaskBoard& board = guard.mission->board();
+  if (const auto* const moving = guard.mission->moving(); moving != nullptr && run.walks.empty()) {
+    auto walks = draw_walks(board.problem(), board.firing_map(), guard.scenario.preferences,
+                            moving->plan().options, seed_of(guard), longest_walk_s, watch.budget());
     if (!walks) return pass_on(walks);
     run.walks = std::move(*walks);
   }
-  auto report = run_guard(run, log, watch);
-  if (!report || !guard.expected) return report;
-  report->metrics.emplace_back("expected_s", guard.expected->mean_s);
-  report->metrics.emplace_back("expected_error_s", guard.expected->error_s);
+  log_yard(log, true_problem(run), guard.scenario);
+  if (guard.scenario.sim == "physics") return simulate_bodies(run, log, watch);
+  SimulatedRobot robot = simulated_guard(
+      true_problem(run), run.truth ? run.truth->firing_map : board.firing_map(), log, seed_of(guard),
+      target_params(run), run.truth ? run.truth->levels : StoreLevels{}, guard.scenario.faults);
+  Report report = simulate(run, *guard.mission, robot, log, watch);
+  if (guard.expected) {
+    report.metrics.emplace_back("expected_s", guard.expected->mean_s);
+    report.metrics.emplace_back("expected_error_s", guard.expected->error_s);
+  }
   return report;
 }
 

@@ -38,13 +38,9 @@ Grid<std::uint8_t> cut_out(const Grid<std::uint8_t>& occupancy) {
   if (high.x < low.x) return {};
   const GridFrame frame{occupancy.frame.corner({low.x - 1, low.y - 1}), occupancy.frame.resolution_m,
                         high.x - low.x + 3, high.y - low.y + 3};
-  Grid<std::uint8_t> part(frame, unknown_cell);
-  for (int y = 0; y < frame.height; ++y) {
-    for (int x = 0; x < frame.width; ++x) {
-      const Cell cell{x + low.x - 1, y + low.y - 1};
-      if (occupancy.contains(cell)) part[{x, y}] = occupancy[cell];
-    }
-  }
+  Grid<std::uint8_t> part(frame);
+  part.cells = moved_cells(occupancy.cells, occupancy.frame, frame, {1 - low.x, 1 - low.y},
+                           std::uint8_t{unknown_cell});
   return part;
 }
 
@@ -89,7 +85,7 @@ Outcome<FoundYard> found_yard(const GuardProblem& known, const ScoutOptions& opt
   if (part.cells.empty()) {
     return bad_input("nothing free was found; exploring saw no ground to guard", "scout.unknown");
   }
-  FoundYard found{known, {}, {}};
+  FoundYard found{known, {}};
   GuardProblem& problem = found.problem;
   problem.start = start;
   problem.world.bounds = part.frame.bounds();
@@ -101,8 +97,9 @@ Outcome<FoundYard> found_yard(const GuardProblem& known, const ScoutOptions& opt
     target.base = {seen[i]->mean.x, seen[i]->mean.y, target.base.z};
     const Cell cell = part.frame.cell_at(seen[i]->mean);
     const bool open = part.contains(cell) && part[cell] == free_cell;
-    (open ? found.targets : found.buried).push_back(i);
-    if (open) problem.targets.push_back(std::move(target));
+    if (!open) continue;
+    found.targets.push_back(i);
+    problem.targets.push_back(std::move(target));
   }
   problem.robot.radius_m += spare_at(problem, part.frame.resolution_m + known.errors.position_m);
   return found;

@@ -88,20 +88,20 @@ void log_other_targets(Log& log, const GuardProblem& truth, const ScoutedYard& y
   }
 }
 
-/// Returns the rows of all targets in the order of the yard; the report has those that were found, with times
-/// that count from the end of the exploration.
-Table all_targets(const Report& report, const GuardProblem& truth, const ScoutedYard& yard,
-                  double explore_s) {
-  const Table& found = table_named(report, "targets");
+/// Returns the rows of all targets in the order of the yard. `found` has those of the targets that were
+/// found, with times that count from the end of the exploration; it is null if the yard was not guarded.
+Table all_targets(const Table* found, const GuardProblem& truth, const ScoutedYard& yard) {
+  const double explore_s = metric(yard.run.report, "time_s");
   Table all = target_table();
   for (std::size_t i = 0; i < truth.targets.size(); ++i) {
     const auto at = std::ranges::find(yard.found.targets, i);
-    if (at == yard.found.targets.end()) {
-      all.rows.push_back(
-          unshot_row(truth.targets[i].name, "failed", why_unshot(yard.seen[i].has_value()), explore_s));
+    if (found == nullptr || at == yard.found.targets.end()) {
+      const std::string why =
+          found == nullptr && yard.seen[i] ? "seen, but not shot at" : why_unshot(yard.seen[i].has_value());
+      all.rows.push_back(unshot_row(truth.targets[i].name, "failed", why, explore_s));
       continue;
     }
-    all.rows.push_back(found.rows[static_cast<std::size_t>(at - yard.found.targets.begin())]);
+    all.rows.push_back(found->rows[static_cast<std::size_t>(at - yard.found.targets.begin())]);
     const auto done = std::ranges::find(all.columns, "done_s") - all.columns.begin();
     TableValue& done_s = all.rows.back()[static_cast<std::size_t>(done)];
     done_s = std::get<double>(done_s) + explore_s;
@@ -132,8 +132,24 @@ double count(const Table& targets, std::string_view status) {
       targets.rows, [&](const auto& values) { return TableRow{targets, values}.text("status") == status; }));
 }
 
+double count_seen(const ScoutedYard& yard) {
+  return static_cast<double>(
+      std::ranges::count_if(yard.seen, [](const auto& target) { return target.has_value(); }));
+}
+
+void add_explored(Report& report, const ScoutedYard& yard, double touches) {
+  const Report& explored = yard.run.report;
+  report.metrics.insert(report.metrics.end(), {{"seen", count_seen(yard)},
+                                               {"explored_fraction", metric(explored, "explored_fraction")},
+                                               {"map_error_m", metric(explored, "map_error_m")},
+                                               {"explore_s", metric(explored, "time_s")},
+                                               {"left_over_m2", metric(explored, "left_over_m2")},
+                                               {"contacts", touches}});
+}
+
 /// Status and totals of the whole mission.
-void conclude(Report& report, const Report& explored, const Log& log, double touches, std::size_t seen) {
+void conclude(Report& report, const ScoutedYard& yard, const Log& log, double touches) {
+  const Report& explored = yard.run.report;
   const Table& table = table_named(report, "targets");
   const double failed = count(table, "failed"), reached = count(table, "reached");
   const auto targets = static_cast<double>(table.rows.size());
@@ -142,20 +158,15 @@ void conclude(Report& report, const Report& explored, const Log& log, double tou
   set(report, "mission_s", metric(report, "mission_s") + metric(explored, "time_s"));
   set(report, "driven_m", metric(report, "driven_m") + metric(explored, "distance_m"));
   set(report, "turned_rad", metric(report, "turned_rad") + metric(explored, "turned_rad"));
-  report.metrics.emplace_back("seen", static_cast<double>(seen));
-  report.metrics.emplace_back("explored_fraction", metric(explored, "explored_fraction"));
-  report.metrics.emplace_back("map_error_m", metric(explored, "map_error_m"));
-  report.metrics.emplace_back("explore_s", metric(explored, "time_s"));
-  report.metrics.emplace_back("left_over_m2", metric(explored, "left_over_m2"));
-  report.metrics.emplace_back("contacts", touches);
-  const std::string dry = ran_dry(log);
-  report.status = failed == 0.0 && touches == 0.0 && dry.empty() ? "done" : "not_done";
-  report.reason = dry;
-  if (!dry.empty()) return;
+  add_explored(report, yard, touches);
+  if (report.status == "cancelled") return;
+  report.reason = ran_dry(log);
+  report.status = failed == 0.0 && touches == 0.0 && report.reason.empty() ? "done" : "not_done";
+  if (!report.reason.empty()) return;
   if (reached < targets) {
-    report.reason =
-        fmt::format("{} of {} targets seen, {} reached, {} failed", seen, targets, reached, failed) +
-        why_stranded(log);
+    report.reason = fmt::format("{} of {} targets seen, {} reached, {} failed", count_seen(yard), targets,
+                                reached, failed) +
+                    why_stranded(log);
     if (explored.status != "done") report.reason += "; exploring: " + explored.reason;
   } else if (touches > 0.0) {
     report.reason = "something was touched";
@@ -200,32 +211,21 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
 
 Report unguarded(const GuardProblem& truth, const ScoutedYard& yard, const std::string& why) {
   const Report& explored = yard.run.report;
+  const auto targets = static_cast<double>(truth.targets.size());
   Report report;
   report.world_name = explored.world_name;
   report.status = "not_done";
   report.reason = "the yard was explored, but it is not guarded: " + why;
-  const double explore_s = metric(explored, "time_s");
-  const auto targets = static_cast<double>(truth.targets.size());
-  Table table = target_table();
-  double seen = 0.0;
-  for (std::size_t i = 0; i < truth.targets.size(); ++i) {
-    seen += yard.seen[i] ? 1.0 : 0.0;
-    table.rows.push_back(unshot_row(truth.targets[i].name, "failed",
-                                    yard.seen[i] ? "seen, but not shot at" : why_unshot(false), explore_s));
-  }
-  report.tables = {std::move(table)};
+  report.tables = {all_targets(nullptr, truth, yard)};
   report.metrics = {{"targets", targets},
                     {"reached", 0.0},
                     {"failed", targets},
                     {"unreachable", 0.0},
-                    {"mission_s", explore_s},
+                    {"mission_s", metric(explored, "time_s")},
                     {"driven_m", metric(explored, "distance_m")},
                     {"turned_rad", metric(explored, "turned_rad")},
-                    {"shots", 0.0},
-                    {"seen", seen}};
-  for (const std::string_view name : {"explored_fraction", "map_error_m", "left_over_m2", "contacts"})
-    report.metrics.emplace_back(name, metric(explored, name));
-  report.metrics.emplace_back("explore_s", explore_s);
+                    {"shots", 0.0}};
+  add_explored(report, yard, metric(explored, "contacts"));
   return report;
 }
 
@@ -244,17 +244,11 @@ Outcome<TrueYard> begin_on_map(const GuardProblem& truth, const ScoutedYard& yar
 void add_exploring(Report& report, const GuardProblem& truth, const ScoutedYard& yard, const TrueYard& really,
                    const Log& log) {
   const Report& explored = yard.run.report;
-  const double explore_s = metric(explored, "time_s");
-  report.tables = {all_targets(report, truth, yard, explore_s)};
+  report.tables = {all_targets(&table_named(report, "targets"), truth, yard)};
   const double touches =
-      metric(explored, "contacts") + contacts(log, explore_s, really.firing_map.ground, truth.robot.radius_m);
-  const auto seen = static_cast<std::size_t>(
-      std::ranges::count_if(yard.seen, [](const auto& target) { return target.has_value(); }));
-  const std::string status = report.status, why = report.reason;
-  conclude(report, explored, log, touches, seen);
-  if (status != "cancelled") return;
-  report.status = status;
-  report.reason = why;
+      metric(explored, "contacts") +
+      contacts(log, metric(explored, "time_s"), really.firing_map.ground, truth.robot.radius_m);
+  conclude(report, yard, log, touches);
 }
 
 }  // namespace outrider

@@ -10,7 +10,7 @@
 
 #include "outrider/jobs/guard/plan/bound.hpp"
 #include "outrider/jobs/guard/plan/stop_table.hpp"
-#include "plan/part_plan.hpp"
+#include "plan/draft.hpp"
 #include "team/team_schedule.hpp"
 #include "team/team_split.hpp"
 

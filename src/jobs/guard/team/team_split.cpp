@@ -113,14 +113,6 @@ TargetSplit SplitSearch::cut(const std::vector<std::size_t>& order) {
     }
   }
   estimate_all(std::move(parts));
-  std::vector<std::vector<std::vector<double>>> cost(  // by robot, first and last place
-      starts_.size(), std::vector(runs + 1, std::vector(runs + 1, 0.0)));
-  for (std::size_t r = 0; r < starts_.size(); ++r) {
-    for (std::size_t i = 0; i < runs; ++i) {
-      for (std::size_t j = i + 1; j <= runs; ++j) cost[r][i][j] = scaled_s(r, run(i, j));
-    }
-  }
-
   // For each order of the robots along the list, the least makespan of the first few robots up to each place.
   std::vector<std::size_t> robots(starts_.size());
   std::iota(robots.begin(), robots.end(), std::size_t{0});
@@ -136,7 +128,7 @@ TargetSplit SplitSearch::cut(const std::vector<std::size_t>& order) {
       auto& origin = from.emplace_back(runs + 1, 0);
       for (std::size_t j = 0; j <= runs; ++j) {
         for (std::size_t i = 0; i <= j; ++i) {
-          const double time_s = std::max(least[i], cost[robot][i][j]);
+          const double time_s = std::max(least[i], i < j ? scaled_s(robot, run(i, j)) : 0.0);
           if (time_s < next[j]) next[j] = time_s, origin[j] = i;
         }
       }

@@ -9,8 +9,6 @@
 #include "outrider/core/text.hpp"
 
 namespace outrider {
-namespace {}  // namespace
-
 std::vector<Option> describe(ArrivalOptions& options) {
   return {
       {"count", "", 0, 1000,

@@ -69,9 +69,7 @@ Status check_terrain(const GuardProblem& problem) {
                     place_text(yard.low.x, yard.low.y), place_text(yard.high.x, yard.high.y)),
         "terrain");
   }
-  if (problem.air.none()) return {};
-  return bad_input("drag is modelled on level ground only; set air.drag to 0 or leave the terrain out",
-                   "air.drag");
+  return {};
 }
 
 Status check_numbers(GuardProblem problem, GuardOptions options) {

@@ -1,4 +1,4 @@
-#include "yard/reason.hpp"
+#include "outrider/jobs/guard/yard/firing_map.hpp"
 
 #include <fmt/format.h>
 

@@ -61,10 +61,6 @@ std::vector<Option> describe(WanderOptions& options) {
 Outcome<std::vector<Walk>> draw_walks(const GuardProblem& problem, const FiringMap& firing_map,
                                       const std::vector<double>& weights, const WanderOptions& options,
                                       std::uint64_t seed, double until_s, const Budget& budget) {
-  if (problem.targets_block) {
-    return bad_input("targets that walk cannot block; leave one of targets_block and wander out",
-                     "targets_block");
-  }
   auto room_m = room(problem, firing_map);
   if (!room_m) return pass_on(room_m);
   std::vector<Vec2> places;

@@ -64,4 +64,18 @@ Outcome<Routes> yard_routes(const GuardProblem& problem, const FiringMap& firing
   return routes_between(firing_map.ground, problem.robot, stops, bends, {}, budget);
 }
 
+Outcome<std::vector<Vec2>> yard_way(const GuardProblem& problem, const FiringMap& firing_map,
+                                    const std::optional<Routes>& routes, const Pose2& from, Vec2 to,
+                                    const Budget& budget) {
+  if (routes) {
+    auto route = routes->route(from, to, budget);
+    if (route) return std::move(route->waypoints);
+    if (route.error().code == FaultCode::budget_exhausted) return pass_on(route);
+  }
+  auto along_grid = yard_routes(problem, firing_map, {from.position, to}, budget);
+  if (along_grid) return along_grid->waypoints(0, 1);
+  if (along_grid.error().code == FaultCode::budget_exhausted) return pass_on(along_grid);
+  return std::vector<Vec2>{};
+}
+
 }  // namespace outrider

@@ -59,6 +59,8 @@ class MovingTargets {
   [[nodiscard]] std::size_t aimed_at() const { return aimed_at_; }
   [[nodiscard]] double chance() const { return chance_; }
   [[nodiscard]] Vec2 expected_at() const { return expected_at_; }
+  /// Returns the sum of the chances of all shots so far.
+  [[nodiscard]] double expected_hits() const { return expected_hits_; }
 
  private:
   [[nodiscard]] bool is_wanted(const TaskBoard& board, std::size_t who) const;
@@ -76,6 +78,7 @@ class MovingTargets {
   bool aimed_ = false;
   double chance_ = 0.0;
   Vec2 expected_at_;
+  double expected_hits_ = 0.0;
   std::uint64_t steps_ = 0;  // seeds the random futures of each step
 };
 

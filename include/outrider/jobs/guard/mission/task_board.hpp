@@ -13,10 +13,9 @@
 //
 // Shots in passing (passing.hpp) are solved again for the actual path when the drive begins. If the plan is
 // made on the move, the gun turns to the first shot of a stop during the drive there, and the robot goes on
-// while a ball that hits for sure is in the air. A target that cannot be hit from the path is shot at from
-// the first stop to come that hits it for sure, or else before the drive if that hits it for sure, or else
-// from a stop at the shortest detour, before the present one only if that takes no planned shot away; so is
-// one that such a ball missed, but not before a drive. The mission ends when the last ball has landed.
+// while a ball that hits for sure is in the air. A target that cannot be hit from the path, or that such a
+// ball missed, is shot at from the first stop to come that hits it for sure, or else from a stop at the
+// shortest detour after the present one. The mission ends when the last ball has landed.
 #pragma once
 
 #include <deque>
@@ -26,8 +25,7 @@
 #include <vector>
 
 #include "outrider/core/budget.hpp"
-#include "outrider/jobs/guard/mission/cut_drives.hpp"
-#include "outrider/jobs/guard/mission/gun_silence.hpp"
+#include "outrider/jobs/guard/mission/setbacks.hpp"
 #include "outrider/jobs/guard/plan/plan.hpp"
 #include "outrider/robot/mission.hpp"
 
@@ -116,8 +114,6 @@ class TaskBoard {
   void set_stop(std::stop_token stop) { stop_ = std::move(stop); }
   /// Sets the budget of each search for a way.
   void set_budget(const Budget& budget) { budget_ = budget; }
-  /// Replaces the records by those of missions that share the targets.
-  void set_records(std::vector<TargetRecord> records) { records_ = std::move(records); }
 
   /// Updates the records with the results of the last shots. A shot without a result counts as a miss; one
   /// that nobody waits for, 5 s after the planned landing. Without `again` a miss leads to no further task.
@@ -180,7 +176,7 @@ class TaskBoard {
   std::optional<Command> go_on_without_tasks(const Observation& seen);
   std::optional<Command> go_on_with_task(const Observation& seen);
 
-  // cut_drives.cpp: drives that end before their goal
+  // setbacks.cpp: drives that end before their goal
   void take_back_unfired(double time_s, bool again);
   AfterDrive after_drive(const Observation& seen);
   std::optional<Command> wait_if_held_up(const Observation& seen);
@@ -195,29 +191,17 @@ class TaskBoard {
                  const Observation& seen);
   /// Returns the shots to fire during the drive along `way` to the present task: at the targets that the task
   /// has in passing, and at those by the way, which are taken off their stops. No more shots than the tank
-  /// has. A target that has to be hit in passing and cannot gets a stop. Nothing if the robot first makes a
-  /// stop for it: that has become the present task.
-  std::optional<std::vector<FireInPassing>> shots_in_passing(const std::vector<Vec2>& way,
-                                                             const Observation& seen);
+  /// has. A target that has to be hit in passing and cannot gets a stop.
+  std::vector<FireInPassing> shots_in_passing(const std::vector<Vec2>& way, const Observation& seen);
   void note_flying(const Observation& seen, bool again);
   /// Waits until the balls in the air have landed, then a little longer for results that are late. If time
   /// does not go on meanwhile, their results count as lost.
   std::optional<Wait> wait_for_balls(double time_s);
 
   // lost_targets.cpp: stops for targets that cannot be hit as planned, in passing or by a ball that missed
-  std::deque<StopTask>::iterator stop_among(const std::vector<std::size_t>& sure);
-  [[nodiscard]] std::optional<std::vector<std::size_t>> planned_before(const std::vector<std::size_t>& lost,
-                                                                       Vec2 place,
-                                                                       const Observation& seen) const;
-  bool stays_for(std::vector<std::size_t> records, Vec2 here);
   /// Lets a target be shot at from the first of the stops to come from which it is a sure hit; without any,
   /// from a stop at the shortest detour after the present one.
   void stop_for(std::size_t record);
-  /// Makes a new present task for records that cannot be hit on the drive to the present one, and from no
-  /// stop to come: to shoot from where the robot stands at all that it hits from there for sure; or else to
-  /// stop on the way for the first that is worth it, if that is the shorter detour and takes no planned shot
-  /// away. Returns false if there is none like that.
-  bool stops_first(const std::vector<std::size_t>& records, const Observation& seen);
 
   const GuardProblem* problem_;
   const FiringMap* firing_map_;

@@ -95,13 +95,4 @@ class PassingShots {
       legs_;  // by ends, and whether it is the last
 };
 
-/// Returns the flattest shot at the target's centre, or nothing if there is none. Candidates are the pitches
-/// of the lattice: the lowest four that reach the centre with an error_ratio of at most 0.7. A shot must keep
-/// the margin, and hit under all combinations of extreme errors: of the gun, of the muzzle speed, of the
-/// firing time and, on the last leg (`last`), of the place where the leg ends. Tried only where a standing
-/// robot could hit the target.
-std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const FiringMap& firing_map,
-                                        std::size_t target, const Straight& straight, bool last,
-                                        double after_s);
-
 }  // namespace outrider

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,7 @@ struct PlannedStop {
   std::vector<Vec2> waypoints;           ///< path from the previous stop to here, both included
   std::vector<PlannedHit> hits;          ///< shots from here, in order
   std::optional<StationCall> call = {};  ///< set if a store is filled here; then there are no shots
-  std::vector<PassingHit> passing = {};  ///< shots during the drive to here (passing_plan.hpp)
+  std::vector<PassingHit> passing = {};  ///< shots during the drive to here (shoot_in_passing())
 };
 
 /// A target that the plan leaves out.
@@ -50,7 +51,7 @@ struct GuardPlan {
   /// that the tour solver did not make.
   std::optional<double> expected_s = {};
   /// Proven lower bound on `bounded_s()` for tours over the stops, shots and drives last given to the solver
-  /// (solve.hpp). If the robot may shoot in passing, the bound holds for every mission (passing_plan.hpp).
+  /// (solve.hpp). If the robot may shoot in passing, the bound holds for every mission (shoot_in_passing()).
   double lower_bound_s = 0.0;
   double anywhere_lower_bound_s =
       0.0;  ///< bound for plans that hit from any cells of the regions (bound.hpp)
@@ -102,9 +103,27 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firi
                               const GuardOptions& options, const Budget& budget,
                               const DraftObserver& observe = {});
 
+/// Returns the fastest way between two places on `routes`, or where no corner is seen from them, along the
+/// grid; empty if there is none. Fault: budget_exhausted.
+Outcome<std::vector<Vec2>> yard_way(const GuardProblem& problem, const FiringMap& firing_map,
+                                    const std::optional<Routes>& routes, const Pose2& from, Vec2 to,
+                                    const Budget& budget = {});
+
 /// Returns routes between stops. The search uses the corners of obstacles; if these miss a passage that the
 /// grid has, cells of a grid path are added. All stops that see a reachable cell next to them are connected.
 Outcome<Routes> yard_routes(const GuardProblem& problem, const FiringMap& firing_map,
                             const std::vector<Vec2>& stops, const Budget& budget);
+
+/// Improves a plan: lets the gun turn during drives, waits for no ball that hits for sure, and moves shots
+/// from stops to drives (passing.hpp), one shot or all shots of a stop at a time, as long as that makes the
+/// mission shorter. Then it moves stops, to anywhere on free ground, where that shortens the drives, and
+/// begins again. A stop without shots is removed, and the path past it is planned again. The result is never
+/// longer than `plan`. Both lower bounds become 0, because those of a tour hold only for shots from rest;
+/// mission_bound() has one for missions on the move. Stops at stations stay where they are, each tankful
+/// serves the same targets as before, and the supplies suffice (supply_plan.hpp). A stop request ends the
+/// search for shorter plans. A round tries O(hits + stops) changes, each with O(stops) drives and the shots
+/// along those that are new.
+GuardPlan shoot_in_passing(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
+                           const std::stop_token& stop = {});
 
 }  // namespace outrider

@@ -16,30 +16,14 @@ inline constexpr double good_rate = 0.85;
 /// A robot this near to a stop stands at it.
 inline constexpr double there_m = 1e-6;
 
-/// Tells the cells from which a target can be hit despite errors. The shot tolerates the errors of the gun,
-/// the robot fits at every place within the position error of a drive, and the target can also be hit from
-/// all cells whose centres lie within that error. If no cell meets these conditions, all cells from which the
-/// target can be hit at all. Thread rule: use each object from one thread.
-class SureCells {
- public:
-  /// The arguments must outlive this object.
-  SureCells(const GuardProblem& problem, const FiringMap& firing_map);
+/// Returns the cells from which a target can be hit despite errors, ascending. The shot tolerates the errors
+/// of the gun, the robot fits at every place within the position error of a drive, and the target can also be
+/// hit from all cells whose centres lie within that error. If no cell meets these conditions, all cells from
+/// which the target can be hit at all. O(cells of the region).
+std::vector<std::size_t> sure_cells(const GuardProblem& problem, const FiringMap& firing_map,
+                                    std::size_t target);
 
-  /// Returns the cells of a target, ascending. O(cells of the region).
-  [[nodiscard]] std::vector<std::size_t> of(std::size_t target) const;
-  /// Returns true if a cell is among them. The first call for a target takes O(cells of the region).
-  [[nodiscard]] bool has(std::size_t target, std::size_t cell);
-
- private:
-  [[nodiscard]] bool meets_conditions(const FiringRegion& region, std::size_t cell) const;
-
-  const FiringMap& firing_map_;
-  std::vector<Cell> around_;              // cells that an error of the drive can put the robot on
-  float roomy_m_ = 0.0;                   // clearance that the robot needs
-  std::vector<std::optional<bool>> any_;  // by target: some cell meets the conditions
-};
-
-/// For each cell, the targets that have it among their SureCells. Takes 8 bytes a cell and 4 a hit.
+/// For each cell, the targets that have it among their sure_cells(). Takes 8 bytes a cell and 4 a hit.
 class SureHits {
  public:
   /// `cells_of`: by target, the cells from which it can be hit.

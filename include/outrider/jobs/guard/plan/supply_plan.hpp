@@ -31,15 +31,10 @@ Outcome<SupplyTable> supply_table(const GuardProblem& problem, const FiringMap& 
 /// Returns the plan with the station stops that the limited supplies require; `plan` itself if no store is
 /// limited. Else `plan` has to be from rest. Targets for which the supplies do not suffice are in
 /// `unsupplied`, each with a reason. With `options.shoot_on_the_move` shots are then moved to drives between
-/// the stations (passing_plan.hpp). The lower bounds of `plan` also hold for the result from rest; on the
+/// the stations (shoot_in_passing()). The lower bounds of `plan` also hold for the result from rest; on the
 /// move they are those of mission_bound(). Faults: those of supply_table().
 Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const FiringMap& firing_map, GuardPlan plan,
                                const GuardOptions& options, const Budget& budget);
-
-/// Returns the levels after each stop of a plan if every shot hits, computed from its waypoints and shots.
-/// The reserve is not included.
-std::vector<SupplyLevel> planned_levels(const GuardProblem& problem, const FiringMap& firing_map,
-                                        const GuardPlan& plan);
 
 /// Returns true if the water is not below zero, and the charge not below its reserve.
 bool suffices(const Supplies& supplies, const SupplyLevel& level);

@@ -13,7 +13,8 @@
 #include <string>
 
 #include "outrider/job/watch.hpp"
-#include "outrider/jobs/guard/behaviour/survivors.hpp"
+#include "outrider/jobs/guard/behaviour/policy.hpp"
+#include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/jobs/guard/mission/mission.hpp"
 #include "outrider/jobs/guard/scenario.hpp"
 #include "outrider/jobs/guard/team/team_plan.hpp"
@@ -44,16 +45,17 @@ struct PreparedGuard {
 /// Prepares a scenario that load_problem() has read, in two steps, and logs what it finds at `time_s`. The
 /// yard is the one in `scenario.problem`, also if it was explored before. Plans are shared through the cache
 /// of the watch. Stations are planned where everybody is there from the start and leaves when hit; else the
-/// mission goes to them as it must. If nobody comes but some survive, the policy is the one with the least
-/// expected time (survivors.hpp). Faults: those of build_firing_map(), the planner, check_supplies(),
-/// supply_plan(), find_replan_policy(), find_objective(), precompute_stops(), plan_moving(),
-/// starts_of_team() and plan_team().
+/// mission goes to them as it must. If nobody comes but some survive, plans make the makespan least, and the
+/// expected time is estimated (policy.hpp). Faults: those of build_firing_map(), the planner,
+/// check_supplies(), supply_plan(), find_replan_policy(), find_objective(), precompute_stops(),
+/// plan_moving(), starts_of_team() and plan_team().
 Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, RunSteps& steps,
                                                       const RunWatch& watch, Log& log, double time_s = 0.0);
 
 /// Prepares the mission of a robot that is not simulated. Faults: besides, those of check_capabilities() with
-/// `own_robot`.
-Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const RunWatch& watch = {});
+/// `own_robot` and those of the caller.
+Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, const RunWatch& watch = {},
+                                                      const std::vector<Capability>& of_caller = {});
 
 /// The verdict on a mission.
 struct GuardVerdict {

@@ -17,27 +17,24 @@ struct TrueYard {
   StoreLevels levels = {};  ///< levels of the stores after exploring; infinite: full
 };
 
-/// The inputs of a simulated mission. All references must outlive the run.
+/// A run of a prepared mission, with what the simulation knows and the mission does not. All references must
+/// outlive the run.
 struct GuardRun {
-  GuardMission mission;  ///< as it begins
-  const GuardOptions& options;
-  std::uint64_t seed = 1;
-  Survival survival = {};           ///< behaviour of intruders after a hit
-  std::vector<Walk> walks = {};     ///< true motion of each target, if intruders walk about
+  const PreparedGuard& guard;
   const TrueYard* truth = nullptr;  ///< set if the yard was explored first
-  bool rigid = false;               ///< simulate rigid bodies
-  GuardSimParams faults = {};       ///< unknown to the mission; not with rigid bodies
+  std::vector<Walk> walks = {};     ///< true motion of walkers; none: drawn from the seed
 };
 
-/// Simulates and logs the mission, and returns its report. Log and report are pure functions of the
-/// arguments, except for the watch. Its status is "done" if every target that can be hit was hit and no store
-/// fell below zero. Metrics:
+/// Simulates and logs the mission of one robot or of a team (team_run.hpp, which has its metrics), and
+/// returns its report. Log and report are pure functions of the arguments, except for the watch. Its status
+/// is "done" if every target that can be hit was hit and no store fell below zero. Metrics:
 ///   targets, reached, failed, unreachable, mission_s, driven_m, turned_rad, shots   always
 ///   planned_s, expected_s, lower_bound_s, gap, anywhere_lower_bound_s, anywhere_gap, tour_proven,
 ///   stops_offered, stops, places, reached_by_reference_rule                         still targets
 ///   intruder_seconds, makespan_s, longest_s, plans, lower_bound_s,
 ///   intruder_seconds_bound, makespan_bound_s                                        arrivals
 ///   survived                                                                        survivors
+///   expected_s, expected_error_s (its standard error)                  survivors, if none arrive
 ///   chance, expected_hits                                                           walkers
 ///   fills, unplanned_fills, least_water, least_charge_j                             limited supplies
 ///   shots_in_passing, hits_in_passing                                               shots on the move
@@ -50,14 +47,7 @@ struct GuardRun {
 /// targets that the mission calls reached and that no ball of the log hit. cut_drives counts the drives that
 /// ended before their goal, contacts those with what stands in the yard, post_contacts those with what was
 /// put in the way. survived counts the hits that the intruder survived. chance is the mean of the predicted
-/// chances of the shots, expected_hits their sum. Faults: those of make_rigid_world(), if rigid bodies are
-/// simulated.
-Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch = {});
-
-/// Simulates what was prepared: one robot as above, or a team (team_run.hpp, which has its metrics). Walks
-/// are drawn from the seed. Metrics, besides: expected_s and its standard error expected_error_s, if
-/// intruders survive and none arrive. Faults: besides, those of draw_walks().
-Outcome<Report> run_guard(const PreparedGuard& guard, Log& log, const RunWatch& watch = {},
-                          const TrueYard* truth = nullptr);
+/// chances of the shots, expected_hits their sum. Faults: those of make_rigid_world() and draw_walks().
+Outcome<Report> run_guard(GuardRun run, Log& log, const RunWatch& watch = {});
 
 }  // namespace outrider

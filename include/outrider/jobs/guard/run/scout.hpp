@@ -41,7 +41,6 @@ struct SeenTarget {
 struct FoundYard {
   GuardProblem problem;
   std::vector<std::size_t> targets;  ///< for each target of the problem: its index among all targets
-  std::vector<std::size_t> buried;   ///< targets that were observed inside an obstacle of the map
 };
 
 /// Makes the guard problem of an explored yard. Each cell of the map that is not free becomes an obstacle,

@@ -16,9 +16,11 @@
 // whoever carries them out does (team_run.hpp).
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "outrider/jobs/guard/plan/plan.hpp"
+#include "outrider/jobs/guard/yard/firing_map.hpp"
 
 namespace outrider {
 
@@ -60,5 +62,16 @@ Status check_starts(const GuardProblem& problem, const FiringMap& firing_map,
 Outcome<TeamPlan> plan_team(const GuardProblem& problem, const FiringMap& firing_map,
                             const std::vector<Pose2>& starts, const GuardOptions& options,
                             const Budget& budget);
+
+inline constexpr std::int64_t most_robots = 5;
+
+/// Returns the starts of `robots` robots: that of the problem and the `others`. If there are no others, they
+/// are chosen: the centres of reachable cells with the heading of the first robot, one after another. Each is
+/// at least 2 simulated_gap_m() from those before, so that every robot can turn aside, or once that if there
+/// is not enough room; and it has the least sum of its distance to the left or right of the first robot and
+/// twice its distance ahead of it or behind. O(cells * robots). Faults: those of check_starts() at
+/// `robot_starts`; bad_input at `robots` if there is not enough room.
+Outcome<std::vector<Pose2>> starts_of_team(const GuardProblem& problem, const FiringMap& firing_map,
+                                           std::size_t robots, const std::vector<Pose2>& others);
 
 }  // namespace outrider

@@ -31,7 +31,7 @@ struct ArrivalOptions {
   double until_s = 0.0;                   ///< no intruder enters later; 0: no limit
   double rate_hz = 0.1;                   ///< rate of the Poisson process
   std::string entrances;                  ///< name=x,y, separated by blanks
-  std::string list;                       ///< path of a schedule (arrivals_file.hpp) instead of the process
+  std::string list;                       ///< path of a schedule (inputs.hpp) instead of the process
   double walk_mps = 1.0;                  ///< walking speed; 0: intruders reach their place at once
   double leave = 1.0;                     ///< probability that an intruder leaves after a hit
   std::string policy = "each_arrival";    ///< a name of the catalogue of policies (policy.hpp)

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "outrider/ballistics/blocked_flight.hpp"
@@ -64,5 +65,9 @@ enum class RegionSearch : std::uint8_t {
 Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOptions& options,
                                     const Budget& budget = {},
                                     RegionSearch search = RegionSearch::exhaustive);
+
+/// For a target whose region is empty: what was tried, at which resolution, and what stands in the way.
+std::string why_unreachable(const GuardProblem& problem, const FiringMap& firing_map,
+                            const GuardOptions& options, std::size_t target);
 
 }  // namespace outrider

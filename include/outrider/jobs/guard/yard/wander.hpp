@@ -17,7 +17,7 @@ struct WanderOptions {
   double speed_mps = 0.0;     ///< walking speed; 0: targets stand still
   double rest_s = 15.0;       ///< mean duration of a rest
   std::string prefers;        ///< weights as place=weight, separated by blanks; the default weight is 1
-  std::string history;        ///< path of recorded positions (sightings_file.hpp)
+  std::string history;        ///< path of recorded positions (inputs.hpp)
   bool learn = true;          ///< learn the visit map from observations; false: all regions have equal weight
   double chance = 0.5;        ///< least probability of a hit for which a shot is fired
   double look_s = 0.5;        ///< time between two observations
@@ -39,8 +39,7 @@ struct TimedPosition {
 using Track = std::vector<TimedPosition>;
 
 /// Draws the true walks of all targets until `until_s`. `weights` has one weight per target. The result is a
-/// pure function of the arguments. Faults: a target that does not stand on the floor or has no room to walk;
-/// targets that block (GuardProblem::targets_block).
+/// pure function of the arguments. Faults: a target that does not stand on the floor or has no room to walk.
 Outcome<std::vector<Walk>> draw_walks(const GuardProblem& problem, const FiringMap& firing_map,
                                       const std::vector<double>& weights, const WanderOptions& options,
                                       std::uint64_t seed, double until_s, const Budget& budget = {});

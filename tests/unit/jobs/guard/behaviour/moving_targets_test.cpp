@@ -258,15 +258,12 @@ TEST(MovingTargets, OfThoseWhoStayIsTheStillYard) {
                                 walkers_options(), wander);
   ASSERT_TRUE(plan.has_value());
   const GuardOptions options = walkers_options();
-  Log log;
-  const auto report =
-      run_guard({.mission = GuardMission(*plan), .options = options, .seed = 1, .walks = walks}, log);
-  ASSERT_TRUE(report) << to_string(report.error());
-  ASSERT_EQ(log.messages<outrider_msgs::Shot>(topic::shots).size(), 1U);
+  const auto run = testing::run_walkers(*plan, walks, options, 1);
+  ASSERT_EQ(run.log.messages<outrider_msgs::Shot>(topic::shots).size(), 1U);
   const auto still =
       best_shot(firing_map->rules, firing_map->space(0), problem.targets[0], problem.start.position, 0.0);
   ASSERT_TRUE(still.has_value());
-  const Table& targets = table_named(*report, "targets");
+  const Table& targets = table_named(run.report, "targets");
   const TableRow target{targets, targets.rows.at(0)};
   EXPECT_EQ(target.number("speed_mps"), still->shot.speed_mps);
   EXPECT_EQ(target.number("pitch_rad"), still->shot.pitch_rad);
@@ -315,9 +312,6 @@ TEST(Wander, IsRefusedWhereItCannotBe) {
   problem.targets[1].base = {-1.5, 0.105, 0.0};
   EXPECT_EQ(draw_walks(problem, *firing_map, often_at_the_pond, options, 1, 10.0).error().where,
             "wander.speed");
-  problem.targets_block = true;
-  EXPECT_EQ(draw_walks(problem, *firing_map, often_at_the_pond, options, 1, 10.0).error().where,
-            "targets_block");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "outrider/jobs/guard/plan/supply_plan.hpp"
 #include "outrider/jobs/guard/run/run.hpp"
+#include "plan/plan_clock.hpp"
 #include "support/guard_runs.hpp"
 #include "support/planned_yard.hpp"
 #include "support/random_cases.hpp"
@@ -16,6 +17,18 @@
 
 namespace outrider {
 namespace {
+
+/// The levels after each stop of a plan if every shot hits, without the reserve.
+std::vector<SupplyLevel> planned_levels(const GuardProblem& problem, const FiringMap& firing_map,
+                                        const GuardPlan& plan) {
+  std::vector<SupplyLevel> after;
+  PlanClock clock(problem, firing_map, plan);
+  while (!clock.done()) {
+    clock.make_stop();
+    after.push_back(clock.level());
+  }
+  return after;
+}
 
 using testing::coarse;
 using testing::planned_yard;

@@ -90,7 +90,7 @@ TEST(Survivors, AtTwoPlacesTakeTheSumOfTheSeries) {
     PrecomputedStops one =
         yard.precomputed;  // the second place is empty at first: it counts as served by the plan
     const TourProblem& table = one.table;
-    const Policy policy = policies().front();
+    const ReplanPolicy policy = replan_policies().front();
 
     // All missions of both intruders with at most 12 survivals between them, by hand.
     struct State {
@@ -112,16 +112,16 @@ TEST(Survivors, AtTwoPlacesTakeTheSumOfTheSeries) {
             cut += state.pending.empty() ? 0.0 : probability;
             return;
           }
-          if (hits.empty() || (somebody_new && policy.replan.name == "each_arrival")) {
-            const bool still = depth == 0 && policy.objective == ArrivalObjective::makespan;
+          if (hits.empty() || (somebody_new && policy.name == "each_arrival")) {
+            const bool still = depth == 0;
             const std::size_t group = std::min<std::size_t>(
-                state.pending.size(), policy.replan.name == "groups" ? 3 : state.pending.size());
+                state.pending.size(), policy.name == "groups" ? 3 : state.pending.size());
             const std::vector<PendingTarget> first(
                 state.pending.begin(), state.pending.begin() + static_cast<std::ptrdiff_t>(group));
             hits.clear();
-            for (const Visit& v :
-                 sequence_beside(precomputed.tour, table, first, state.from, policy.objective, 10, still)
-                     .visits) {
+            for (const Visit& v : sequence_beside(precomputed.tour, table, first, state.from,
+                                                  ArrivalObjective::makespan, 10, still)
+                                      .visits) {
               for (const std::uint32_t who : v.goals) hits.emplace_back(v.stop, who);
             }
           }
@@ -153,9 +153,10 @@ TEST(Survivors, TakeOnAverageWhatIsExpected) {
   for (int y = 0; y < cases(1); ++y) {
     ArrivalsYard yard = yard_without_loss(rng, 4, false);
     yard.options.leave = 0.6;
-    const BestPolicy best = best_policy(yard.problem, yard.precomputed, yard.options, 100);
+    const ReplanPolicy policy = find_replan_policy("each_arrival").value();
+    const ExpectedTime expected = expected_time(yard.problem, yard.precomputed, yard.options, policy, 100);
     const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
-    const ArrivalPlan plan{watch, yard.precomputed, best.policy.replan, best.policy.objective, 3, 10};
+    const ArrivalPlan plan{watch, yard.precomputed, policy, ArrivalObjective::makespan, 3, 10};
     constexpr int missions = 60;
     double sum = 0.0, squares = 0.0;
     for (std::uint64_t seed = 1; seed <= missions; ++seed) {
@@ -167,22 +168,7 @@ TEST(Survivors, TakeOnAverageWhatIsExpected) {
     }
     const double mean = sum / missions;
     const double error = std::sqrt((squares / missions - mean * mean) / missions);
-    EXPECT_NEAR(mean, best.time.mean_s, 3.5 * std::hypot(error, best.time.error_s) + 0.01 * mean);
-  }
-}
-
-/// No policy is expected to take less than the one that is taken, up to the errors of both means.
-TEST(Survivors, AreMetInTheBestPolicy) {
-  Rng rng(64);
-  for (int y = 0; y < cases(1); ++y) {
-    ArrivalsYard yard = yard_without_loss(rng, 4, false);
-    yard.options.leave = 0.5;
-    const BestPolicy best = best_policy(yard.problem, yard.precomputed, yard.options, 20);
-    for (const Policy& policy : policies()) {
-      EXPECT_FALSE(policy.replan.foresees);
-      const ExpectedTime time = expected_time(yard.problem, yard.precomputed, yard.options, policy, 20);
-      EXPECT_LE(best.time.mean_s, time.mean_s + 3.0 * std::hypot(best.time.error_s, time.error_s));
-    }
+    EXPECT_NEAR(mean, expected.mean_s, 3.5 * std::hypot(error, expected.error_s) + 0.01 * mean);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include "outrider/jobs/guard/mission/mission.hpp"
 #include "outrider/jobs/guard/mission/task_board.hpp"
-#include "outrider/jobs/guard/plan/passing_plan.hpp"
+#include "outrider/jobs/guard/plan/plan.hpp"
 #include "outrider/jobs/guard/run/robot.hpp"
 #include "outrider/jobs/guard/run/run.hpp"
 #include "outrider/log/messages/conversions.hpp"
@@ -187,70 +187,6 @@ TEST(PassingRun, WhoIsLostOnOneDriveIsHitFromALaterOne) {
   ASSERT_EQ(shots.size(), 1U);
   EXPECT_EQ(shots.front().target, lost);
   EXPECT_TRUE(std::ranges::none_of(board.queue(), hits_it));
-}
-
-/// A target that is to be hit on a drive, but disappears behind a wall before the gun has turned to it, is
-/// shot at before the drive, unless a stop to come hits it.
-TEST(PassingRun, WhoIsLostOnADriveIsShotAtBeforeItIfThatHits) {
-  GuardProblem problem = street();
-  problem.world.solids.push_back(testing::box_at("wall", {8.35, 1.0, 3.0}, {11.3, 0.1, 6.0}));
-  const auto firing_map = build_firing_map(problem, on_the_move());
-  ASSERT_TRUE(firing_map.has_value());
-  constexpr std::size_t lost = 0;  // at (2, 2)
-  Observation seen{0.0, {{3.05, 0.0}, 0.0}};
-  seen.gun = GunState{};
-  const auto commanded = [&](const std::vector<Vec2>& stops) {
-    TaskBoard board(problem, *firing_map, problem.targets.size(), {}, true);
-    std::deque<StopTask> tasks;
-    for (const Vec2 stop : stops) tasks.push_back({stop, {1}});
-    tasks.front().passing = {lost};
-    board.set_tasks(std::move(tasks));
-    auto command = board.next_command(seen);
-    return std::pair{std::move(command), board.queue()};
-  };
-  const auto [aim, tasks] = commanded({{5.0, 0.0}});
-  ASSERT_TRUE(aim && std::holds_alternative<AimGun>(*aim));
-  ASSERT_EQ(tasks.size(), 2U);
-  EXPECT_EQ(tasks.front().place, seen.odometry.position);
-  EXPECT_EQ(tasks.front().targets, std::vector{lost});
-  EXPECT_TRUE(tasks.back().passing.empty());
-
-  const auto [drive, later] = commanded({{5.0, 0.0}, {1.0, 0.0}});
-  ASSERT_TRUE(drive && std::holds_alternative<FollowWaypoints>(*drive));
-  ASSERT_EQ(later.size(), 2U);
-  EXPECT_EQ(later.back().targets, (std::vector{std::size_t{1}, lost}));
-}
-
-/// A target in a pen, which no drive hits and only places east of it do: the robot stops there before the
-/// present stop if that is the shorter detour, and the shots planned for the drive go with the drives before
-/// and after.
-TEST(PassingRun, WhoIsLostOnADriveGetsAStopBeforeItIfThatIsShorter) {
-  GuardProblem problem = street();
-  problem.world.bounds = {{-1, -8}, {16, 12}};
-  problem.targets.push_back({"pen", {7.0, 9.0, 0.0}, {0.5, 0.5, 0.45}, 0.0});
-  for (const Solid& wall : {testing::box_at("south", {7.0, 8.3, 3.0}, {2.2, 0.1, 6.0}),
-                            testing::box_at("north", {7.0, 9.7, 3.0}, {2.2, 0.1, 6.0}),
-                            testing::box_at("west", {5.9, 9.0, 3.0}, {0.1, 1.5, 6.0})}) {
-    problem.world.solids.push_back(wall);
-  }
-  const auto firing_map = build_firing_map(problem, on_the_move());
-  ASSERT_TRUE(firing_map.has_value());
-  constexpr std::size_t pen = 5, planned = 2;  // at (7.8, 2)
-  Observation seen{0.0, {{0.0, 0.0}, 0.0}};
-  seen.gun = GunState{};
-  TaskBoard board(problem, *firing_map, problem.targets.size(), {}, true);
-  board.set_tasks({{{15.0, 0.0}, {4}, {}, {planned, pen}}, {{15.0, -7.0}, {3}}});
-  const auto drive = board.next_command(seen);
-  ASSERT_TRUE(drive && std::holds_alternative<FollowWaypoints>(*drive));
-  ASSERT_EQ(board.queue().size(), 3U);
-  const StopTask& stop = board.queue().front();
-  EXPECT_EQ(stop.targets, std::vector{pen});
-  EXPECT_GT(stop.place.x, 7.0);
-  EXPECT_EQ(std::get<FollowWaypoints>(*drive).waypoints.back(), stop.place);
-  EXPECT_EQ(board.queue()[1].place, (Vec2{15.0, 0.0}));
-  const auto& shots = std::get<FollowWaypoints>(*drive).shots;
-  const bool now = std::ranges::count(shots, planned, &FireInPassing::target) == 1;
-  EXPECT_EQ(std::ranges::count(board.queue()[1].passing, planned), now ? 0 : 1) << "on one of both drives";
 }
 
 /// A robot that carries nothing out and tells nothing.

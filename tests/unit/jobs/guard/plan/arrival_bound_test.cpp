@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/plan/arrival_bound.hpp"
+#include "outrider/jobs/guard/plan/bound.hpp"
 
 #include <gtest/gtest.h>
 

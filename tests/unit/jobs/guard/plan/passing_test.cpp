@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "outrider/jobs/guard/plan/passing_plan.hpp"
+#include "outrider/jobs/guard/plan/plan.hpp"
 #include "support/planned_yard.hpp"
 #include "support/random_cases.hpp"
 

@@ -60,7 +60,7 @@ Outcome<Run> run_arrivals(const GuardProblem& problem, const ArrivalOptions& arr
   }
   const auto guard = prepare_guard(std::move(scenario));
   if (!guard) return pass_on(guard);
-  return logged_run({}, [&](Log& log) { return run_guard(**guard, log); });
+  return logged_run({}, [&](Log& log) { return run_guard({**guard}, log); });
 }
 
 bool came(const Run& run, const std::string& name) {

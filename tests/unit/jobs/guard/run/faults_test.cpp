@@ -1,7 +1,7 @@
 // Guard missions with faults that they are not told: they end, and call no target reached that no ball hit.
 #include <gtest/gtest.h>
 
-#include "outrider/jobs/guard/plan/passing_plan.hpp"
+#include "outrider/jobs/guard/plan/plan.hpp"
 #include "outrider/log/messages/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "support/guard_runs.hpp"
@@ -52,8 +52,9 @@ FaultyRun guarded(const GuardSimParams& faults, bool on_the_move,
   const auto firing_map = build_firing_map(problem, options);
   auto plan = plan_guard(problem, *firing_map, fault_options(false), {});
   if (on_the_move) plan = shoot_in_passing(problem, *firing_map, *plan);
-  FaultyRun done{testing::carried_out(
-      {.mission = {problem, *firing_map, *plan}, .options = options, .seed = 1, .faults = faults}, {})};
+  GuardScenario scenario = testing::settings(options, 1);
+  scenario.faults = faults;
+  FaultyRun done{testing::carried_out(scenario, {problem, *firing_map, *plan}, {})};
   for (const Target& target : problem.targets) {
     bool hit = false;
     for (const auto& shot : done.run.log.messages<outrider_msgs::Shot>(topic::shots))

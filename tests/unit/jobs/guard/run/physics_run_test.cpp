@@ -8,6 +8,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "support/fine_flight.hpp"
+#include "support/guard_runs.hpp"
 #include "support/logged_targets.hpp"
 #include "support/planned_yard.hpp"
 #include "support/random_cases.hpp"
@@ -38,12 +39,11 @@ class RunGuardInPhysics : public ::testing::Test {
       EXPECT_GE(step.part, last);
       last = step.part;
     };
-    const GuardRun guard{
-        .mission = {problem, yard.firing_map, yard.plan}, .options = options, .seed = seed, .rigid = true};
-    auto run = testing::logged_run(watch, [&](Log& log) { return run_guard(guard, log, watch); });
-    EXPECT_TRUE(run.has_value()) << run.error().sentence;
+    GuardScenario scenario = testing::settings(options, seed);
+    scenario.sim = "physics";
+    auto run = testing::carried_out(scenario, {problem, yard.firing_map, yard.plan}, watch);
     EXPECT_EQ(last, 1.0);
-    return std::move(*run);
+    return run;
   }
 };
 

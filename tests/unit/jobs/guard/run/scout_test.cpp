@@ -42,7 +42,6 @@ TEST(Scout, MakesAWorldOfWhatIsNotFree) {
       found_yard(known(), {}, map, {}, {at({1.1, 1.0}), {}, at({4.02, 1.0})}, {{2.0, 2.0}, 0.0});
   ASSERT_TRUE(found) << to_string(found.error());
   EXPECT_EQ(found->targets, std::vector<std::size_t>{0});
-  EXPECT_EQ(found->buried, std::vector<std::size_t>{2});
   EXPECT_DOUBLE_EQ(found->problem.targets.front().base.x, 1.1);
   EXPECT_NEAR(found->problem.robot.radius_m, 0.26 + 0.05 + 0.1, 1e-5);
   const CollisionMap ground = CollisionMap::of(found->problem.world, 0.2);

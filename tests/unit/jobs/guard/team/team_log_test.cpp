@@ -1,4 +1,4 @@
-#include "team/team_log.hpp"
+#include "team/team_report.hpp"
 
 #include <gtest/gtest.h>
 

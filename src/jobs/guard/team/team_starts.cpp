@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/yard/team_starts.hpp"
+#include "outrider/jobs/guard/team/team_plan.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-
-#include "outrider/io/scenario/values.hpp"
-#include "outrider/jobs/guard/team/team_plan.hpp"
 
 namespace outrider {
 namespace {
@@ -34,24 +31,6 @@ std::optional<Vec2> next_start(const GuardProblem& problem, const FiringMap& fir
 }
 
 }  // namespace
-
-Outcome<std::vector<Pose2>> parse_starts(const std::string& text, std::int64_t robots) {
-  std::vector<Pose2> starts;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(';', at), text.size());
-    auto start = parse_pose(text.substr(at, end - at), "robot_starts");
-    if (!start) return pass_on(start);
-    starts.push_back({start->position, wrap_angle(start->heading_rad)});
-    at = end + 1;
-  }
-  const auto others = static_cast<std::size_t>(robots - 1);
-  if (starts.empty() || starts.size() == others) return starts;
-  const std::string remedy =
-      others == 0 ? "leave robot_starts out or set robots" : fmt::format("give {} or none", others);
-  return bad_input(fmt::format("{} start{} for {} robot{}, of which the first has start; {}", starts.size(),
-                               starts.size() == 1 ? "" : "s", robots, robots == 1 ? "" : "s", remedy),
-                   "robot_starts");
-}
 
 Outcome<std::vector<Pose2>> starts_of_team(const GuardProblem& problem, const FiringMap& firing_map,
                                            std::size_t robots, const std::vector<Pose2>& others) {

@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/mission/cut_drives.hpp"
+#include "outrider/jobs/guard/mission/setbacks.hpp"
 
 #include <fmt/format.h>
 
@@ -17,6 +17,10 @@ constexpr std::int64_t waits = 3;
 constexpr std::int64_t most_here = 4;
 constexpr std::int64_t most_in_place = 12;
 constexpr std::int64_t most_of_all = 200;
+
+constexpr int enough_shots = 6;
+constexpr std::size_t enough_targets = 2;
+constexpr double enough_s = 30.0;
 
 }  // namespace
 
@@ -83,6 +87,21 @@ std::string why_held_up(const CutDrives& cut) {
       "; {} drive{} ended elsewhere than planned: was the robot moved, is something in its way, or do its "
       "wheels stick?",
       cut.all, cut.all == 1 ? "" : "s");
+}
+
+void GunSilence::note(std::size_t target, bool has_result, double time_s) {
+  if (has_result) {
+    *this = {};
+    return;
+  }
+  if (shots++ == 0) since_s = time_s;
+  targets.insert(target);
+}
+
+std::string GunSilence::verdict(double time_s) const {
+  if (shots < enough_shots || targets.size() < enough_targets || time_s - since_s < enough_s) return {};
+  return fmt::format("the gun gives no result: nothing came of {} shots in a row at {} targets", shots,
+                     targets.size());
 }
 
 }  // namespace outrider

@@ -1,8 +1,7 @@
-#include "outrider/jobs/guard/yard/team_starts.hpp"
+#include "outrider/jobs/guard/team/team_plan.hpp"
 
 #include <gtest/gtest.h>
 
-#include "outrider/jobs/guard/team/team_plan.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 
@@ -10,28 +9,6 @@ namespace outrider {
 namespace {
 
 using testing::cases;
-
-std::string refusal(const std::string& text, std::int64_t robots) {
-  const auto starts = parse_starts(text, robots);
-  if (starts) return {};
-  EXPECT_EQ(starts.error().code, FaultCode::bad_input);
-  EXPECT_EQ(starts.error().where, "robot_starts");
-  return starts.error().sentence;
-}
-
-TEST(ParseStarts, ReadsPosesAndCountsThem) {
-  const auto starts = parse_starts("1,2,90; -3,0.5,-180", 3);
-  ASSERT_TRUE(starts) << starts.error().sentence;
-  ASSERT_EQ(starts->size(), 2U);
-  EXPECT_EQ((*starts)[0].position, (Vec2{1, 2}));
-  EXPECT_NEAR((*starts)[0].heading_rad, pi / 2, 1e-12);
-  EXPECT_TRUE(parse_starts("", 4).value().empty());
-  EXPECT_EQ(refusal("1,2,90", 3), "1 start for 3 robots, of which the first has start; give 2 or none");
-  EXPECT_EQ(refusal("1,2,90", 1),
-            "1 start for 1 robot, of which the first has start; leave robot_starts out or set robots");
-  for (const char* wrong : {"1,2", "1,2,nan", "1,2,3,4", "; 1,2,90", "a", "1,2,1e99"})
-    EXPECT_NE(refusal(wrong, 2).find("is not valid"), std::string::npos) << wrong;
-}
 
 TEST(StartsOfTeam, AreApartOnReachableGroundAndTheSameTwice) {
   Rng rng(57);

@@ -1,4 +1,4 @@
-#include "team/team_order.hpp"
+#include "team/team_schedule.hpp"
 
 #include <gtest/gtest.h>
 
