@@ -43,32 +43,53 @@ Region region_of_all(const CoverProblem& problem) {
   return united(all);
 }
 
-/// Puts a wall along each edge, outside of the area: as thick as it can be without reaching into it.
-void add_walls(const Region& area, World& world) {
+std::vector<Segment> edges_of(const Region& area) {
+  std::vector<Segment> edges;
   const auto add = [&](const std::vector<Vec2>& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 from = ring[i], to = ring[(i + 1) % ring.size()];
-      const double length_m = distance(from, to);
-      if (length_m == 0.0) continue;
-      const Vec2 along = (1.0 / length_m) * (to - from);
-      // The area is on the left of its rings.
-      double wall_m = most_wall_m;
-      const auto reaches_in = [&] {
-        const Vec2 out = -wall_m * perpendicular(along);
-        const Region wall = region_of({from, from + out, to + out, to}, {});
-        return area_of(common(wall, area)) > least_wall_m * least_wall_m;
-      };
-      while (wall_m > least_wall_m && reaches_in()) wall_m = std::max(least_wall_m, 0.5 * wall_m);
-      const Vec2 middle = 0.5 * (from + to) - 0.5 * wall_m * perpendicular(along);
-      world.solids.push_back(
-          {"edge",
-           {{middle.x, middle.y, 0.5 * wall_height_m}, Rotation::from_rpy(0.0, 0.0, heading_of(along))},
-           BoxShape{{0.5 * length_m, 0.5 * wall_m, 0.5 * wall_height_m}}});
+      const Segment edge{ring[i], ring[(i + 1) % ring.size()]};
+      if (edge.a != edge.b) edges.push_back(edge);
     }
   };
   for (const RingedPolygon& part : area) {
     add(part.outer);
     std::ranges::for_each(part.holes, add);
+  }
+  return edges;
+}
+
+/// Returns how thick a wall outside of an edge can be that reaches no edge. The area is on the left of its
+/// edges.
+double wall_behind(const Segment& edge, const std::vector<Segment>& edges) {
+  const double length_m = distance(edge.a, edge.b);
+  const Vec2 along = (1.0 / length_m) * (edge.b - edge.a);
+  double wall_m = most_wall_m;
+  for (const Segment& other : edges) {
+    if (distance(other.a, edge) > wall_m + distance(other.a, other.b)) continue;
+    while (wall_m > least_wall_m) {
+      const double rim_m = std::min(0.1 * least_wall_m, 0.1 * length_m);
+      const Vec2 in = rim_m * along, out = -(wall_m - rim_m) * perpendicular(along);
+      const Vec2 beside = -rim_m * perpendicular(along);
+      const RoundedPolygon wall{
+          {edge.a + in + beside, edge.a + in + out, edge.b - in + out, edge.b - in + beside}, 0.0};
+      if (signed_distance(other, wall) > 0.0) break;
+      wall_m = std::max(least_wall_m, 0.5 * wall_m);
+    }
+  }
+  return wall_m;
+}
+
+/// Puts a wall along each edge, outside of the area: as thick as it can be without reaching into it.
+void add_walls(const Region& area, World& world) {
+  const std::vector<Segment> edges = edges_of(area);
+  for (const Segment& edge : edges) {
+    const double wall_m = wall_behind(edge, edges), length_m = distance(edge.a, edge.b);
+    const Vec2 along = (1.0 / length_m) * (edge.b - edge.a);
+    const Vec2 middle = 0.5 * (edge.a + edge.b) - 0.5 * wall_m * perpendicular(along);
+    world.solids.push_back(
+        {"edge",
+         {{middle.x, middle.y, 0.5 * wall_height_m}, Rotation::from_rpy(0.0, 0.0, heading_of(along))},
+         BoxShape{{0.5 * length_m, 0.5 * wall_m, 0.5 * wall_height_m}}});
   }
 }
 

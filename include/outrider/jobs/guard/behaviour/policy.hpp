@@ -2,11 +2,10 @@
 // src/jobs/guard/behaviour/policy.cpp is the only list of them; the command line tool, benchmarks and tests
 // read it.
 //
-// Survivors: intruders that may survive a hit. This file estimates the mission time against them.
-//
-// The model: all intruders are inside from the start. The robot drives, aims and shoots as in the tour model
-// (tour/problem.hpp). After a hit the intruder leaves with a given probability; otherwise it walks in a
-// straight line to another place, drawn uniformly. The robot knows at once where it goes.
+// expected_time() estimates how long a mission under a policy takes against survivors, intruders that may
+// survive a hit. The model: all intruders are inside from the start. The robot drives, aims and shoots as in
+// the tour model (tour/problem.hpp). After a hit the intruder leaves with a given probability; otherwise it
+// walks in a straight line to another place, drawn uniformly. The robot knows at once where it goes.
 #pragma once
 
 #include <cstddef>

@@ -15,10 +15,9 @@ namespace outrider {
 /// Logs what becomes of targets. Thread rule: one at a time.
 class TargetLog {
  public:
-  /// Logs the targets as they are at first: one for each of the intruders that come, or all if
-  /// that is null. `walks` is
-  /// the true motion of walkers; null if targets stand still. What is known before its time, such as when
-  /// intruders come in, is put into the queue. The references must outlive this object.
+  /// Logs the targets as they are at first: one for each of the intruders that come, or all if that is null.
+  /// `walks` is the true motion of walkers; null if targets stand still. What is known before its time, such
+  /// as when intruders come in, is put into the queue. The references must outlive this object.
   TargetLog(Log& log, LogQueue& queue, const std::vector<Target>& targets,
             const std::vector<Intruder>* intruders = nullptr, const std::vector<Walk>* walks = nullptr);
   /// Logs what has changed. Call it after each step of the mission.

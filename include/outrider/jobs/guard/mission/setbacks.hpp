@@ -5,10 +5,10 @@
 // that does not help either, it waits for 10 s, tries once more, and goes on to what it can do from where it
 // is. After 12 such drives from one place it tries each further drive once.
 //
-// GunSilence: tells a gun that does not shoot from shots that miss.
-// Nothing comes of a shot of a jammed gun or an empty tank. One shot without a result is tried again, and so
-// is a target; but a gun of which nothing has come for long enough, whatever it was aimed at, does not shoot.
-// A jam that ends sooner than that costs no target. O(log targets) a shot.
+// GunSilence: tells a gun that does not shoot from shots that miss. Nothing comes of a shot of a jammed gun
+// or an empty tank. One shot without a result is tried again, and so is a target; but a gun of which nothing
+// has come for long enough, whatever it was aimed at, does not shoot. A jam that ends sooner than that costs
+// no target. O(log targets) a shot.
 #pragma once
 
 #include <cstddef>
