@@ -1,12 +1,23 @@
 #include "plan/hit_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "outrider/jobs/guard/plan/supply_plan.hpp"
 #include "plan/plan_clock.hpp"
 
 namespace outrider {
+namespace {
+
+constexpr double lost_shot_s = 10.0;  // for a target that has no shot from where the robot got to
+
+/// Displacements of a stop by the largest error of a drive.
+std::array<Vec2, 4> displacements(double off_m) {
+  return {Vec2{off_m, 0.0}, Vec2{0.0, off_m}, Vec2{-off_m, 0.0}, Vec2{0.0, -off_m}};
+}
+
+}  // namespace
 
 std::vector<std::size_t>& HitTable::passing_beside(std::size_t stop) {
   const auto before = stops.begin() + static_cast<std::ptrdiff_t>(stop);
@@ -101,6 +112,31 @@ bool TablePlanner::may_stop(Vec2 place, const std::vector<std::size_t>& targets)
   if (firing_map_.ground.clearance(place, room_m) < room_m) return false;
   if (!firing_map_.ground.segment_free({place, place}, problem_.robot.radius_m)) return false;  // on a slope
   return std::ranges::all_of(targets, [&](std::size_t target) { return sure_.has(index, target); });
+}
+
+double TablePlanner::expected_s(const GuardPlan& plan) {
+  double time = plan.cost_s;
+  for (const PlannedStop& stop : plan.stops) {
+    for (const PlannedHit& hit : stop.hits) time += expected_wait_s(stop.position, hit);
+  }
+  return time;
+}
+
+/// The time that a shot adds on average because the errors of the drive lead to a place where it has to be
+/// waited for, or where there is none.
+double TablePlanner::expected_wait_s(Vec2 place, const PlannedHit& hit) {
+  const double off = problem_.errors.position_m;
+  if (off == 0.0) return 0.0;
+  double wait_s = 0.0;
+  for (const Vec2 aside : displacements(off)) {
+    const auto& shot = shot_from(place + aside, hit.target, hit.shot.gun.pitch_rad);
+    if (!shot) {
+      wait_s += lost_shot_s / 4.0;
+    } else if (hit.shot.survives && !shot->survives) {
+      wait_s += shot->flight_s / 4.0;
+    }
+  }
+  return wait_s;
 }
 
 DriveCost TablePlanner::drive(const Pose2& from, const std::vector<Vec2>& waypoints) const {

@@ -50,10 +50,14 @@ class TablePlanner {
   /// Returns true if the robot fits at the place despite the errors of a drive, and the place is in cells
   /// from which all those targets are sure hits (sure_cells()).
   [[nodiscard]] bool may_stop(Vec2 place, const std::vector<std::size_t>& targets);
+  /// Returns the time of the plan and what the errors of the drives add to it on average: flights that have
+  /// to be waited for, and targets that are lost, from places around the stops.
+  double expected_s(const GuardPlan& plan);
 
  private:
   using Place = std::pair<double, double>;
 
+  double expected_wait_s(Vec2 place, const PlannedHit& hit);
   [[nodiscard]] DriveCost drive(const Pose2& from, const std::vector<Vec2>& waypoints) const;
   const std::vector<Vec2>& way(const Pose2& from, Vec2 to);
   const std::optional<PlannedShot>& shot_from(Vec2 place, std::size_t target, double pitch_rad);

@@ -38,7 +38,11 @@ std::vector<HitTable> lighter(const HitTable& table, std::size_t stop) {
 class Descent {
  public:
   Descent(TablePlanner& planner, HitTable table, GuardPlan plan, const std::stop_token& stop)
-      : planner_(planner), table_(std::move(table)), best_(std::move(plan)), stop_(stop) {}
+      : planner_(planner),
+        table_(std::move(table)),
+        best_(std::move(plan)),
+        expected_s_(planner.expected_s(best_)),
+        stop_(stop) {}
 
   GuardPlan run() {
     while (lighten() || move_stops()) {
@@ -47,11 +51,14 @@ class Descent {
   }
 
  private:
-  /// Takes the table if its plan is shorter.
+  /// Takes the table if its plan is shorter, with the waits that are to be expected.
   bool take(HitTable& next) {
     auto plan = planner_.plan_of(next);
-    if (!plan || plan->cost_s > best_.cost_s - worth_s) return false;
+    if (!plan || plan->cost_s > expected_s_ - worth_s) return false;
+    const double expected_s = planner_.expected_s(*plan);
+    if (expected_s > expected_s_ - worth_s) return false;
     best_ = std::move(*plan);
+    expected_s_ = expected_s;
     table_ = std::move(next);
     return true;
   }
@@ -102,6 +109,7 @@ class Descent {
   TablePlanner& planner_;
   HitTable table_;
   GuardPlan best_;
+  double expected_s_ = 0.0;
   std::stop_token stop_;
 };
 
