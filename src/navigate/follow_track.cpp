@@ -12,7 +12,7 @@ constexpr double moved_m = 0.01, moved_rad = radians(2.0);  // by which a robot 
 constexpr double stop_short_m = 0.1;   // before what stands on the track, with room to turn away
 constexpr double wait_s = 1.0;         // for what stands on the track to go
 constexpr double edge_room_m = 0.005;  // from the edges of the ground, along the track
-// Of the track, where no way leads back, or the robot does not get on; then twice that, and so on.
+// So much of the track is left out where no way leads back or the robot does not get on; then twice that.
 constexpr double first_skip_m = 0.3;
 constexpr double back_m = 0.15;         // beside the track, from where it is steered back
 constexpr std::int64_t most_tries = 4;  // recoveries on the way back to a place

@@ -71,11 +71,11 @@ TEST_F(SharedPlans, OfARoomHoldForOtherSeedsAndFaults) {
   EXPECT_EQ(expect_same_run(room, {{"seed", "1"}}), "done");
   EXPECT_EQ(expect_same_run(room, {{"seed", "2"}}), "done");
   EXPECT_EQ(plans_.size(), 1U);
-  common_ = {{"sim", "navigator"}, {"tracking_error", "0.02"}, {"pace.speed", "0.5"}};
+  common_ = {{"sim", "navigator"}, {"tracking_error", "0.01"}, {"overlap", "0.25"}};
   expect_same_run(room, {{"seed", "1"}});
   expect_same_run(room, {{"seed", "2"}, {"faults.slip", "0.2"}});
   EXPECT_EQ(plans_.size(), 2U);
-  expect_same_run(room, {{"overlap", "0.2"}});
+  expect_same_run(room, {{"overlap", "0.3"}});
   EXPECT_EQ(plans_.size(), 3U);
 }
 

@@ -228,7 +228,7 @@ void PieceBody::follow(const FollowPiece& command) {
 double PieceBody::turn(double angle_rad, const Limits& limits, double pause_s) {
   Recorder recorder(drive_);
   recorder.turn(drive_.time_s, angle_rad, limits);
-  drive_.time_s += duration(std::abs(angle_rad), limits) + pause_s;
+  drive_.time_s = drive_.time_s + duration(std::abs(angle_rad), limits) + pause_s;
   recorder.stand_until(drive_.time_s);
   return std::abs(angle_rad);
 }
