@@ -75,7 +75,7 @@ TEST_F(SharedPlans, OfARoomHoldForOtherSeedsAndFaults) {
   expect_same_run(room, {{"seed", "1"}});
   expect_same_run(room, {{"seed", "2"}, {"faults.slip", "0.2"}});
   EXPECT_EQ(plans_.size(), 2U);
-  expect_same_run(room, {{"overlap", "0.3"}});
+  expect_same_run(room, {{"width", "0.22"}});
   EXPECT_EQ(plans_.size(), 3U);
 }
 
