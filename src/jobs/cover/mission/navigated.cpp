@@ -319,7 +319,11 @@ Outcome<NavigatedCover> drive_with_navigator(const CoverProblem& problem, const 
     standing.push_back(*post);
     reach = reach_among(problem, plan, standing, rim_m + seen_off_m, {start.position, done.drive.way.back()});
   }
-  done.driven = cover::coverage_of_drive(done.drive, problem, reach);
+  // What a stopped drive has covered is measured too.
+  const std::stop_token stop = done.finished ? watch.stop : std::stop_token{};
+  done.driven = cover::coverage_of_drive(done.drive, problem, reach, stop);
+  if (stop.stop_requested())
+    return fault(FaultCode::cancelled, "it was cancelled while it measured what the drive covers");
   done.missed_m2 = area_of(without_specks(done.driven.missed));
   done.reach = std::move(reach);
   return done;
