@@ -101,6 +101,22 @@ double area_of(const Region& region) {
   return area;
 }
 
+Region opened(const Region& region, double by_m, double arc_m) {
+  return common(grown(shrunk(region, by_m, arc_m), by_m, arc_m), region);
+}
+
+std::vector<Segment> edges_of(const Region& region) {
+  std::vector<Segment> edges;
+  const auto add = [&](const std::vector<Vec2>& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+  };
+  for (const RingedPolygon& polygon : region) {
+    add(polygon.outer);
+    std::ranges::for_each(polygon.holes, add);
+  }
+  return edges;
+}
+
 Vec2 middle_of(const RingedPolygon& polygon) {
   const Vec2 origin = polygon.outer.front();
   Vec2 sum;

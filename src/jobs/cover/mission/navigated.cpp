@@ -43,21 +43,6 @@ Region region_of_all(const CoverProblem& problem) {
   return united(all);
 }
 
-std::vector<Segment> edges_of(const Region& area) {
-  std::vector<Segment> edges;
-  const auto add = [&](const std::vector<Vec2>& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Segment edge{ring[i], ring[(i + 1) % ring.size()]};
-      if (edge.a != edge.b) edges.push_back(edge);
-    }
-  };
-  for (const RingedPolygon& part : area) {
-    add(part.outer);
-    std::ranges::for_each(part.holes, add);
-  }
-  return edges;
-}
-
 /// Returns how thick a wall outside of an edge can be that reaches no edge. The area is on the left of its
 /// edges.
 double wall_behind(const Segment& edge, const std::vector<Segment>& edges) {
@@ -81,7 +66,8 @@ double wall_behind(const Segment& edge, const std::vector<Segment>& edges) {
 
 /// Puts a wall along each edge, outside of the area: as thick as it can be without reaching into it.
 void add_walls(const Region& area, World& world) {
-  const std::vector<Segment> edges = edges_of(area);
+  std::vector<Segment> edges = edges_of(area);
+  std::erase_if(edges, [](const Segment& edge) { return edge.a == edge.b; });
   for (const Segment& edge : edges) {
     const double wall_m = wall_behind(edge, edges), length_m = distance(edge.a, edge.b);
     const Vec2 along = (1.0 / length_m) * (edge.b - edge.a);
@@ -319,7 +305,7 @@ Outcome<NavigatedCover> drive_with_navigator(const CoverProblem& problem, const 
     standing.push_back(*post);
     reach = reach_among(problem, plan, standing, rim_m + seen_off_m, {start.position, done.drive.way.back()});
   }
-  // What a stopped drive has covered is measured too.
+  // A stopped drive is measured, too.
   const std::stop_token stop = done.finished ? watch.stop : std::stop_token{};
   done.driven = cover::coverage_of_drive(done.drive, problem, reach, stop);
   if (stop.stop_requested())

@@ -59,9 +59,7 @@ void add_place(PieceDrive& drive, double time_s, Vec2 place) {
 
 }  // namespace
 
-Region without_specks(const Region& left) {
-  return common(grown(shrunk(left, speck_m, chord_m), speck_m, chord_m), left);
-}
+Region without_specks(const Region& left) { return opened(left, speck_m, chord_m); }
 
 bool is_leap(Vec2 from, Vec2 to, double within_s, const Pace& pace) {
   constexpr double slack_m = 0.02;

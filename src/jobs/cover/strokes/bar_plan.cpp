@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "ground/tool_coverage.hpp"
 #include "outrider/core/units.hpp"
@@ -17,23 +18,10 @@ constexpr double sliver_part = 4e-3;    // of the width: narrower than twice tha
 constexpr double worth_part = 0.01;     // of the square of the width, that a stroke has to add
 constexpr std::size_t most_units = 40;  // whose order is proven
 
-/// The part of the region that is wider than slivers beside strokes.
-Region opened(const Region& region, double sliver_m) {
-  return common(grown(shrunk(region, sliver_m, 0.1 * sliver_m), sliver_m, 0.1 * sliver_m), region);
-}
-
 /// The edges of the area with the solid on the right, the longest first.
-std::vector<Segment> edges_of(const Region& area) {
-  std::vector<Segment> edges;
-  const auto add = [&](const std::vector<Vec2>& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-  };
-  for (const RingedPolygon& polygon : area) {
-    add(polygon.outer);
-    for (const auto& hole : polygon.holes) add(hole);
-  }
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](Segment s, Segment t) { return distance(s.a, s.b) > distance(t.a, t.b); });
+std::vector<Segment> longest_edges(const Region& area) {
+  std::vector<Segment> edges = edges_of(area);
+  std::ranges::stable_sort(edges, std::greater{}, [](Segment s) { return distance(s.a, s.b); });
   return edges;
 }
 
@@ -47,7 +35,7 @@ class BarUnits {
         room_(room),
         transit_(transit),
         stop_(budget.stop),
-        edges_(edges_of(field.area)),
+        edges_(longest_edges(field.area)),
         headings_(sweep_headings(field, options.directions)),
         turn_(wall_turn(room.bar())),
         rest_(field.reach) {}
@@ -79,7 +67,7 @@ class BarUnits {
   /// Lanes over what is left.
   Status add_cells() {
     const double sliver_m = sliver_part * room_.bar().width_m;
-    const Region wide = opened(rest_, sliver_m);
+    const Region wide = opened(rest_, sliver_m, 0.1 * sliver_m);
     CellChoices choices = cells_of(wide, problem_, headings_, stop_);
     const double spent_m2 = area_of(rest_) - area_of(wide);
     leave_uncovered(choices, std::max(0.0, 0.5 * problem_.uncovered * area_of(field_.reach) - spent_m2));
@@ -94,7 +82,10 @@ class BarUnits {
     return {};
   }
 
-  [[nodiscard]] double left_m2() const { return area_of(opened(rest_, sliver_part * room_.bar().width_m)); }
+  [[nodiscard]] double left_m2() const {
+    const double sliver_m = sliver_part * room_.bar().width_m;
+    return area_of(opened(rest_, sliver_m, 0.1 * sliver_m));
+  }
 
   std::vector<CoverageUnit> units;
   std::size_t laps = 0;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "outrider/geometry/box.hpp"
+#include "outrider/geometry/convex.hpp"
 #include "outrider/geometry/vec.hpp"
 
 namespace outrider {
@@ -51,6 +52,11 @@ Region grown(const Region& region, double by_m, double arc_m);
 /// Returns the points of the region that are at least `by_m` away from its border (or nearer by at most
 /// `arc_m`).
 Region shrunk(const Region& region, double by_m, double arc_m);
+/// Returns the part of the region that is wider than twice `by_m`.
+Region opened(const Region& region, double by_m, double arc_m);
+
+/// Returns the edges of all rings, with the region on their left.
+std::vector<Segment> edges_of(const Region& region);
 
 /// Returns the union of all regions, which may overlap.
 Region united(const std::vector<Region>& all);
