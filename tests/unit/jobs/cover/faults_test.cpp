@@ -51,7 +51,9 @@ class CoverFaults : public ::testing::Test {
     EXPECT_EQ(metric(report, "contacts"), 0.0);
     EXPECT_EQ(metric(report, "left_ground"), 0.0);
     EXPECT_EQ(metric(report, "false_covered"), 0.0);
-    if (report.status == "done") EXPECT_GT(metric(report, "reachable_fraction"), 0.99);
+    if (report.status == "done") {
+      EXPECT_GT(metric(report, "reachable_fraction"), 0.99);
+    }
     return std::move(*run);
   }
   test::Folder folder_;
