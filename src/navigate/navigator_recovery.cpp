@@ -17,8 +17,7 @@ constexpr double touch_ahead_m = 0.03;  // of the footprint, where a bumper was 
 constexpr double back_off_mps = 0.2;
 constexpr double turn_s = 2.5;
 constexpr double back_off_s = 1.5;
-constexpr double touch_back_s = 0.6;   // for which it backs off from what it has touched
-constexpr double touch_again_s = 1.0;  // later it does so again, if it touches still
+constexpr double touch_back_s = 0.6;  // for which it backs off from what it has touched
 
 }  // namespace
 
@@ -29,9 +28,10 @@ void Navigator::note_bumper(const Observation& seen) {
   const double bearing_rad = seen.touch_rad.value_or(twist_.ahead_mps < 0.0 ? pi : 0.0);
   const double away_m = setup_.footprint.outer_m() + touch_ahead_m;
   map_.note_touch(here * (away_m * direction(bearing_rad)), time_s_);
-  if (back_mps_ != 0.0 && time_s_ < back_until_s_ + touch_again_s) return;
+  const double ahead = std::cos(bearing_rad);
+  if (ahead * commanded_.ahead_mps <= 0.0) return;  // it was run into
   back_until_s_ = time_s_ + touch_back_s;
-  back_mps_ = std::cos(bearing_rad) < 0.0 ? back_off_mps : -back_off_mps;
+  back_mps_ = ahead < 0.0 ? back_off_mps : -back_off_mps;
 }
 
 /// Returns the twist straight back from what was touched.

@@ -14,14 +14,17 @@ namespace {
 
 constexpr double point_m = 0.0005;  // half the side of a point of a surface
 
+/// Returns true if the map leaves no room at the place.
+bool is_narrow(const TraversabilityGrid& ground, Vec2 place) {
+  const Cell cell = ground.frame().cell_at(place);
+  return ground.frame().contains(cell) &&
+         ground.crowded(static_cast<std::uint32_t>(ground.frame().index(cell)));
+}
+
 /// Returns true if the next part of the path leads over ground on which the map leaves no room.
 bool leads_through_narrow(const TraversabilityGrid& ground, Vec2 here, const PathProgress& path) {
   constexpr double ahead_m = 0.8;
-  const auto narrow = [&](Vec2 point) {
-    const Cell cell = ground.frame().cell_at(point);
-    return ground.frame().contains(cell) &&
-           ground.crowded(static_cast<std::uint32_t>(ground.frame().index(cell)));
-  };
+  const auto narrow = [&](Vec2 point) { return is_narrow(ground, point); };
   return narrow(here) || std::ranges::any_of(points_ahead(path, ahead_m), narrow);
 }
 
@@ -118,7 +121,8 @@ bool GapPassage::look(const ExploreTask& task, const ScanLocaliser& where, Trave
   const double radius_m = task.robot.radius_m;
   room_ = centre_path(*path, here, {surfaces_, point_m}, ahead_m, radius_m + roomy_m);
   fits_ = room_->least_m >= radius_m - largest_error_m;
-  return driving != Driving::to_goal || !std::isfinite(room_->least_m) || judge(task, where, ground);
+  return driving != Driving::to_goal || !std::isfinite(room_->least_m) || is_narrow(ground, here) ||
+         judge(task, where, ground);
 }
 
 Follow GapPassage::order(const PathProgress& path, const RobotModel& robot) const {

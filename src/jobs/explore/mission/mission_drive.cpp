@@ -92,20 +92,6 @@ void ExploreMission::too_narrow() {
   path_.reset();
 }
 
-/// Returns true if the map shows something on the path right ahead, as a door that was closed. The robot
-/// waits until the map shows that it is open; where it got stuck often, it trusts the newest scan more.
-bool ExploreMission::is_closed() const {
-  constexpr double ahead_m = 0.5;
-  constexpr std::int64_t often = 3;
-  const Grid<std::uint8_t>& map = where_->slam().map().occupancy();
-  return stuck_here_ < often && std::ranges::any_of(
-                                    points_ahead(*path_, ahead_m),
-                                    [&](Vec2 point) {
-                                      const Cell cell = map.frame.cell_at(point);
-                                      return map.contains(cell) && map[cell] == occupied_cell;
-                                    });
-}
-
 /// Returns the order to go on along the path: to its end, or to a place on it a little ahead. The order
 /// before stands as long as that is so of it.
 GoTo ExploreMission::next_order() const {
@@ -138,7 +124,7 @@ Order ExploreMission::drive() {
     look_close();
   }
   if (where_->has_news()) navigator_.look_close(gaps_.surfaces(), CloseRange::reach_m - 0.1);
-  if (!path_ || !gaps_.may_pass() || is_closed()) return Hold{};
+  if (!path_ || !gaps_.may_pass()) return Hold{};
   if (gaps_.in_narrow() && remaining_m(*path_) > arrived_m()) {
     if (!through_ || where_->has_news()) through_ = gaps_.order(*path_, task_.robot);
     order_.reset();

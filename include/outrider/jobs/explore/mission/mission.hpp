@@ -132,7 +132,6 @@ class ExploreMission {
   void too_narrow();
   void end_if_no_nearer_to_home();
   void look_close();
-  [[nodiscard]] bool is_closed() const;
   [[nodiscard]] GoTo next_order() const;
   Order drive();
 
