@@ -9,6 +9,7 @@ namespace {
 
 constexpr double beyond_m = 0.3;  // that is looked at ahead of where the robot could stop
 constexpr double moved_m = 0.01, moved_rad = radians(2.0);  // by which a robot has moved
+constexpr double moved_mps = 0.03;     // a robot that is faster drives
 constexpr double stop_short_m = 0.1;   // before what stands on the track, with room to turn away
 constexpr double wait_s = 1.0;         // for what stands on the track to go
 constexpr double edge_room_m = 0.005;  // from the edges of the ground, along the track
@@ -30,14 +31,16 @@ GoTo Navigator::order_to(const TrackPlace& place) const {
 }
 
 void Navigator::begin_track(const Follow& order) {
+  const bool follows = follower_ && !follower_->is_done();
+  if (!follows) on_track_s_ = time_s_;
   follower_.emplace(order.track);
+  if (follows || twist_.ahead_mps > moved_mps) follower_->go_on(pose());
   progress_ = {};
   order_.reset();
   comes_back_.reset();
   comes_in_ = true;
   skip_m_ = first_skip_m;
   came_in_ = {};
-  on_track_s_ = time_s_;
 }
 
 Twist2 Navigator::follow(const Follow& order) {
@@ -66,7 +69,7 @@ Twist2 Navigator::along_track(const Follow& order) {
     return {};
   }
   note_motion(here);
-  if (time_s_ - on_track_s_ > wait_s) {
+  if (time_s_ - on_track_s_ > wait_s + instant_s) {
     leave_track(first_skip_m);
     return {};
   }
@@ -74,21 +77,23 @@ Twist2 Navigator::along_track(const Follow& order) {
   // own.
   const double speed_mps = std::abs(twist_.ahead_mps);
   const double look_m = speed_mps * speed_mps / setup_.robot.acceleration_mps2 + beyond_m;
+  const double margin_m = std::min(order.margin_m, setup_.motion.margin_m);
   on_track_.look(map_, here.position, look_m + setup_.footprint.outer_m(), false);
   const GoTo next{follower_->pose_at(follower_->at()).position, order.beside_m};
   const MotionState state = state_of(next, near_), among_seen = state_of(next, on_track_);
   const auto is_safe = [&](const Twist2& twist) {
-    return can_brake(state, twist, edge_room_m) && can_brake(among_seen, twist, setup_.motion.margin_m);
+    return can_brake(state, twist, std::min(edge_room_m, margin_m)) && can_brake(among_seen, twist, margin_m);
   };
   if (const auto heading_rad = follower_->heading_to_turn_to(here)) {
     const Twist2 turn = turn_to(here, *heading_rad);
     return is_safe(turn) ? turn : Twist2{};
   }
   const auto is_free = [&](const Pose2& at) {
-    return on_track_.gap(setup_.footprint, at, Surroundings::most_m) >= setup_.motion.margin_m;
+    return on_track_.gap(setup_.footprint, at, Surroundings::most_m) >= margin_m;
   };
   const double free_m = follower_->free_m(is_free, look_m);
   const double room_m = free_m < look_m ? std::max(0.0, free_m - stop_short_m) : look_m;
+  limits_.speed_mps = std::min(limits_.speed_mps, order.most_mps);
   Twist2 twist = follower_->twist(here, limits_, setup_.options.period_s, room_m);
   for (int i = 0; i < 3 && !is_safe(twist); ++i) twist = 0.5 * twist;
   return is_safe(twist) ? twist : Twist2{};

@@ -52,6 +52,21 @@ std::vector<Vec2> LiveMap::places() const {
   return places;
 }
 
+std::vector<Vec2> LiveMap::close_places() const {
+  std::vector<Vec2> places = surfaces_;
+  for (const Mark& mark : marks_) {
+    const bool known_better = !mark.touched && distance(mark.place, looked_from_) < looked_m_;
+    if (!mark.moving && !known_better) places.push_back(mark.place);
+  }
+  return places;
+}
+
+void LiveMap::look_close(std::vector<Vec2> surfaces, Vec2 from, double reach_m) {
+  looked_m_ = surfaces.empty() ? 0.0 : reach_m;
+  looked_from_ = from;
+  surfaces_ = std::move(surfaces);
+}
+
 void LiveMap::limit(const AllowedGround& ground) {
   allowed_ = ground;
   edges_ = ground.edge_points(0.5 * options_.resolution_m);

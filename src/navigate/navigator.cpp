@@ -10,20 +10,14 @@
 namespace outrider {
 namespace {
 
-constexpr double remembered_s = 1.0;    // of the track, for scans that come late
-constexpr double better_s = 0.2;        // by which the time left has to fall to count as progress
-constexpr double lately_s = 0.5;        // what was seen within that is not forgotten
-constexpr double touch_ahead_m = 0.03;  // of the footprint, where a bumper was pressed
-constexpr double measured_part = 0.3;   // of the measured twist in the believed one
-constexpr double back_off_mps = 0.2;
-constexpr double turn_s = 2.5;
-constexpr double leave_part = 1.5;  // of within_m: a robot at its place may be so far off while it turns
+constexpr double remembered_s = 1.0;   // of the track, for scans that come late
+constexpr double measured_part = 0.3;  // of the measured twist in the believed one
+constexpr double leave_part = 1.5;     // of within_m: a robot at its place may be so far off while it turns
 constexpr double at_rest_mps = 0.03;
 constexpr double at_rest_radps = 0.05;
-constexpr double instant_s = 1e-9;
-constexpr double plan_again_m = 1.0;  // from where it was planned
-constexpr double around_m = 0.5;      // that is looked at beyond where a motion may lead
-constexpr double back_off_s = 1.5;
+constexpr double plan_again_m = 1.0;                  // from where it was planned
+constexpr double around_m = 0.5;                      // that is looked at beyond where a motion may lead
+constexpr double stands_m = 0.1;                      // a robot that has not come so far stands
 constexpr double map_again_s = 2.0;                   // least time between two plans on the known map
 constexpr double longer_part = 1.15, longer_s = 1.5;  // than on the known map, which is planned on again then
 constexpr double moving_trail_s = 0.4, moving_rim_m = 0.1;  // around what moves, where marks are of it
@@ -65,16 +59,20 @@ std::vector<Option> describe(NavigatorOptions& options) {
 }
 
 Outcome<Navigator> Navigator::make(NavigatorSetup setup, const std::optional<Pose2>& start) {
-  auto row = find_row(local_motions(), "rule of motion", setup.motion.rule, "rule");
-  if (!row) return pass_on(row);
   std::string& name = setup.options.localiser;
   if (name == "auto") name = setup.known ? "laser_on_map" : "laser_mapping";
   auto known = find_row(robot_localisers(), "localiser", name, "localiser");
   if (!known) return pass_on(known);
   auto localiser = known->make({start, setup.robot_T_laser, setup.known, std::move(setup.tags)});
   if (!localiser) return pass_on(localiser);
+  return make(std::move(setup), std::move(*localiser));
+}
+
+Outcome<Navigator> Navigator::make(NavigatorSetup setup, std::unique_ptr<RobotLocaliser> localiser) {
+  auto row = find_row(local_motions(), "rule of motion", setup.motion.rule, "rule");
+  if (!row) return pass_on(row);
   auto rule = row->make(setup.motion);
-  return Navigator(std::move(setup), std::move(*localiser), std::move(rule));
+  return Navigator(std::move(setup), std::move(localiser), std::move(rule));
 }
 
 Navigator::Navigator(NavigatorSetup setup, std::unique_ptr<RobotLocaliser> localiser,
@@ -142,19 +140,17 @@ Situation Navigator::perceive(const Observation& seen) {
   if (const auto scan = usable(seen.scan)) take(*scan);
   const Pose2 here = pose();
   map_.follow(here.position);
-  if (seen.touching) {
-    const double bearing_rad = seen.touch_rad.value_or(twist_.ahead_mps < 0.0 ? pi : 0.0);
-    const double away_m = setup_.footprint.outer_m() + touch_ahead_m;
-    map_.note_touch(here * (away_m * direction(bearing_rad)), time_s_);
-  } else {
-    map_.keep_open(here.position, 0.8 * setup_.footprint.inner_m());
-  }
+  note_bumper(seen);
   map_.forget(time_s_);
   note_moving();
   note_lost();
   if (order_) judge(*order_);
   const bool looks = !localiser_->is_located() && progress_.state != Progress::State::lost;
   return {time_s_ - clock_s_, here, localiser_->covariance(), twist_, looks ? Progress{} : progress()};
+}
+
+void Navigator::note_touched(const std::vector<Vec2>& places) {
+  for (const Vec2 place : places) map_.note_touch(place, time_s_);
 }
 
 /// Notes what moves now. What is marked of it does not stand.
@@ -205,10 +201,15 @@ Command Navigator::act(const Order& order) {
   const auto* const go = std::get_if<GoTo>(&order);
   const auto* const track = std::get_if<Follow>(&order);
   if (go != nullptr) follower_.reset();
-  if (std::holds_alternative<Hold>(order)) nearer_s_ = on_track_s_ = time_s_;
+  if (std::holds_alternative<Hold>(order)) {
+    nearer_s_ = on_track_s_ = time_s_;
+    if (std::exchange(progress_, {}).state != Progress::State::underway) order_.reset();
+  }
   if (std::holds_alternative<Hold>(order) || track_.empty()) return DriveTwist{{}, until_s};
   if (!localiser_->is_located())
     commanded_ = look_for_itself();
+  else if (time_s_ < back_until_s_ - instant_s)
+    commanded_ = back_from_touch();
   else
     commanded_ = go != nullptr ? this->go(*go) : follow(*track);
   commanded_.ahead_mps = std::clamp(commanded_.ahead_mps, -limits_.speed_mps, limits_.speed_mps);
@@ -222,10 +223,11 @@ Twist2 Navigator::go(const GoTo& order) {
     progress_ = {Progress::State::blocked, {}, "the order is no place to go to"};
     return {};
   }
-  if (!order_ || *order_ != order) begin(order);
+  const bool goes_on = (!order_ || *order_ != order) && begin(order);
   if (progress_.state != Progress::State::underway || is_blind()) return {};
   follow_zones();
   plan(order);
+  if (goes_on && left_s_) least_left_s_ = best_left_s_ = *left_s_;
   if (in_zone_) return leave_zone(state_of(order, near_));
   note_progress(order);
   if (progress_.state != Progress::State::underway) return {};
@@ -236,20 +238,27 @@ Twist2 Navigator::go(const GoTo& order) {
   return can_brake(state, turn, setup_.motion.margin_m) ? turn : Twist2{};
 }
 
-/// A new order.
-void Navigator::begin(const GoTo& order) {
+/// A new order. Returns true if the robot stands since another was underway, and goes on to recover.
+bool Navigator::begin(const GoTo& order) {
+  const Vec2 here = pose().position;
+  const bool goes_on =
+      order_ && progress_.state == Progress::State::underway && distance(begun_at_, here) < stands_m;
   order_ = order;
   progress_ = {};
   planned_s_.reset();
   planned_far_s_.reset();
-  recovery_ = Recovery::none;
-  recoveries_ = 0;
   at_place_ = false;
   left_s_.reset();
   least_left_s_ = best_left_s_ = std::numeric_limits<double>::infinity();
-  nearer_s_ = time_s_;
+  if (!goes_on) {
+    recovery_ = Recovery::none;
+    recoveries_ = 0;
+    nearer_s_ = time_s_;
+    begun_at_ = here;
+  }
   note_lost();
   judge(order);
+  return goes_on;
 }
 
 /// Looks around, and plans anew if something has come or gone.
@@ -319,34 +328,6 @@ bool Navigator::plan_on_map(const GoTo& order, bool anew) {
   return true;
 }
 
-/// Notes whether the robot gets nearer in time, in the end by turning, and recovers if it does not.
-/// Recoveries are in a row until it is nearer than ever, so an order ends.
-void Navigator::note_progress(const GoTo& order) {
-  if (order.heading_rad) {
-    const double off_rad = std::abs(wrap_angle(*order.heading_rad - pose().heading_rad));
-    const double turn_left_s = off_rad / setup_.robot.turn_rate_radps;
-    if (at_place_) {
-      left_s_ = turn_left_s;
-    } else if (left_s_) {
-      *left_s_ += pi / setup_.robot.turn_rate_radps;  // as long as any turn
-    }
-  }
-  if (left_s_ && *left_s_ < least_left_s_ - better_s) {
-    least_left_s_ = *left_s_;
-    nearer_s_ = time_s_;
-  }
-  if (left_s_ && *left_s_ < best_left_s_ - better_s) {
-    best_left_s_ = *left_s_;
-    recoveries_ = 0;
-  }
-  if (recovery_ != Recovery::none && time_s_ >= recovers_until_s_) {
-    recovery_ = Recovery::none;
-    nearer_s_ = time_s_;
-    least_left_s_ = left_s_.value_or(std::numeric_limits<double>::infinity());
-  }
-  if (recovery_ == Recovery::none && time_s_ - nearer_s_ > setup_.options.patience_s) recover(order);
-}
-
 /// Returns the twist of a turn in place.
 Twist2 Navigator::turn_to(const Pose2& here, double heading_rad) const {
   const double off_rad = wrap_angle(heading_rad - here.heading_rad);
@@ -355,37 +336,6 @@ Twist2 Navigator::turn_to(const Pose2& here, double heading_rad) const {
   const double most =
       std::min({rate, setup_.robot.turn_rate_radps, std::abs(off_rad) / setup_.options.period_s});
   return {0.0, 0.0, std::copysign(most, off_rad)};
-}
-
-/// Begins the next way out, or gives up.
-void Navigator::recover(const GoTo& order) {
-  if (recoveries_ >= setup_.options.most_recoveries) {
-    const Vec2 to = order.place;
-    progress_ = {Progress::State::blocked, left_s_,
-                 left_s_ ? fmt::format("no progress towards ({:.2f}, {:.2f}) after {} recoveries", to.x, to.y,
-                                       recoveries_)
-                         : fmt::format("no way to ({:.2f}, {:.2f}) around what stands there", to.x, to.y)};
-    return;
-  }
-  constexpr std::pair<Recovery, double> ways[] = {
-      {Recovery::forget, 0.0}, {Recovery::turn, turn_s}, {Recovery::back_off, back_off_s}};
-  const auto& [way, takes_s] = ways[recoveries_++ % 3];
-  recovery_ = way;
-  recovers_until_s_ = time_s_ + takes_s;
-  if (way == Recovery::forget) map_.forget_but(time_s_, lately_s);
-}
-
-/// Returns the twist of a way out: a turn to where the way leads, or straight back; none if it is not safe.
-Twist2 Navigator::recovery_twist(const MotionState& state) const {
-  Twist2 twist;
-  if (recovery_ == Recovery::turn) {
-    const auto down = field_.downhill(state.pose.position);
-    const double off_rad = down ? wrap_angle(heading_of(*down) - state.pose.heading_rad) : 1.0;
-    twist.turn_radps = std::clamp(off_rad, -setup_.robot.turn_rate_radps, setup_.robot.turn_rate_radps);
-  } else {
-    twist.ahead_mps = -std::min(back_off_mps, state.robot.speed_mps);
-  }
-  return can_brake(state, twist, setup_.motion.margin_m) ? twist : Twist2{};
 }
 
 }  // namespace outrider

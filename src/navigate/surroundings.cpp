@@ -24,9 +24,7 @@ void Surroundings::look(const LiveMap& map, Vec2 middle, double reach_m, bool ed
   const auto take = [&](Vec2 place) {
     if (tiles_.contains(tiles_.cell_at(place))) places_.push_back(place);
   };
-  for (const Mark& mark : map.marks()) {
-    if (!mark.moving) take(mark.place);
-  }
+  std::ranges::for_each(map.close_places(), take);
   if (edges) std::ranges::for_each(map.edges(), take);
   sort_into_tiles();
   edges_.clear();

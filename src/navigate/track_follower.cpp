@@ -10,6 +10,7 @@ namespace {
 
 constexpr double smooth_rad = radians(3.0);  // a smaller corner is none
 constexpr double looks_along_rad = radians(1.0);
+constexpr double about_rad = radians(10.0);
 constexpr double reached_m = 0.004;      // from the end of a piece
 constexpr double leap_m = 0.3;           // by which a robot may come ahead in a period
 constexpr double damping_s = 0.4;        // of the way in which it comes back to the track, at its speed
@@ -54,6 +55,10 @@ void TrackFollower::note(const Pose2& robot) {
     looks_along_ = joins_smoothly(at_.piece);
     at_ = {at_.piece + 1, 0.0};
   }
+}
+
+void TrackFollower::go_on(const Pose2& robot) {
+  looks_along_ = !is_done() && std::abs(wrap_angle(pose_at(at_).heading_rad - robot.heading_rad)) < about_rad;
 }
 
 std::optional<double> TrackFollower::heading_to_turn_to(const Pose2& robot) {

@@ -83,6 +83,11 @@ class LiveMap {
   [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
   /// Marks that lie in one of these disks, and are newer than a second, are moving, the others not.
   void set_moving(const std::vector<RoundedPolygon>& disks);
+  /// Takes points of surfaces that are known better than marks that were seen within `reach_m` of a place;
+  /// with nothing, forgets them.
+  void look_close(std::vector<Vec2> surfaces, Vec2 from, double reach_m);
+  /// Returns the places of what stands near a robot: marks that do not move, and better known surfaces.
+  [[nodiscard]] std::vector<Vec2> close_places() const;
   /// Returns the points of the edges of the allowed ground.
   [[nodiscard]] const std::vector<Vec2>& edges() const { return edges_; }
   /// Returns the places of all marks that do not move, and the edges of the allowed ground in the window.
@@ -110,6 +115,9 @@ class LiveMap {
   std::vector<Mark> behind_;
   std::optional<AllowedGround> allowed_;
   std::vector<Vec2> edges_;
+  std::vector<Vec2> surfaces_;  // known better than marks
+  Vec2 looked_from_;
+  double looked_m_ = 0.0;
 };
 
 }  // namespace outrider

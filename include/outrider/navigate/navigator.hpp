@@ -23,6 +23,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -52,6 +53,8 @@ struct GoTo {
 struct Follow {
   std::shared_ptr<const TrackPieces> track;  ///< at least one piece; another object is another order
   double beside_m = 0.05;                    ///< a robot so far beside it drives back to it
+  double margin_m = 1.0;                     ///< room beside the footprint, at most that of the motion
+  double most_mps = 1e3;                     ///< it drives no faster
 };
 /// Stand where it is.
 struct Hold {};
@@ -106,9 +109,18 @@ class Navigator {
   /// Without a start the robot is anywhere on its map. Faults: bad_input if there is no such rule of motion
   /// or localiser; those of the localiser.
   static Outcome<Navigator> make(NavigatorSetup setup, const std::optional<Pose2>& start);
+  /// The same with the localiser of a mission that makes a map itself.
+  static Outcome<Navigator> make(NavigatorSetup setup, std::unique_ptr<RobotLocaliser> localiser);
 
   Situation perceive(const Observation& seen);
   Command act(const Order& order);
+  /// Takes surfaces within `reach_m` of the robot that a mission knows better than the live map; they count
+  /// until the next call.
+  void look_close(std::vector<Vec2> surfaces, double reach_m) {
+    map_.look_close(std::move(surfaces), pose().position, reach_m);
+  }
+  /// Notes points of what a mission knows that the robot has touched.
+  void note_touched(const std::vector<Vec2>& places);
 
   [[nodiscard]] const LiveMap& map() const { return map_; }
   [[nodiscard]] const GoalField& field() const { return field_; }
@@ -138,6 +150,8 @@ class Navigator {
   void note_lost();
   void judge(const GoTo& order);
   void recover(const GoTo& order);
+  void note_bumper(const Observation& seen);
+  Twist2 back_from_touch();
   [[nodiscard]] Twist2 recovery_twist(const MotionState& state) const;
   [[nodiscard]] Twist2 turn_to(const Pose2& here, double heading_rad) const;
   Twist2 go(const GoTo& order);
@@ -152,7 +166,7 @@ class Navigator {
   void leave_track(double again_m);
   [[nodiscard]] GoTo order_to(const TrackPlace& place) const;
   [[nodiscard]] Progress progress() const;
-  void begin(const GoTo& order);
+  bool begin(const GoTo& order);
   void plan(const GoTo& order);
   void plan_window(const GoTo& order);
   bool plan_on_map(const GoTo& order, bool anew);
@@ -165,6 +179,8 @@ class Navigator {
   [[nodiscard]] Twist2 leave_zone(const MotionState& state);
   [[nodiscard]] std::optional<Vec2> way_out(Vec2 here) const;
   [[nodiscard]] MotionState state_of(const GoTo& order, const Surroundings& near) const;
+
+  static constexpr double instant_s = 1e-9;  // by which times are rounded
 
   struct TimedOdometry {
     double time_s = 0.0;
@@ -208,6 +224,9 @@ class Navigator {
   bool at_place_ = false;      // it stands there and turns to the heading
   Recovery recovery_ = Recovery::none;
   double recovers_until_s_ = 0.0;
+  double back_until_s_ = 0.0;  // from what it touched
+  double back_mps_ = 0.0;
+  Vec2 begun_at_;                // with the order, or an earlier one
   std::int64_t recoveries_ = 0;  // in a row
   PlaceSearch search_;           // of a robot that does not know where it is
   std::optional<TrackFollower> follower_;

@@ -55,6 +55,8 @@ class TrackFollower {
   /// Returns what was left out so far.
   [[nodiscard]] const std::vector<TrackSection>& left_out() const { return left_out_; }
 
+  /// A robot that drives already does not stop to turn to a track that leads about where it looks.
+  void go_on(const Pose2& robot);
   /// Goes on along the track as far as the robot has come.
   void note(const Pose2& robot);
   /// Returns the heading to turn to before the present piece; nothing if the robot looks along it.

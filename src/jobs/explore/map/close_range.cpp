@@ -118,19 +118,6 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& points) {
   return thin;
 }
 
-/// Points of the path from `along_m` on, so far apart, with that of the arc length `to_m` as the last.
-std::vector<Vec2> sampled(const PathProgress& path, double to_m) {
-  std::vector<Vec2> samples;
-  double before = 0.0, next = path.along_m + step_m;
-  for (std::size_t i = 1; i < path.points.size(); ++i) {
-    const double leg = distance(path.points[i - 1], path.points[i]);
-    for (; next <= std::min(to_m, before + leg) && leg > 0.0; next += step_m)
-      samples.push_back(path.points[i - 1] + ((next - before) / leg) * (path.points[i] - path.points[i - 1]));
-    before += leg;
-  }
-  return samples;
-}
-
 /// Returns the offset of a point along `aside`, m, with the most clearance; the smallest one that gives
 /// `wanted_m`.
 double best_offset(Vec2 point, Vec2 aside, const Nearby& surfaces, double wanted_m) {
@@ -197,10 +184,23 @@ void GapLooks::add(const PathRoom& room) {
   room_m += (room.least_m - room_m) / std::min(count, most_count);
 }
 
+std::vector<Vec2> points_ahead(const PathProgress& path, double ahead_m) {
+  const double to_m = path.along_m + ahead_m;
+  std::vector<Vec2> samples;
+  double before = 0.0, next = path.along_m + step_m;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const double leg = distance(path.points[i - 1], path.points[i]);
+    for (; next <= std::min(to_m, before + leg) && leg > 0.0; next += step_m)
+      samples.push_back(path.points[i - 1] + ((next - before) / leg) * (path.points[i] - path.points[i - 1]));
+    before += leg;
+  }
+  return samples;
+}
+
 PathRoom centre_path(PathProgress& path, Vec2 position, const Nearby& surfaces, double ahead_m,
                      double wanted_m) {
   const double to_m = std::min(path.along_m + ahead_m, length_of(path.points));
-  std::vector<Vec2> samples = sampled(path, to_m);
+  const std::vector<Vec2> samples = points_ahead(path, ahead_m);
   std::vector<Vec2> aside;
   std::vector<double> offsets;
   for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -4,29 +4,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <memory>
+
+#include "outrider/geometry/polyline.hpp"
 
 namespace outrider {
 namespace {
 
+constexpr double point_m = 0.0005;  // half the side of a point of a surface
+
+/// Returns true if the map leaves no room at the place.
+bool is_narrow(const TraversabilityGrid& ground, Vec2 place) {
+  const Cell cell = ground.frame().cell_at(place);
+  return ground.frame().contains(cell) &&
+         ground.crowded(static_cast<std::uint32_t>(ground.frame().index(cell)));
+}
+
 /// Returns true if the next part of the path leads over ground on which the map leaves no room.
 bool leads_through_narrow(const TraversabilityGrid& ground, Vec2 here, const PathProgress& path) {
-  constexpr double ahead_m = 0.8, step_m = 0.02;
-  const auto narrow = [&](Vec2 point) {
-    const Cell cell = ground.frame().cell_at(point);
-    return ground.frame().contains(cell) &&
-           ground.crowded(static_cast<std::uint32_t>(ground.frame().index(cell)));
-  };
-  if (narrow(here)) return true;
-  const double to_m = path.along_m + ahead_m;
-  double before = 0.0;
-  for (std::size_t i = 1; i < path.points.size() && before < to_m; ++i) {
-    const double leg = distance(path.points[i - 1], path.points[i]);
-    for (double at = std::max(0.0, path.along_m - before); at < leg && before + at < to_m; at += step_m) {
-      if (narrow(path.points[i - 1] + (at / leg) * (path.points[i] - path.points[i - 1]))) return true;
-    }
-    before += leg;
-  }
-  return false;
+  constexpr double ahead_m = 0.8;
+  const auto narrow = [&](Vec2 point) { return is_narrow(ground, point); };
+  return narrow(here) || std::ranges::any_of(points_ahead(path, ahead_m), narrow);
 }
 
 /// Returns true if the robot has driven through the place.
@@ -105,8 +104,8 @@ bool GapPassage::judge(const ExploreTask& task, const ScanLocaliser& where,
 }
 
 bool GapPassage::look(const ExploreTask& task, const ScanLocaliser& where, TraversabilityGrid& ground,
-                      PathProgress* path, Driving driving) {
-  constexpr double ahead_m = 0.6, roomy_m = 0.06, point_m = 0.0005;
+                      const std::vector<Vec2>& touched, PathProgress* path, Driving driving) {
+  constexpr double ahead_m = 0.6, roomy_m = 0.06;
   constexpr double largest_error_m = 0.02;
   if (centred_scan_ == where.scans()) return true;
   centred_scan_ = where.scans();
@@ -117,27 +116,38 @@ bool GapPassage::look(const ExploreTask& task, const ScanLocaliser& where, Trave
     looks_ = {};
     return true;
   }
-  surfaces_ = {where.surfaces(), point_m};
-  if (driving == Driving::back) {
-    room_ = PathRoom{surfaces_.clearance(here), here};
-    return true;
-  }
+  surfaces_ = where.surfaces();
+  surfaces_.insert(surfaces_.end(), touched.begin(), touched.end());
   const double radius_m = task.robot.radius_m;
-  room_ = centre_path(*path, here, surfaces_, ahead_m, radius_m + roomy_m);
+  room_ = centre_path(*path, here, {surfaces_, point_m}, ahead_m, radius_m + roomy_m);
   fits_ = room_->least_m >= radius_m - largest_error_m;
-  return driving != Driving::to_goal || !std::isfinite(room_->least_m) || judge(task, where, ground);
+  return driving != Driving::to_goal || !std::isfinite(room_->least_m) || is_narrow(ground, here) ||
+         judge(task, where, ground);
 }
 
-std::pair<RobotModel, SteerOptions> GapPassage::way_of_driving(const ExploreTask& task) const {
-  std::pair<RobotModel, SteerOptions> driving{task.robot, task.steer};
-  if (!room_) return driving;
-  auto& [robot, steering] = driving;
-  constexpr double careful_m = 0.03, lookahead_m = 0.2;
+Follow GapPassage::order(const PathProgress& path, const RobotModel& robot) const {
+  constexpr double straight_m = 0.002, beside_m = 0.1, play_part = 0.3, careful_m = 0.03;
+  constexpr double aim_m = 0.2, same_m = 1e-3;
+  // First straight to the farthest near point of the path that is as free; its next points would have the
+  // robot turn with all the noise of the surfaces.
+  const Nearby surfaces{surfaces_, point_m};
+  const Vec2 here = path.points.front();
+  const double free_m = std::min(room_->least_m, surfaces.clearance(here)) - same_m;
+  std::size_t aim = 1;
+  for (std::size_t i = 1; i < path.points.size() && distance(here, path.points[i]) < aim_m; ++i) {
+    if (surfaces.clearance(Segment{here, path.points[i]}) >= free_m) aim = i;
+  }
+  std::vector<Vec2> points{here};
+  std::ranges::copy(
+      simplified({path.points.begin() + static_cast<std::ptrdiff_t>(aim), path.points.end()}, straight_m),
+      std::back_inserter(points));
+  TrackPieces legs;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i] != points[i - 1]) legs.push_back({points[i - 1], points[i], {}});
+  }
   const double play_m = std::max(0.0, room_->least_m - robot.radius_m);
-  if (play_m < careful_m) robot.speed_mps *= 0.5;
-  steering.least_gap_m = std::min(steering.least_gap_m, 0.7 * play_m);
-  steering.lookahead_m = std::min(steering.lookahead_m, lookahead_m);
-  return driving;
+  return {std::make_shared<const TrackPieces>(std::move(legs)), beside_m, play_part * play_m,
+          (play_m < careful_m ? 0.5 : 1.0) * robot.speed_mps};
 }
 
 }  // namespace outrider

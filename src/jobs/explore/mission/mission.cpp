@@ -12,10 +12,12 @@
 
 namespace outrider {
 
-ExploreMission::ExploreMission(LaserSlam slam, ExploreTask task, PlannerOutage outage)
+ExploreMission::ExploreMission(ExploreTask task, PlannerOutage outage, ScanLocaliser& where,
+                               Navigator navigator)
     : task_(std::move(task)),
       outage_(outage),
-      where_(std::move(slam), task_.slam, task_.start, task_.rules.lost_m),
+      navigator_(std::move(navigator)),
+      where_(&where),
       frontiers_(task_.explore.frontier, task_.robot.radius_m),
       touches_(task_.robot.radius_m) {
   blacklist_.ban_s = task_.explore.ban_s;
@@ -28,11 +30,24 @@ Outcome<ExploreMission> begin(const ExploreTask& task, const PlannerOutage& outa
     return no_such_row("planner", task.explore.planner, planners, "planner");
   auto slam = LaserSlam::begin(task.slam, task.start);
   if (!slam) return pass_on(slam);
-  return ExploreMission(std::move(*slam), task, outage);
+  auto localiser =
+      std::make_unique<ScanLocaliser>(std::move(*slam), task.slam, task.start, task.rules.lost_m);
+  ScanLocaliser& where = *localiser;
+  NavigatorSetup setup;
+  setup.robot = task.robot;
+  setup.footprint = Footprint::disk(task.robot.radius_m);
+  setup.robot_T_laser = task.slam.robot_T_laser;
+  setup.options = task.navigator;
+  setup.options.period_s = task.rules.period_s;
+  setup.map = task.live_map;
+  setup.motion = task.motion;
+  auto navigator = Navigator::make(std::move(setup), std::move(localiser));
+  if (!navigator) return pass_on(navigator);
+  return ExploreMission(task, outage, where, std::move(*navigator));
 }
 
 void ExploreMission::add_event(std::string kind, std::string text) {
-  events_.push_back({where_.time_s(), std::move(kind), std::move(text)});
+  events_.push_back({where_->time_s(), std::move(kind), std::move(text)});
 }
 
 void ExploreMission::follow(std::vector<Vec2> points) {
@@ -41,9 +56,9 @@ void ExploreMission::follow(std::vector<Vec2> points) {
 }
 
 ExploreState ExploreMission::state() {
-  return {frontiers_,       blacklist_,       task_.robot,
-          where_.range_m(), where_.pose(),    task_.start,
-          where_.time_s(),  decision_.choice, outage_.budget(where_.time_s())};
+  return {frontiers_,        blacklist_,       task_.robot,
+          where_->range_m(), where_->pose(),   task_.start,
+          where_->time_s(),  decision_.choice, outage_.budget(where_->time_s())};
 }
 
 /// Notes when the known ground grew by more than noise makes of it.
@@ -52,27 +67,28 @@ void ExploreMission::note_new_ground() {
   const TraversabilityGrid& ground = frontiers_.ground();
   const double known_m2 =
       static_cast<double>(ground.known_cells()) * ground.frame().resolution_m * ground.frame().resolution_m;
-  if (learned_s_ >= where_.started_s() && known_m2 <= known_m2_ + noise_m2) return;
+  if (learned_s_ >= where_->started_s() && known_m2 <= known_m2_ + noise_m2) return;
   known_m2_ = std::max(known_m2_, known_m2);
-  learned_s_ = where_.time_s();
+  learned_s_ = where_->time_s();
 }
 
 /// Tells the frontiers. A map of which much has changed is thought over with the next scan.
 void ExploreMission::update_frontiers() {
   const bool first = decisions_ == 0;
-  const bool keeps = where_.changed().redrawn && !first && !forgets_;
+  const bool keeps = where_->changed().redrawn && !first && !forgets_;
   forgets_ = false;
-  const bool much = keeps ? frontiers_.update(explored_map(), where_.changed())
-                          : frontiers_.update(where_.slam().map().occupancy(), where_.changed());
-  touches_.mark(frontiers_.ground(), where_.slam());
+  const bool much = keeps ? frontiers_.update(explored_map(), where_->changed())
+                          : frontiers_.update(where_->slam().map().occupancy(), where_->changed());
+  touches_.mark(frontiers_.ground(), where_->slam());
+  navigator_.note_touched(touches_.points());
   note_new_ground();
   if (!much || first) return;
   prepare(frontiers_, task_.explore);
-  where_.forget_news();
+  where_->forget_news();
 }
 
 Grid<std::uint8_t> ExploreMission::explored_map() const {
-  Grid<std::uint8_t> map = where_.slam().map().occupancy();
+  Grid<std::uint8_t> map = where_->slam().map().occupancy();
   const Grid<std::uint8_t>& known = frontiers_.ground().known();
   if (known.cells.empty()) return map;
   const Cell offset = known.frame.cell_at(map.frame.centre({0, 0}));
@@ -88,18 +104,15 @@ Grid<std::uint8_t> ExploreMission::explored_map() const {
 
 void ExploreMission::perceive(const Observation& seen) {
   if (stage_ == ExploreStage::over) return;
-  if (!where_.begun()) {
-    retreat_.moved_on({}, seen.time_s);
-    sighted_s_ = seen.time_s;
-  }
+  if (!where_->begun()) sighted_s_ = seen.time_s;
   const bool touched_before = std::exchange(touching_, seen.touching);
-  const Localised now = where_.take(seen);
+  const Localised now = where_->note(seen);
+  now_ = navigator_.perceive(seen);
   forgets_ = forgets_ || now.corrected;
   if (now.redrawn) touches_.redraw();
   if (now.closed_loop) {
     ++loops_;
     path_.reset();
-    moved_on();
     add_event(
         "loop",
         now.undid_loop
@@ -107,38 +120,40 @@ void ExploreMission::perceive(const Observation& seen) {
             : "a place was recognised, and the map was redrawn");
   }
   if (!now.lost.empty()) end("lost", now.lost);
-  if (touching_ && !touched_before) touches_.note(seen, where_, frontiers_.ground());
+  if (!touching_ || touched_before) return;
+  touches_.note(seen, *where_, frontiers_.ground());
+  navigator_.note_touched(touches_.points());
+  give_up_goal("something was touched");
 }
 
 /// Asks whether the range finder can be believed. Ends the mission if it cannot.
 bool ExploreMission::believes_range_finder() {
-  const std::string doubt = where_.doubt_of_range_finder();
+  const std::string doubt = where_->doubt_of_range_finder();
   if (!doubt.empty()) end("lost", "lost: " + doubt);
   return doubt.empty();
 }
 
 std::string ExploreMission::why_blind(double blind_s) const {
-  if (blind_s > 10.0 * task_.rules.blind_s || !where_.any_usable())
+  if (blind_s > 10.0 * task_.rules.blind_s || !where_->any_usable())
     return fmt::format("no scan that could be used came for {:.1f} s", blind_s);
   return fmt::format("its scans come too late to drive by: the newest is {:.1f} s old", blind_s);
 }
 
 std::optional<Command> ExploreMission::respond() {
   if (stage_ == ExploreStage::over) return std::nullopt;
-  const double time_s = where_.time_s();
-  const double until_s = time_s + task_.rules.period_s;
-  const double blind_s = where_.blind_s();
-  if (blind_s > task_.rules.blind_s || !where_.any_usable()) {
-    if (std::max(blind_s, time_s - sighted_s_) <= 10.0 * task_.rules.blind_s) return DriveTwist{{}, until_s};
+  const double time_s = where_->time_s();
+  const double blind_s = where_->blind_s();
+  if (blind_s > task_.rules.blind_s || !where_->any_usable()) {
+    if (std::max(blind_s, time_s - sighted_s_) <= 10.0 * task_.rules.blind_s) return navigator_.act(Hold{});
     end("blind", why_blind(blind_s));
     return std::nullopt;
   }
   sighted_s_ = time_s;
-  if (where_.has_news()) update_frontiers();
-  const Twist2 twist = believes_range_finder() ? drive() : Twist2{};
-  where_.forget_news();
-  if (stage_ != ExploreStage::over) return DriveTwist{twist, until_s};
-  where_.finish();
+  if (where_->has_news()) update_frontiers();
+  const Order order = believes_range_finder() ? drive() : Order{Hold{}};
+  where_->forget_news();
+  if (stage_ != ExploreStage::over) return navigator_.act(order);
+  where_->finish();
   return std::nullopt;
 }
 
@@ -151,7 +166,7 @@ std::optional<Command> ExploreMission::step(const Observation& seen) {
 /// saw first.
 std::string ExploreMission::home_doubt() {
   constexpr double most_contradicted = 0.1;  // people who stand there make some
-  const auto contradicted = home_.is_there ? where_.contradiction_of_first_scan() : std::nullopt;
+  const auto contradicted = home_.is_there ? where_->contradiction_of_first_scan() : std::nullopt;
   if (!contradicted) return {};
   home_.contradiction = *contradicted;
   if (*contradicted <= most_contradicted) return {};
@@ -169,7 +184,7 @@ void ExploreMission::judge_what_is_left() {
   if (decision) decision_.refused = decision->refused;
   left_ = left_over(now, task_.explore, decision_.refused, true, gaps_.places());
   if (!explored()) return;
-  std::string doubt = map_doubt(where_.slam());
+  std::string doubt = map_doubt(where_->slam());
   if (doubt.empty()) doubt = home_doubt();
   if (!doubt.empty()) {
     stop_reason_ = "lost";

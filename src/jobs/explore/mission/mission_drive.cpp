@@ -3,75 +3,59 @@
 #include <algorithm>
 #include <utility>
 
-#include "mission/near_robot.hpp"
 #include "outrider/jobs/explore/mission/mission.hpp"
 
 namespace outrider {
+namespace {
 
-/// Returns true if the next part of the path is blocked.
-bool ExploreMission::blocked(const Nearby& nearby) const {
-  const double gap_m = gaps_.in_narrow() ? 0.0 : task_.steer.least_gap_m;
-  const double wanted =
-      std::min(task_.robot.radius_m + gap_m, nearby.clearance(where_.pose().position) - 1e-3);
-  double before = 0.0;
-  const PathProgress& path = *path_;
-  for (std::size_t i = 1; i < path.points.size(); ++i) {
-    const Segment leg{path.points[i - 1], path.points[i]};
-    const double length = distance(leg.a, leg.b);
-    before += length;
-    if (before <= path.along_m || length == 0.0) continue;
-    const double from = std::max(0.0, path.along_m - (before - length));
-    const Segment ahead{leg.a + (from / length) * (leg.b - leg.a), leg.b};
-    if (distance(ahead.a, where_.pose().position) > nearby_m) return false;
-    if (nearby.clearance(ahead) < wanted) return true;
-  }
-  return false;
-}
+constexpr double instant_s = 1e-9;  // by which times are rounded
+
+}  // namespace
 
 /// Returns true if it is time for a new decision.
-bool ExploreMission::time_to_decide(const Nearby& nearby) const {
-  if (!where_.has_news()) return false;
+bool ExploreMission::time_to_decide() const {
+  if (!where_->has_news()) return false;
   if (!path_ || sees_nothing_new()) return true;
-  if (where_.time_s() - decided_s_ >= task_.rules.think_again_s) return true;
+  if (where_->time_s() - decided_s_ >= task_.rules.think_again_s - instant_s) return true;
   if (stage_ == ExploreStage::seek && !frontiers_.frontiers().contains(decision_.choice.frontier))
     return true;
-  return remaining_m(*path_) < arrived_m || blocked(nearby);
+  return remaining_m(*path_) < arrived_m();
 }
 
-/// Goes back along the way it came, and leaves the goal out for a while. If it has just tried that here, goes
-/// to where there is most room.
-void ExploreMission::back_off(const Nearby& nearby) {
-  const Vec2 here = where_.pose().position;
-  const std::int64_t stuck = retreat_.count(where_.driven_m(), touching_ && touches_.take_new());
-  add_event(touching_ ? "touch" : "stuck",
-            fmt::format("at ({:.2f}, {:.2f}): {}; it goes back a little", here.x, here.y,
-                        touching_ ? "something was touched" : "it does not move on"));
-  if (stuck > task_.rules.most_stuck)
-    return end("stuck", fmt::format("it got stuck {} times in a row", stuck));
-  // A touch has blocked the ground; there may be another way.
-  if (gaps_.in_narrow()) {
-    if (gaps_.note_stuck(where_, frontiers_.ground())) too_narrow();
-  } else if (stage_ == ExploreStage::seek && path_ && !touching_) {
-    blacklist_.add(decision_.choice.place, where_.time_s());
+/// Returns true if the robot has been at one place for too long. The navigator does not know, since orders
+/// change with the map.
+bool ExploreMission::stands_still() {
+  constexpr double moved_m = 0.04;
+  const Pose2& here = where_->pose();
+  if (!path_ || distance(here.position, stood_.position) > moved_m) {
+    stood_ = here;
+    moved_on_s_ = where_->time_s();
   }
-  stage_ = ExploreStage::back_off;
-  follow(retreat_.way(where_, nearby, task_.rules.back_off_m));
-  moved_on();
+  return where_->time_s() - moved_on_s_ > task_.rules.patience_s + instant_s;
 }
 
-/// Returns the twist at half the speed.
-Twist2 ExploreMission::steer_slowly(const Pose2& pose, const Twist2& now, const Nearby& nearby) const {
-  RobotModel slow = task_.robot;
-  slow.speed_mps *= 0.5;
-  return steer(*path_, pose, now, nearby, slow, task_.steer);
-}
-
-/// Returns the twist for a robot that drives backwards.
-Twist2 ExploreMission::steer_back(const Nearby& nearby) const {
-  const Pose2 turned{where_.pose().position, where_.pose().heading_rad + pi};
-  const Twist2 now{-where_.twist().ahead_mps, 0.0, where_.twist().turn_radps};
-  const Twist2 back = steer_slowly(turned, now, nearby);
-  return {-back.ahead_mps, 0.0, back.turn_radps};
+/// Leaves the goal out for a while, since the robot got stuck on the way or touched something, which blocks
+/// the ground: there may be another way.
+void ExploreMission::give_up_goal(const std::string& why) {
+  constexpr double elsewhere_m = 20.0;  // between two times stuck that have nothing in common
+  if (where_->driven_m() - stuck_m_ > elsewhere_m) stuck_here_ = 0;
+  stuck_m_ = where_->driven_m();
+  ++stuck_;
+  const bool touched_new = touching_ && touches_.take_new();
+  if (!touched_new) ++stuck_here_;
+  const Vec2 here = where_->pose().position;
+  add_event(touching_ ? "touch" : "stuck", fmt::format("at ({:.2f}, {:.2f}): {}", here.x, here.y, why));
+  if (stuck_here_ > task_.rules.most_stuck)
+    return end("stuck", fmt::format("it got stuck {} times in a row", stuck_here_));
+  if (!touching_) {
+    if (gaps_.in_narrow() && gaps_.note_stuck(*where_, frontiers_.ground()))
+      too_narrow();
+    else if (stage_ == ExploreStage::seek && path_)
+      blacklist_.add(decision_.choice.place, where_->time_s());
+  }
+  path_.reset();
+  order_.reset();
+  moved_on_s_ = where_->time_s();
 }
 
 /// Ends the mission if the robot has got no nearer to home for long, as behind a door that was closed. It may
@@ -83,8 +67,8 @@ void ExploreMission::end_if_no_nearer_to_home() {
   double& least_m = home_.left_m[home_.on_trail ? 1 : 0];
   if (left_m < least_m - nearer_m) {
     least_m = left_m;
-    home_.nearer_s = where_.time_s();
-  } else if (where_.time_s() - home_.nearer_s > home_patience_s) {
+    home_.nearer_s = where_->time_s();
+  } else if (where_->time_s() - home_.nearer_s > home_patience_s) {
     const double cell_m = task_.slam.map.resolution_m;
     end("stuck", fmt::format("it gets no nearer to home since {:.0f} s: {}", home_.nearer_s,
                              cell_m > task_.robot.radius_m
@@ -93,28 +77,11 @@ void ExploreMission::end_if_no_nearer_to_home() {
   }
 }
 
-/// Returns the obstacles around the robot: by the map; by the last scans in a narrow place; by the newest
-/// scan if the map encloses the robot. Touched obstacles are added too, except beside the trail that leads
-/// home.
-Nearby ExploreMission::surroundings() const {
-  constexpr double beam_m = 0.01;
-  Nearby nearby;
-  if (gaps_.in_narrow())
-    nearby = gaps_.surfaces();
-  else if (retreat_.often_here(where_.driven_m()))
-    nearby = {where_.beam_ends(), beam_m};
-  else
-    nearby = {where_.slam().map().occupancy(), where_.pose().position, nearby_m};
-  if (!home_.on_trail) nearby.add(touches_.points());
-  return nearby;
-}
-
 /// Looks at narrow places ahead from near, and goes elsewhere where they are too narrow.
 void ExploreMission::look_close() {
-  const Driving driving = stage_ == ExploreStage::back_off ? Driving::back
-                          : stage_ == ExploreStage::seek   ? Driving::to_goal
-                                                           : Driving::home;
-  if (gaps_.look(task_, where_, frontiers_.ground(), path_ ? &*path_ : nullptr, driving)) return;
+  if (gaps_.look(task_, *where_, frontiers_.ground(), touches_.points(), path_ ? &*path_ : nullptr,
+                 stage_ == ExploreStage::seek ? Driving::to_goal : Driving::home))
+    return;
   add_event("narrow", gaps_.sentence());
   too_narrow();
 }
@@ -125,34 +92,47 @@ void ExploreMission::too_narrow() {
   path_.reset();
 }
 
-bool ExploreMission::stands_still() {
-  return path_ && retreat_.stands_still(where_.pose(), where_.time_s(), task_.rules.patience_s);
+/// Returns the order to go on along the path: to its end, or to a place on it a little ahead. The order
+/// before stands as long as that is so of it.
+GoTo ExploreMission::next_order() const {
+  constexpr double ahead_m = 2.0, again_m = 0.8, within_m = 0.3, same_m = 0.07;
+  const std::vector<Vec2> ahead = points_ahead(*path_, ahead_m);
+  const Vec2 end = path_->points.back();
+  const auto is_same = [&](Vec2 place) {
+    return order_ && distance(place, order_->place) < same_m &&
+           distance(place, where_->pose().position) > again_m;
+  };
+  if (std::ranges::any_of(ahead, is_same)) return *order_;
+  if (remaining_m(*path_) > ahead_m) return {ahead.back(), within_m};
+  const bool goes_there = order_ && distance(end, order_->place) < arrived_m() && order_->within_m < within_m;
+  return goes_there ? *order_ : GoTo{end, arrived_m()};
 }
 
-Twist2 ExploreMission::drive() {
-  if (path_) advance_along(*path_, where_.pose().position);
+Order ExploreMission::drive() {
+  if (path_) advance_along(*path_, where_->pose().position);
   end_if_no_nearer_to_home();
-  if (stage_ == ExploreStage::over) return {};
+  if (stage_ == ExploreStage::over) return Hold{};
   look_close();
-  Nearby nearby = surroundings();
-  if (stage_ == ExploreStage::back_off) {
-    if (path_ && remaining_m(*path_) >= arrived_m && !stands_still())
-      return retreat_.backwards() ? steer_back(nearby) : steer_slowly(where_.pose(), where_.twist(), nearby);
-    stage_ = ExploreStage::seek;
-    path_.reset();
-  } else if (touching_ || stands_still()) {
-    back_off(nearby);
-    return {};
+  const bool blocked = order_ && now_.progress.state == Progress::State::blocked;
+  if (blocked || stands_still()) {
+    give_up_goal(blocked ? now_.progress.why : "it does not move on");
+    return Hold{};
   }
-  if (where_.settles_soon()) return {};
-  if (time_to_decide(nearby)) {
+  if (stage_ == ExploreStage::over || where_->settles_soon()) return Hold{};
+  if (time_to_decide()) {
     decide_anew();
     look_close();
-    nearby = surroundings();
   }
-  if (!path_ || !gaps_.may_pass()) return {};
-  const auto [robot, steering] = gaps_.way_of_driving(task_);
-  return steer(*path_, where_.pose(), where_.twist(), nearby, robot, steering);
+  if (where_->has_news()) navigator_.look_close(gaps_.surfaces(), CloseRange::reach_m - 0.1);
+  if (!path_ || !gaps_.may_pass()) return Hold{};
+  if (gaps_.in_narrow() && remaining_m(*path_) > arrived_m()) {
+    if (!through_ || where_->has_news()) through_ = gaps_.order(*path_, task_.robot);
+    order_.reset();
+    return *through_;
+  }
+  through_.reset();
+  order_ = next_order();
+  return *order_;
 }
 
 }  // namespace outrider

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "mission/near_robot.hpp"
 #include "outrider/jobs/explore/mission/mission.hpp"
 
 namespace outrider {
@@ -12,8 +11,8 @@ namespace outrider {
 /// robot goes home that may show that something is left to see, and when it believes that it is home, that it
 /// is not.
 bool ExploreMission::settled(double lately_m) {
-  if (where_.settled_within(lately_m)) return true;
-  where_.settle_soon();
+  if (where_->settled_within(lately_m)) return true;
+  where_->settle_soon();
   path_.reset();
   return false;
 }
@@ -22,8 +21,8 @@ bool ExploreMission::settled(double lately_m) {
 /// the trail comes by the same place again, what lies between is left out.
 std::vector<Vec2> ExploreMission::trail_home() const {
   constexpr double same_m = 0.03;
-  const std::vector<Pose2> came = where_.slam().trajectory();
-  std::vector<Vec2> way{where_.pose().position};
+  const std::vector<Pose2> came = where_->slam().trajectory();
+  std::vector<Vec2> way{where_->pose().position};
   for (std::size_t at = came.size(); at-- > 0;) {
     std::size_t earliest = at;
     for (std::size_t i = 0; i < at; ++i) {
@@ -43,7 +42,7 @@ void ExploreMission::turn_home(const std::string& stop_reason, const std::string
   if (stop_reason_ != stop_reason) add_event("home", reason);
   stop_reason_ = stop_reason;
   reason_ = reason;
-  home_.is_there = distance(where_.pose().position, task_.start.position) <= task_.rules.home_within_m;
+  home_.is_there = distance(where_->pose().position, task_.start.position) <= task_.rules.home_within_m;
   constexpr double here_m = 0.5;
   if (task_.rules.return_home && home_.is_there && !settled(here_m)) {
     home_.arriving = true;
@@ -51,7 +50,6 @@ void ExploreMission::turn_home(const std::string& stop_reason, const std::string
   }
   if (!task_.rules.return_home || home_.is_there) return end(stop_reason, reason);
   auto way = way_to(state(), task_.start.position, task_.explore, workspace_);
-  if (stage_ != ExploreStage::go_home) moved_on();
   stage_ = ExploreStage::go_home;
   home_.on_trail = !way;
   follow(way ? std::move(*way) : trail_home());
@@ -72,9 +70,8 @@ void ExploreMission::take(Decision decision) {
   if (decision_.kind == DecisionKind::leak) return turn_home("leak", decision_.sentence);
   if (elsewhere) {
     ++goal_changes_;
-    where_.forget_settling();
+    where_->forget_settling();
     home_.left_m.fill(no_way_m);
-    moved_on();
     add_event("goal", decision_.sentence);
   }
   stage_ = ExploreStage::seek;
@@ -86,8 +83,8 @@ void ExploreMission::take(Decision decision) {
 
 bool ExploreMission::spent() const {
   const ExploreRules& rules = task_.rules;
-  return where_.time_s() - where_.started_s() > rules.most_time_s ||
-         where_.driven_m() > rules.most_distance_m;
+  return where_->time_s() - where_->started_s() > rules.most_time_s ||
+         where_->driven_m() > rules.most_distance_m;
 }
 
 bool ExploreMission::explored() const { return stop_reason_ == "complete" || stop_reason_ == "left_over"; }
@@ -109,12 +106,12 @@ Outcome<Decision> ExploreMission::decide_with_tries() {
   for (int i = 0;; ++i) {
     auto decision = decide(state(), options, workspace_);
     if (!decision || decision->kind != DecisionKind::complete) return decision;
-    if (stage_ == ExploreStage::go_home && where_.time_s() - left_s_ < valid_s) return decision;
+    if (stage_ == ExploreStage::go_home && where_->time_s() - left_s_ < valid_s) return decision;
     left_ = left_over(state(), options, decision->refused, false, gaps_.places());
-    left_s_ = where_.time_s();
+    left_s_ = where_->time_s();
     const bool failed = std::ranges::count(left_.places, LeftReason::failed, &LeftOver::reason) > 0;
     if (i == most_rounds ||
-        (!opens_narrow_way() && !(failed && blacklist_.lift(most_failures, where_.time_s()))))
+        (!opens_narrow_way() && !(failed && blacklist_.lift(most_failures, where_->time_s()))))
       return decision;
   }
 }
@@ -135,10 +132,10 @@ bool ExploreMission::goes_out_again() {
 void ExploreMission::go_without_planner(const Fault& fault) {
   constexpr double patience_s = 10.0;
   if (!planless_s_) add_event("stuck", "no way is planned, so it waits: " + fault.sentence);
-  const double since_s = planless_s_.value_or(where_.time_s());
+  const double since_s = planless_s_.value_or(where_->time_s());
   planless_s_ = since_s;
   path_.reset();
-  if (where_.time_s() - since_s < patience_s) return;
+  if (where_->time_s() - since_s < patience_s) return;
   turn_home("stuck", fmt::format("no way can be planned since {:.1f} s: {}", since_s, fault.sentence));
 }
 
@@ -148,17 +145,17 @@ bool ExploreMission::sees_nothing_new() const {
   const TraversabilityGrid& ground = frontiers_.ground();
   const int cells = ground.highest().x - ground.lowest().x + ground.highest().y - ground.lowest().y + 2;
   const double across_s = cells * ground.frame().resolution_m / task_.robot.speed_mps;
-  return where_.time_s() - learned_s_ > patience_s + ways * across_s;
+  return where_->time_s() - learned_s_ > patience_s + ways * across_s;
 }
 
 void ExploreMission::decide_anew() {
-  const bool arrived = path_ && stage_ == ExploreStage::seek && remaining_m(*path_) < arrived_m;
+  const bool arrived = path_ && stage_ == ExploreStage::seek && remaining_m(*path_) < arrived_m();
   const std::uint32_t goal = decision_.choice.frontier;
-  decided_s_ = where_.time_s();
+  decided_s_ = where_->time_s();
   ++decisions_;
   if (spent()) {
-    return turn_home("budget", fmt::format("its budget is spent after {:.0f} s and {:.1f} m", where_.time_s(),
-                                           where_.driven_m()));
+    return turn_home("budget", fmt::format("its budget is spent after {:.0f} s and {:.1f} m",
+                                           where_->time_s(), where_->driven_m()));
   }
   if (sees_nothing_new()) {
     return turn_home(
@@ -173,7 +170,7 @@ void ExploreMission::decide_anew() {
   }
   // Looked at from where it was to be seen, and still there: it will not be seen.
   if (arrived && frontiers_.frontiers().contains(goal))
-    blacklist_.add(decision_.choice.place, where_.time_s());
+    blacklist_.add(decision_.choice.place, where_->time_s());
   auto decision = decide_with_tries();
   if (!decision && decision.error().code == FaultCode::budget_exhausted) {
     go_without_planner(decision.error());

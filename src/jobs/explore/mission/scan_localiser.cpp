@@ -6,13 +6,13 @@
 #include <cmath>
 #include <utility>
 
-#include "mission/near_robot.hpp"
 #include "outrider/jobs/explore/map/map_doubt.hpp"
 #include "outrider/slam/scan/scan_contradiction.hpp"
 
 namespace outrider {
 namespace {
 
+constexpr double near_m = 1.8;         ///< ends of beams within that are kept
 constexpr double remembered_s = 10.0;  ///< of odometry; scans that come later than that are taken for new
 
 /// Returns true if the scan is usable.
@@ -26,7 +26,7 @@ std::vector<Vec2> ends_of(const LaserScan& scan, const Pose2& frame_T_laser) {
   std::vector<Vec2> ends;
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
     const auto range_m = static_cast<double>(scan.ranges_m[i]);
-    if (!(range_m >= scan.least_m && range_m <= std::min(scan.most_m, 2.0 * nearby_m))) continue;
+    if (!(range_m >= scan.least_m && range_m <= std::min(scan.most_m, near_m))) continue;
     const double bearing =
         frame_T_laser.heading_rad + scan.first_rad + static_cast<double>(i) * scan.step_rad;
     ends.push_back(frame_T_laser.position + range_m * direction(bearing));
@@ -88,15 +88,12 @@ void ScanLocaliser::settle(Localised& result) {
 }
 
 /// Keeps a usable scan that was measured at the odometry `then`.
-void ScanLocaliser::keep(const LaserScan& scan, const Pose2& then, const Pose2& pose) {
+void ScanLocaliser::keep(const LaserScan& scan, const Pose2& then) {
   scan_s_ = std::min(scan.time_s, time_s_);
   range_m_ = scan.most_m;
   newest_ = {scan, static_cast<std::size_t>(scans_)};
   if (!first_) first_ = newest_;
-  const std::vector<Vec2> ends = ends_of(scan, robot_T_laser_);
-  beam_ends_.clear();
-  for (const Vec2 point : ends) beam_ends_.push_back(pose * point);
-  close_range_.add(then, ends);
+  close_range_.add(then, ends_of(scan, robot_T_laser_));
 }
 
 void ScanLocaliser::take_scan(const LaserScan& scan, Localised& result) {
@@ -117,7 +114,7 @@ void ScanLocaliser::take_scan(const LaserScan& scan, Localised& result) {
   if (!usable(scan) || repeated_.repeats(scan, odometry_of_slam_))
     ++bad_scans_;
   else
-    keep(scan, then, step->pose);
+    keep(scan, then);
   learn(std::move(step->update));
   result.closed_loop = step->closed_loop;
   result.undid_loop = step->undid_loop;
@@ -127,11 +124,12 @@ void ScanLocaliser::take_scan(const LaserScan& scan, Localised& result) {
     result.lost = fmt::format("it is lost: its position has a standard deviation of {:.2f} m", sigma_m);
 }
 
-Localised ScanLocaliser::take(const Observation& seen) {
+Localised ScanLocaliser::note(const Observation& seen) {
   const Pose2 now = finite(seen.odometry) ? seen.odometry : odometry_;
   if (!started_s_) {
     started_s_ = scan_s_ = time_s_ = seen.time_s;
     odometry_ = odometry_of_slam_ = now;
+    world_T_odometry_ = compose(pose_, inverse(now));
   }
   const double passed_s = seen.time_s - time_s_;
   const Pose2 motion = wrap_heading(relative_pose(odometry_, now));
@@ -143,7 +141,13 @@ Localised ScanLocaliser::take(const Observation& seen) {
   pose_ = carried_on();
   Localised result;
   if (seen.scan) take_scan(*seen.scan, result);
+  moved_ = moved_ || result.corrected || result.closed_loop;
   return result;
+}
+
+bool ScanLocaliser::take(const LaserScan&, const Pose2&) {
+  world_T_odometry_ = wrap_heading(compose(pose_, inverse(odometry_)));
+  return std::exchange(moved_, false);
 }
 
 void ScanLocaliser::finish() {

@@ -28,12 +28,36 @@ LaserSlamOptions near_sighted_slam() {
   return slam;
 }
 
+NavigatorOptions patient() {
+  NavigatorOptions options;
+  options.plan_again_s = 0.5;
+  options.most_recoveries = 3;
+  options.blind_s = 1.0;
+  return options;
+}
+
+LiveMapOptions near_sighted_map() {
+  LiveMapOptions options;
+  options.reach_m = 4.0;
+  options.touch_s = 1e6;
+  return options;
+}
+
+LocalMotionOptions careful_motion() {
+  LocalMotionOptions options;
+  options.margin_m = 0.01;
+  options.samples = 36;
+  options.horizon_s = 1.6;
+  options.rounds = 1;
+  options.wide_m = 0.1;
+  return options;
+}
+
 std::vector<Option> describe(ExploreRules& rules) {
   return {
       {"period", "s", 0.005, 1.0, "of control", &rules.period_s},
       {"think_again", "s", 0.0, 3600.0, "a goal is thought over at least so often", &rules.think_again_s},
       {"patience", "s", 0.5, 3600.0, "without moving on, after which it is stuck", &rules.patience_s},
-      {"back_off", "m", 0.0, 10.0, "how far it then goes back along the way it came", &rules.back_off_m},
       {"blind", "s", 0.01, 3600.0,
        "without a usable scan, after which it stands still; ten times that ends it", &rules.blind_s},
       {"most_stuck", "", 0, 100000, "times that it gets stuck with less than 20 m between; then it ends",

@@ -49,6 +49,9 @@ struct GapLooks {
   void add(const PathRoom& room);
 };
 
+/// Returns points of a path from where the robot is on it, 3 cm apart, for so far ahead.
+std::vector<Vec2> points_ahead(const PathProgress& path, double ahead_m);
+
 /// Moves the next `ahead_m` of the path sideways to the middle between the surfaces where they are nearer
 /// than `wanted_m`, and returns the room that is left there. The path then begins at the robot.
 PathRoom centre_path(PathProgress& path, Vec2 position, const Nearby& surfaces, double ahead_m,

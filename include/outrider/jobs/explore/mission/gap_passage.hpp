@@ -19,14 +19,14 @@
 namespace outrider {
 
 /// The purpose of the path that the robot follows.
-enum class Driving { to_goal, home, back };
+enum class Driving { to_goal, home };
 
 class GapPassage {
  public:
-  /// Looks at narrow places ahead, once a scan, and centres the path there. Returns false where the gap ahead
-  /// is too narrow; then the robot has to go elsewhere.
+  /// Looks at narrow places ahead, once a scan, and centres the path there between what is seen and touched.
+  /// Returns false where the gap ahead is too narrow; then the robot has to go elsewhere.
   bool look(const ExploreTask& task, const ScanLocaliser& where, TraversabilityGrid& ground,
-            PathProgress* path, Driving driving);
+            const std::vector<Vec2>& touched, PathProgress* path, Driving driving);
   /// The path is another one.
   void forget_path() { centred_scan_ = -1; }
 
@@ -41,10 +41,10 @@ class GapPassage {
   [[nodiscard]] bool in_narrow() const { return room_.has_value(); }
   /// False while the robot has to stand before the gap.
   [[nodiscard]] bool may_pass() const { return fits_; }
-  /// Returns the surfaces right around the robot. Pre: in_narrow().
-  [[nodiscard]] const Nearby& surfaces() const { return surfaces_; }
-  /// Returns the robot model and the steering for the room that there is.
-  [[nodiscard]] std::pair<RobotModel, SteerOptions> way_of_driving(const ExploreTask& task) const;
+  /// Returns the surfaces right around the robot; none while it is not in a narrow place.
+  [[nodiscard]] std::vector<Vec2> surfaces() const { return in_narrow() ? surfaces_ : std::vector<Vec2>{}; }
+  /// Returns the order to drive through the middle of the narrow places. Pre: in_narrow().
+  [[nodiscard]] Follow order(const PathProgress& path, const RobotModel& robot) const;
   [[nodiscard]] const std::vector<NarrowPlace>& places() const { return places_; }
 
  private:
@@ -55,7 +55,7 @@ class GapPassage {
   std::int64_t centred_scan_ =
       -1;                         ///< number of scans when the path was last centred; -1: it is another path
   std::optional<PathRoom> room_;  ///< set while the path leads through narrow places
-  Nearby surfaces_;               ///< right around the robot, while `room_` is set
+  std::vector<Vec2> surfaces_;    ///< right around the robot, while `room_` is set
   bool fits_ = true;              ///< false: `room_` is surely too little, and the robot stands
   GapLooks looks_;                ///< at the narrowest place ahead, from a distance
   std::vector<NarrowPlace> places_;  ///< those that were found to be too narrow, or tried

@@ -1,21 +1,20 @@
 // ExploreMission executes an exploration: a pure step from the observations of a robot with a range finder to
-// the twist that it commands.
+// the twist that its navigator commands.
 //
 // perceive() processes an observation: the localiser follows the robot (scan_localiser.hpp). respond()
-// updates the frontiers, decides on a goal (choose/decide.hpp) and steers to it (control/steer.hpp). It
+// updates the frontiers, decides on a goal (choose/decide.hpp) and orders the navigator along the way. It
 // decides again when the pursued frontier has dissolved, when the path is blocked, when the robot has
 // arrived, and periodically; so the robot seldom drives all the way to a frontier.
 //
-// A robot that makes no progress, or touches something, backs off along its path, and if that does not help
-// to where there is most room; where it touched nothing it bans the goal for a while. Where it touched
-// something the ground stays blocked, also if the laser sees nothing there. Where it has driven, the ground
-// stays open, whatever noise does to the map. If it gets stuck repeatedly, it trusts the newest scan more
-// than the map. Without any usable scan that is younger than `blind_s` the robot stops; it does not drive by
-// what it saw longer ago.
+// The navigator (navigate/navigator.hpp) gets it there and recovers; its localiser is that of the mission, so
+// there is one pose. Where it gives up, or stands for too long, the goal is banned for a while. Where the
+// robot touched something the ground stays blocked, also if the laser sees nothing there. Where it has
+// driven, the ground stays open, whatever noise does to the map. Without any usable scan that is younger than
+// `blind_s` the robot stops; it does not drive by what it saw longer ago.
 //
 // When nothing is left to see on ground that the map calls wide enough, the robot tries the passages in which
-// it may fit all the same: it drives up to them, measures the gap (close_range.hpp), and passes through its
-// middle or notes its width. When nothing is left to see or to try, or the budget is spent, it drives home.
+// it may fit all the same: it drives up to them, measures the gap (close_range.hpp), and passes it or notes
+// its width. When nothing is left to see or to try, or the budget is spent, it drives home.
 // The mission ends with a stop reason:
 //   complete  nothing is left over (left_over.hpp)
 //   left_over something is left over that the robot cannot see; the reason says how much, and why
@@ -29,6 +28,7 @@
 // Thread rule: one at a time. Sources: as in the headers named.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -38,16 +38,16 @@
 #include "outrider/core/planner_outage.hpp"
 #include "outrider/jobs/explore/choose/left_over.hpp"
 #include "outrider/jobs/explore/mission/gap_passage.hpp"
-#include "outrider/jobs/explore/mission/retreat.hpp"
 #include "outrider/jobs/explore/mission/scan_localiser.hpp"
 #include "outrider/jobs/explore/mission/task.hpp"
 #include "outrider/jobs/explore/mission/touch_marks.hpp"
+#include "outrider/navigate/navigator.hpp"
 #include "outrider/robot/mission.hpp"
 
 namespace outrider {
 
 /// The activity of the robot.
-enum class ExploreStage { seek, go_home, back_off, over };
+enum class ExploreStage { seek, go_home, over };
 
 /// An event of the mission.
 struct ExploreEvent {
@@ -59,7 +59,7 @@ struct ExploreEvent {
 class ExploreMission {
  public:
   /// Use begin(), which checks the task.
-  ExploreMission(LaserSlam slam, ExploreTask task, PlannerOutage outage);
+  ExploreMission(ExploreTask task, PlannerOutage outage, ScanLocaliser& where, Navigator navigator);
 
   /// Processes an observation.
   void perceive(const Observation& seen);
@@ -69,7 +69,7 @@ class ExploreMission {
   std::optional<Command> step(const Observation& seen);
 
   [[nodiscard]] const ExploreTask& task() const { return task_; }
-  [[nodiscard]] const ScanLocaliser& where() const { return where_; }
+  [[nodiscard]] const ScanLocaliser& where() const { return *where_; }
   [[nodiscard]] const FrontierMap& frontiers() const { return frontiers_; }
   [[nodiscard]] ExploreStage stage() const { return stage_; }
   [[nodiscard]] const Decision& decision() const { return decision_; }  ///< the newest one
@@ -79,8 +79,8 @@ class ExploreMission {
   [[nodiscard]] const std::vector<ExploreEvent>& events() const { return events_; }
   [[nodiscard]] const LeftOvers& left() const { return left_; }
   [[nodiscard]] const std::vector<Vec2>& touched() const { return touches_.points(); }
-  [[nodiscard]] std::int64_t stuck() const { return retreat_.stuck(); }  ///< how often it got stuck
-  [[nodiscard]] std::int64_t loops() const { return loops_; }            ///< closed loops
+  [[nodiscard]] std::int64_t stuck() const { return stuck_; }  ///< how often it got stuck
+  [[nodiscard]] std::int64_t loops() const { return loops_; }  ///< closed loops
   /// Returns the stop reason, set once the robot drives home or has ended, and the same as a sentence.
   [[nodiscard]] const std::string& stop_reason() const { return stop_reason_; }
   [[nodiscard]] const std::string& reason() const { return reason_; }
@@ -97,9 +97,10 @@ class ExploreMission {
 
   void add_event(std::string kind, std::string text);
   void end(std::string stop_reason, std::string reason);
-  void moved_on() { retreat_.moved_on(where_.pose(), where_.time_s()); }
   void follow(std::vector<Vec2> points);
   [[nodiscard]] ExploreState state();
+  /// Returns the distance from the end of its path at which the robot is there.
+  [[nodiscard]] double arrived_m() const { return std::min(0.05, 0.5 * task_.rules.home_within_m); }
 
   // mission.cpp: what it learns, and how it ends
   void note_new_ground();
@@ -125,17 +126,14 @@ class ExploreMission {
   void decide_anew();
 
   // mission_drive.cpp: how it drives there
-  [[nodiscard]] bool blocked(const Nearby& nearby) const;
-  [[nodiscard]] bool time_to_decide(const Nearby& nearby) const;
+  [[nodiscard]] bool time_to_decide() const;
   bool stands_still();
-  void back_off(const Nearby& nearby);
+  void give_up_goal(const std::string& why);
   void too_narrow();
-  [[nodiscard]] Twist2 steer_slowly(const Pose2& pose, const Twist2& now, const Nearby& nearby) const;
-  [[nodiscard]] Twist2 steer_back(const Nearby& nearby) const;
   void end_if_no_nearer_to_home();
-  [[nodiscard]] Nearby surroundings() const;
   void look_close();
-  Twist2 drive();
+  [[nodiscard]] GoTo next_order() const;
+  Order drive();
 
   /// The way home.
   struct Home {
@@ -151,11 +149,11 @@ class ExploreMission {
 
   ExploreTask task_;
   PlannerOutage outage_;  ///< a fault to try out: a planner without a budget
-  ScanLocaliser where_;
+  Navigator navigator_;
+  ScanLocaliser* where_;  ///< that of the navigator
   FrontierMap frontiers_;
   TouchMarks touches_;
   GapPassage gaps_;
-  Retreat retreat_;
   Home home_;
   Blacklist blacklist_;
   Workspace workspace_;
@@ -174,7 +172,15 @@ class ExploreMission {
   double decided_s_ = 0.0;
   std::optional<double> planless_s_;  ///< time since which its planner has had no budget
   std::optional<PathProgress> path_;
-  LeftOvers left_;  ///< as of `left_s_`
+  std::optional<GoTo> order_;      ///< the newest one
+  std::optional<Follow> through_;  ///< the same in narrow places
+  Situation now_;
+  std::int64_t stuck_ = 0;       ///< how often the robot got stuck
+  std::int64_t stuck_here_ = 0;  ///< how often in a row
+  double stuck_m_ = 0.0;         ///< distance driven at the last time
+  Pose2 stood_;                  ///< pose of the last progress
+  double moved_on_s_ = 0.0;      ///< its time
+  LeftOvers left_;               ///< as of `left_s_`
   double left_s_ = -1.0;
   std::vector<ExploreEvent> events_;
   std::string stop_reason_, reason_;

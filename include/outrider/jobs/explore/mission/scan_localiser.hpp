@@ -2,7 +2,8 @@
 //
 // SLAM matches each scan, and odometry carries the pose on until the next one. A scan belongs to where the
 // robot was when it was measured, so one that comes late is matched there. Unusable scans are skipped, as are
-// those that repeat the ranges of before after a motion, which a frozen sensor does. Frames: poses are
+// those that repeat the ranges of before after a motion, which a frozen sensor does. The mission notes each
+// observation before the navigator perceives it; the navigator then asks by take(). Frames: poses are
 // world_T_robot in the frame of the start pose. Thread rule: one at a time. Cost: that of LaserSlam.
 #pragma once
 
@@ -12,7 +13,8 @@
 #include <vector>
 
 #include "outrider/jobs/explore/map/close_range.hpp"
-#include "outrider/robot/mission.hpp"
+#include "outrider/navigate/robot_localiser.hpp"
+#include "outrider/robot/observation.hpp"
 #include "outrider/slam/laser/laser_slam.hpp"
 #include "outrider/slam/scan/repeated_scans.hpp"
 
@@ -27,13 +29,17 @@ struct Localised {
   std::string lost;          ///< why the pose is not known any more; empty if it is
 };
 
-class ScanLocaliser {
+class ScanLocaliser final : public RobotLocaliser {
  public:
   /// `slam` begins at `start` with these options. The robot is lost at a standard deviation of `lost_m`.
   ScanLocaliser(LaserSlam slam, const LaserSlamOptions& options, const Pose2& start, double lost_m);
 
   /// Takes an observation. Odometry that is not finite is taken for that of before.
-  Localised take(const Observation& seen);
+  Localised note(const Observation& seen);
+  /// Tells the navigator what note() made of the scan.
+  bool take(const LaserScan& scan, const Pose2& odometry_T_robot) override;
+  [[nodiscard]] Pose2 world_T_odometry() const override { return world_T_odometry_; }
+  [[nodiscard]] Eigen::Matrix3d covariance() const override { return slam_.pose_covariance(); }
   /// Optimises all poses a last time.
   void finish();
 
@@ -53,8 +59,6 @@ class ScanLocaliser {
   [[nodiscard]] double blind_s() const { return time_s_ - scan_s_; }
   /// Returns the surfaces around the robot by its last scans, finer than the map.
   [[nodiscard]] std::vector<Vec2> surfaces() const { return close_range_.surfaces(odometry_, pose_); }
-  /// Returns the ends of the beams of the newest usable scan near the robot, in the world of that time.
-  [[nodiscard]] const std::vector<Vec2>& beam_ends() const { return beam_ends_; }
 
   /// True if a scan arrived, or all poses were optimised, since forget_news().
   [[nodiscard]] bool has_news() const { return has_news_; }
@@ -90,7 +94,7 @@ class ScanLocaliser {
   void remember_odometry();
   [[nodiscard]] Pose2 odometry_at(double time_s) const;
   void take_scan(const LaserScan& scan, Localised& result);
-  void keep(const LaserScan& scan, const Pose2& then, const Pose2& pose);
+  void keep(const LaserScan& scan, const Pose2& then);
   void settle(Localised& result);
   void learn(MapUpdate update);
   [[nodiscard]] bool much_between(const Pose2& before, const Pose2& after) const;
@@ -115,10 +119,11 @@ class ScanLocaliser {
   std::int64_t asked_at_ = 250;  ///< number of scans at which the range finder is asked about next
   std::optional<KeptScan> first_, newest_;
   RepeatedScans repeated_;
-  std::vector<Vec2> beam_ends_;
   CloseRange close_range_;
   bool has_news_ = false;
   MapUpdate changed_;
+  Pose2 world_T_odometry_;  ///< as the navigator knows it
+  bool moved_ = false;      ///< poses were corrected by much since it knows
   bool settles_soon_ = false;
   std::optional<double> settled_m_;  ///< driven_m at the last optimisation
 };

@@ -4,9 +4,8 @@
 
 #include <vector>
 
-#include "outrider/control/steer.hpp"
 #include "outrider/jobs/explore/choose/decide.hpp"
-#include "outrider/motion/robot_model.hpp"
+#include "outrider/navigate/navigator.hpp"
 #include "outrider/slam/laser/laser_slam.hpp"
 
 namespace outrider {
@@ -19,12 +18,16 @@ RobotModel burger();
 /// be too large, or loop closure compares too many similar places.
 LaserSlamOptions near_sighted_slam();
 
+/// Return options of the navigator for a small slow robot with a range finder of a few metres.
+NavigatorOptions patient();
+LiveMapOptions near_sighted_map();
+LocalMotionOptions careful_motion();
+
 /// When the mission decides again, waits and gives up.
 struct ExploreRules {
   double period_s = 0.05;      ///< control period
   double think_again_s = 1.0;  ///< longest time between two decisions
   double patience_s = 4.0;     ///< time without progress after which the robot counts as stuck
-  double back_off_m = 0.2;     ///< distance that a stuck robot backs off along its path
   double blind_s =
       1.0;  ///< time without a usable scan after which the robot stops; ten times that ends the mission
   std::int64_t most_stuck = 20;  ///< number of times stuck in a row that ends the mission
@@ -43,8 +46,10 @@ struct ExploreTask {
   RobotModel robot = burger();                  ///< size and speeds
   LaserSlamOptions slam = near_sighted_slam();  ///< of SLAM
   ExploreOptions explore;                       ///< of the decisions
-  SteerOptions steer;                           ///< of the steering
-  ExploreRules rules;                           ///< limits
+  NavigatorOptions navigator = patient();       ///< of the way there
+  LiveMapOptions live_map = near_sighted_map();
+  LocalMotionOptions motion = careful_motion();
+  ExploreRules rules;  ///< limits
 };
 
 }  // namespace outrider

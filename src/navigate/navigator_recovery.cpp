@@ -1,0 +1,106 @@
+// The parts of the navigator that notice when nothing goes on, and get the robot out.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "outrider/navigate/navigator.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double better_s = 0.2;        // by which the time left has to fall to count as progress
+constexpr double lately_s = 0.5;        // what was seen within that is not forgotten
+constexpr double touch_ahead_m = 0.03;  // of the footprint, where a bumper was pressed
+constexpr double back_off_mps = 0.2;
+constexpr double turn_s = 2.5;
+constexpr double back_off_s = 1.5;
+constexpr double touch_back_s = 0.6;  // for which it backs off from what it has touched
+
+}  // namespace
+
+/// Notes what the bumper says. A robot that touches something backs off from there at once.
+void Navigator::note_bumper(const Observation& seen) {
+  const Pose2 here = pose();
+  if (!seen.touching) return map_.keep_open(here.position, 0.8 * setup_.footprint.inner_m());
+  const double bearing_rad = seen.touch_rad.value_or(twist_.ahead_mps < 0.0 ? pi : 0.0);
+  const double away_m = setup_.footprint.outer_m() + touch_ahead_m;
+  map_.note_touch(here * (away_m * direction(bearing_rad)), time_s_);
+  const double ahead = std::cos(bearing_rad);
+  if (ahead * commanded_.ahead_mps <= 0.0) return;  // it was run into
+  back_until_s_ = time_s_ + touch_back_s;
+  back_mps_ = ahead < 0.0 ? back_off_mps : -back_off_mps;
+}
+
+/// Returns the twist straight back from what was touched.
+Twist2 Navigator::back_from_touch() {
+  nearer_s_ = on_track_s_ = time_s_;
+  look_around();
+  const MotionState state = state_of({pose().position}, near_);
+  const Twist2 back{std::clamp(back_mps_, -state.robot.speed_mps, state.robot.speed_mps), 0.0, 0.0};
+  return can_brake(state, back, setup_.motion.margin_m) ? back : Twist2{};
+}
+
+/// Notes whether the robot gets nearer in time, in the end by turning, and recovers if it does not.
+/// Recoveries are in a row until it is nearer than ever, so an order ends.
+void Navigator::note_progress(const GoTo& order) {
+  if (order.heading_rad) {
+    const double off_rad = std::abs(wrap_angle(*order.heading_rad - pose().heading_rad));
+    const double turn_left_s = off_rad / setup_.robot.turn_rate_radps;
+    if (at_place_) {
+      left_s_ = turn_left_s;
+    } else if (left_s_) {
+      *left_s_ += pi / setup_.robot.turn_rate_radps;  // as long as any turn
+    }
+  }
+  if (left_s_ && *left_s_ < least_left_s_ - better_s) {
+    least_left_s_ = *left_s_;
+    nearer_s_ = time_s_;
+  }
+  if (left_s_ && *left_s_ < best_left_s_ - better_s) {
+    best_left_s_ = *left_s_;
+    recoveries_ = 0;
+  }
+  if (recovery_ != Recovery::none && time_s_ >= recovers_until_s_ - instant_s) {
+    recovery_ = Recovery::none;
+    nearer_s_ = time_s_;
+    least_left_s_ = left_s_.value_or(std::numeric_limits<double>::infinity());
+  }
+  if (recovery_ == Recovery::none && time_s_ - nearer_s_ > setup_.options.patience_s + instant_s)
+    recover(order);
+}
+
+/// Begins the next way out, or gives up.
+void Navigator::recover(const GoTo& order) {
+  if (recoveries_ >= setup_.options.most_recoveries) {
+    const Vec2 to = order.place;
+    progress_ = {Progress::State::blocked, left_s_,
+                 left_s_ ? fmt::format("no progress towards ({:.2f}, {:.2f}) after {} recoveries", to.x, to.y,
+                                       recoveries_)
+                         : fmt::format("no way to ({:.2f}, {:.2f}) around what stands there", to.x, to.y)};
+    return;
+  }
+  constexpr std::pair<Recovery, double> ways[] = {
+      {Recovery::forget, 0.0}, {Recovery::turn, turn_s}, {Recovery::back_off, back_off_s}};
+  const auto& [way, takes_s] = ways[recoveries_++ % 3];
+  recovery_ = way;
+  recovers_until_s_ = time_s_ + takes_s;
+  if (way == Recovery::forget) map_.forget_but(time_s_, lately_s);
+}
+
+/// Returns the twist of a way out: a turn to where the way leads, or straight back; none if it is not safe.
+Twist2 Navigator::recovery_twist(const MotionState& state) const {
+  Twist2 twist;
+  if (recovery_ == Recovery::turn) {
+    const auto down = field_.downhill(state.pose.position);
+    const double off_rad = down ? wrap_angle(heading_of(*down) - state.pose.heading_rad) : 1.0;
+    twist.turn_radps = std::clamp(off_rad, -setup_.robot.turn_rate_radps, setup_.robot.turn_rate_radps);
+  } else {
+    twist.ahead_mps = -std::min(back_off_mps, state.robot.speed_mps);
+  }
+  return can_brake(state, twist, setup_.motion.margin_m) ? twist : Twist2{};
+}
+
+}  // namespace outrider
