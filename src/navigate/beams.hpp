@@ -14,4 +14,7 @@ double range_of(const LaserScan& scan, std::size_t beam);
 /// does not look.
 bool passes(const LaserScan& scan, double bearing_rad, double beyond_m);
 
+/// Returns true if a beam beside this one has a range that differs by at most `within_m`.
+bool has_neighbour(const LaserScan& scan, std::size_t beam, double within_m);
+
 }  // namespace outrider

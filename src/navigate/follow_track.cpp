@@ -30,42 +30,42 @@ GoTo Navigator::order_to(const TrackPlace& place) const {
   return {follower_->pose_at(place).position, back_m};
 }
 
-void Navigator::begin_track(const Follow& order) {
+/// Begins to follow another track.
+TrackFollower& Navigator::begin_track(const Follow& order) {
   const bool follows = follower_ && !follower_->is_done();
   if (!follows) on_track_s_ = time_s_;
-  follower_.emplace(order.track);
-  if (follows || twist_.ahead_mps > moved_mps) follower_->go_on(pose());
+  TrackFollower& follower = follower_.emplace(order.track);
+  if (follows || twist_.ahead_mps > moved_mps) follower.go_on(pose());
   progress_ = {};
   order_.reset();
   comes_back_.reset();
   comes_in_ = true;
   skip_m_ = first_skip_m;
   came_in_ = {};
+  return follower;
 }
 
 Twist2 Navigator::follow(const Follow& order) {
-  if (!follower_ || follower_->track() != order.track) begin_track(order);
+  const bool goes_on = follower_ && follower_->track() == order.track;
+  TrackFollower& follower = goes_on ? *follower_ : begin_track(order);
   if (progress_.state == Progress::State::lost || is_blind()) return {};
-  if (!comes_back_) {
-    const Twist2 twist = along_track(order);
-    if (!comes_back_) return twist;
-  }
-  return back_to_track();
+  const Twist2 twist = comes_back_ ? Twist2{} : along_track(order, follower);
+  return comes_back_ ? back_to_track(*comes_back_) : twist;
 }
 
 /// Returns the next twist along the track, or begins to drive back to it.
-Twist2 Navigator::along_track(const Follow& order) {
+Twist2 Navigator::along_track(const Follow& order, TrackFollower& follower) {
   const Pose2 here = pose();
-  follower_->note(here);
-  if (follower_->is_done()) return {};
-  const auto gets_on = follower_->ahead_of(came_in_, first_skip_m);
-  if (!gets_on || *gets_on <= follower_->at()) skip_m_ = first_skip_m;
+  follower.note(here);
+  if (follower.is_done()) return {};
+  const auto gets_on = follower.ahead_of(came_in_, first_skip_m);
+  if (!gets_on || *gets_on <= follower.at()) skip_m_ = first_skip_m;
   follow_zones();
   look_around();
-  const double beside_m = follower_->beside_m(here.position);
+  const double beside_m = follower.beside_m(here.position);
   comes_in_ = comes_in_ && beside_m > 0.5 * order.beside_m;
   if (in_zone_ || beside_m > (comes_in_ ? 2.0 * back_m : order.beside_m)) {
-    comes_back_ = follower_->at();
+    comes_back_ = follower.at();
     return {};
   }
   note_motion(here);
@@ -79,22 +79,22 @@ Twist2 Navigator::along_track(const Follow& order) {
   const double look_m = speed_mps * speed_mps / setup_.robot.acceleration_mps2 + beyond_m;
   const double margin_m = std::min(order.margin_m, setup_.motion.margin_m);
   on_track_.look(map_, here.position, look_m + setup_.footprint.outer_m(), false);
-  const GoTo next{follower_->pose_at(follower_->at()).position, order.beside_m};
+  const GoTo next{follower.pose_at(follower.at()).position, order.beside_m};
   const MotionState state = state_of(next, near_), among_seen = state_of(next, on_track_);
   const auto is_safe = [&](const Twist2& twist) {
     return can_brake(state, twist, std::min(edge_room_m, margin_m)) && can_brake(among_seen, twist, margin_m);
   };
-  if (const auto heading_rad = follower_->heading_to_turn_to(here)) {
+  if (const auto heading_rad = follower.heading_to_turn_to(here)) {
     const Twist2 turn = turn_to(here, *heading_rad);
     return is_safe(turn) ? turn : Twist2{};
   }
   const auto is_free = [&](const Pose2& at) {
     return on_track_.gap(setup_.footprint, at, Surroundings::most_m) >= margin_m;
   };
-  const double free_m = follower_->free_m(is_free, look_m);
+  const double free_m = follower.free_m(is_free, look_m);
   const double room_m = free_m < look_m ? std::max(0.0, free_m - stop_short_m) : look_m;
   limits_.speed_mps = std::min(limits_.speed_mps, order.most_mps);
-  Twist2 twist = follower_->twist(here, limits_, setup_.options.period_s, room_m);
+  Twist2 twist = follower.twist(here, limits_, setup_.options.period_s, room_m);
   for (int i = 0; i < 3 && !is_safe(twist); ++i) twist = 0.5 * twist;
   return is_safe(twist) ? twist : Twist2{};
 }
@@ -125,12 +125,12 @@ void Navigator::leave_track(double again_m) {
 }
 
 /// Returns the next twist on the way back to the track.
-Twist2 Navigator::back_to_track() {
+Twist2 Navigator::back_to_track(const TrackPlace& place) {
   on_track_s_ = time_s_;
-  const GoTo order = order_to(*comes_back_);
+  const GoTo order = order_to(place);
   const Twist2 twist = go(order);
   if (progress_.state == Progress::State::arrived) {
-    came_in_ = *comes_back_;
+    came_in_ = place;
     comes_back_.reset();
     comes_in_ = true;
   } else if (progress_.state == Progress::State::blocked || recoveries_ >= (left_s_ ? most_tries : 1)) {

@@ -16,6 +16,7 @@ constexpr double newest_part = 0.3;   // of a reading in the mean of its mark
 constexpr double beyond_cells = 1.5;  // a beam that ends so far behind a mark has passed it
 constexpr double never_s = -1e9;      // when a wall was seen that was not seen yet
 constexpr std::size_t most_behind = 20'000;
+constexpr double beside_m = 0.15;  // by which the ranges of two beams that see one thing differ at most
 constexpr double edge_m = 0.05;  // what is seen so near to an edge of the allowed ground is the edge
 constexpr double stood_s = 1.0;  // what has stood in a cell so long does not move
 
@@ -45,7 +46,7 @@ std::vector<Vec2> LiveMap::places() const {
   std::vector<Vec2> places;
   places.reserve(marks_.size());
   for (const Mark& mark : marks_) {
-    if (!mark.moving) places.push_back(mark.place);
+    if (mark.stands()) places.push_back(mark.place);
   }
   std::ranges::copy_if(edges_, std::back_inserter(places),
                        [&](Vec2 place) { return frame().contains(frame().cell_at(place)); });
@@ -56,7 +57,7 @@ std::vector<Vec2> LiveMap::close_places() const {
   std::vector<Vec2> places = surfaces_;
   for (const Mark& mark : marks_) {
     const bool known_better = !mark.touched && distance(mark.place, looked_from_) < looked_m_;
-    if (!mark.moving && !known_better) places.push_back(mark.place);
+    if (mark.stands() && !known_better) places.push_back(mark.place);
   }
   return places;
 }
@@ -116,7 +117,7 @@ void LiveMap::erase_marks(Gone gone) {
     if (!inside || gone(mark)) {
       if (inside) cells_[cell] = 0;
       if (!inside) leave_behind(mark);
-      ++changes_;
+      changes_ += mark.lone ? 0 : 1;
       continue;
     }
     marks_[kept++] = mark;
@@ -178,21 +179,47 @@ void LiveMap::mark(Vec2 place, double time_s, int weight, bool touched) {
   known.weight = std::min(known.weight + weight, most_weight);
   known.seen_s = time_s;
   known.touched |= touched;
+  confirm(known);
+}
+
+/// Notes a reading that no other of its scan confirms; one before it may.
+void LiveMap::mark_lone(Vec2 place, double time_s) {
+  const Cell cell = frame().cell_at(place);
+  if (!cells_.contains(cell)) return;
+  bool alone = true;
+  for_each_beside(cell, [&](Mark& beside) {
+    alone = false;
+    confirm(beside);
+  });
+  if (!alone) return mark(place, time_s, weight_of_reading, false);
+  marks_.push_back({place, time_s, time_s, weight_of_reading, false, false, false, true});
+  cells_[cell] = static_cast<std::uint32_t>(marks_.size());
+}
+
+void LiveMap::confirm(Mark& mark) {
+  changes_ += mark.lone ? 1 : 0;
+  mark.lone = false;
+}
+
+/// Calls visit(mark) for the marks in a cell and in those beside it.
+template <class Visit>
+void LiveMap::for_each_beside(Cell cell, Visit visit) {
+  for (int y = cell.y - 1; y <= cell.y + 1; ++y) {
+    for (int x = cell.x - 1; x <= cell.x + 1; ++x) {
+      if (cells_.contains({x, y}) && cells_[{x, y}] != 0) visit(marks_[cells_[{x, y}] - 1]);
+    }
+  }
 }
 
 /// Returns true if walls beside a cell have not been seen yet: what is seen there are they. They go at the
 /// end of the scan.
 bool LiveMap::take_wall_beside(Cell cell) {
   bool any = false;
-  for (int y = cell.y - 1; y <= cell.y + 1; ++y) {
-    for (int x = cell.x - 1; x <= cell.x + 1; ++x) {
-      if (!cells_.contains({x, y}) || cells_[{x, y}] == 0) continue;
-      Mark& beside = marks_[cells_[{x, y}] - 1];
-      if (!beside.mapped || beside.seen_s != never_s) continue;
-      beside.weight = 0;
-      any = true;
-    }
-  }
+  for_each_beside(cell, [&](Mark& beside) {
+    if (!beside.mapped || beside.seen_s != never_s) return;
+    beside.weight = 0;
+    any = true;
+  });
   return any;
 }
 
@@ -217,7 +244,10 @@ void LiveMap::note(const LaserScan& scan, const Pose2& world_T_laser) {
     const double bearing_rad = scan.first_rad + static_cast<double>(beam) * scan.step_rad;
     const Vec2 place = world_T_laser * (range_m * direction(bearing_rad));
     if (allowed_ && (!allowed_->contains(place) || allowed_->to_edge_m(place) < edge_m)) continue;
-    mark(place, scan.time_s, weight_of_reading, false);
+    if (has_neighbour(scan, beam, beside_m))
+      mark(place, scan.time_s, weight_of_reading, false);
+    else
+      mark_lone(place, scan.time_s);
   }
   erase_marks([](const Mark& mark) { return mark.weight <= 0; });
 }

@@ -38,7 +38,9 @@ NavigatorSetup setup_of(const NavigationOptions& options, const RobotModel& robo
 
 Grid<std::uint8_t> occupancy_of(const LiveMap& map) {
   Grid<std::uint8_t> cells(map.frame(), unknown_cell);
-  for (const Mark& mark : map.marks()) cells[map.frame().cell_at(mark.place)] = occupied_cell;
+  for (const Mark& mark : map.marks()) {
+    if (!mark.lone) cells[map.frame().cell_at(mark.place)] = occupied_cell;
+  }
   return cells;
 }
 

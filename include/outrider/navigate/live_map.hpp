@@ -4,7 +4,8 @@
 // ends there adds to the weight of the mark, up to eight; each scan whose beams pass it takes one away, so
 // what has gone is forgotten in a fraction of a second, and a reading that was wrong at once. What is out of
 // sight stays until it is `forget_s` old. What was touched stays longer, since the laser may not see it.
-// Nothing stands where the robot has driven, whatever noise does.
+// A reading with no other beside it, in its scan or in those before, may be wrong: nothing stands there until
+// a second one says so. Nothing stands where the robot has driven, whatever noise does.
 //
 // Walls of a known map are marks as well, and stay however old. A reading beside one moves it to where it is
 // seen; beams that pass it take it away until the window has left it, as a door that stands open.
@@ -46,6 +47,10 @@ struct Mark {
   bool touched = false;  ///< the bumper found it
   bool mapped = false;   ///< it is a wall of the known map
   bool moving = false;   ///< it is part of something that moves
+  bool lone = false;     ///< one reading says so and none beside it; it may be wrong
+
+  /// Returns true if something stands there for sure.
+  [[nodiscard]] bool stands() const { return !moving && !lone; }
 };
 
 class LiveMap {
@@ -86,19 +91,23 @@ class LiveMap {
   /// Takes points of surfaces that are known better than marks that were seen within `reach_m` of a place;
   /// with nothing, forgets them.
   void look_close(std::vector<Vec2> surfaces, Vec2 from, double reach_m);
-  /// Returns the places of what stands near a robot: marks that do not move, and better known surfaces.
+  /// Returns the places of what stands near a robot: marks, and better known surfaces.
   [[nodiscard]] std::vector<Vec2> close_places() const;
   /// Returns the points of the edges of the allowed ground.
   [[nodiscard]] const std::vector<Vec2>& edges() const { return edges_; }
-  /// Returns the places of all marks that do not move, and the edges of the allowed ground in the window.
+  /// Returns the places of all marks that stand, and the edges of the allowed ground in the window.
   [[nodiscard]] std::vector<Vec2> places() const;
   /// Returns what was seen for sure and is now out of the window or forgotten in it, oldest first.
   [[nodiscard]] const std::vector<Mark>& behind() const { return behind_; }
-  /// Counts changes: marks that came or went.
+  /// Counts changes: marks that came or went for sure.
   [[nodiscard]] std::uint64_t changes() const { return changes_; }
 
  private:
   void mark(Vec2 place, double time_s, int weight, bool touched);
+  void mark_lone(Vec2 place, double time_s);
+  void confirm(Mark& mark);
+  template <class Visit>
+  void for_each_beside(Cell cell, Visit visit);
   bool take_wall_beside(Cell cell);
   void move_window(Vec2 off);
   void mark_walls(const GridFrame* known);

@@ -159,9 +159,9 @@ class Navigator {
   void look_around();
   // follow_track.cpp
   Twist2 follow(const Follow& order);
-  void begin_track(const Follow& order);
-  Twist2 along_track(const Follow& order);
-  Twist2 back_to_track();
+  TrackFollower& begin_track(const Follow& order);
+  Twist2 along_track(const Follow& order, TrackFollower& follower);
+  Twist2 back_to_track(const TrackPlace& place);
   void note_motion(const Pose2& here);
   void leave_track(double again_m);
   [[nodiscard]] GoTo order_to(const TrackPlace& place) const;

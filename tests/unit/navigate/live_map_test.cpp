@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -39,6 +40,34 @@ TEST(LiveMap, ForgetsWhatBeamsPass) {
   for (int i = 0; i < 10; ++i) map.note(all_around(4.0), {});
   EXPECT_FALSE(stands_at(map, {2.0, 0.0}));
   EXPECT_TRUE(stands_at(map, {4.0, 0.0}));
+}
+
+/// A reading that is wrong is alone; a thin post is hit by one beam, but by one of each scan.
+TEST(LiveMap, AReadingStandsWhereASecondOneSaysSo) {
+  LiveMap map({}, {});
+  LaserScan scan = all_around(4.0);
+  map.note(scan, {});
+  const std::uint64_t changes = map.changes();
+  const std::size_t walls = map.places().size();
+  scan.ranges_m[90] = 1.0F;
+  map.note(scan, {});
+  ASSERT_TRUE(stands_at(map, {0.0, 1.0}));
+  EXPECT_EQ(map.places().size(), walls);
+  EXPECT_EQ(map.close_places().size(), walls);
+  scan.ranges_m[90] = 1.04F;  // maybe in the next cell
+  map.note(scan, {});
+  EXPECT_GT(map.places().size(), walls);
+  EXPECT_GT(map.changes(), changes);
+  EXPECT_TRUE(std::ranges::none_of(map.marks(), &Mark::lone));
+}
+
+TEST(LiveMap, TwoBeamsThatEndBesideEachOtherSeeAThing) {
+  LiveMap map({}, {});
+  LaserScan scan = all_around(4.0);
+  scan.ranges_m[0] = 1.0F;
+  scan.ranges_m[beams - 1] = 1.1F;
+  map.note(scan, {});
+  EXPECT_TRUE(std::ranges::none_of(map.marks(), &Mark::lone));
 }
 
 TEST(LiveMap, ReadingsThatSayNothingChangeNothing) {

@@ -146,7 +146,7 @@ Region CoverOrders::things(const Navigator& navigator) const {
     all.push_back(region_of(around, {}));
   };
   for (const Mark& mark : navigator.map().marks()) {
-    if (!mark.moving) add(mark.place);
+    if (mark.stands()) add(mark.place);
   }
   const GridFrame& frame = navigator.map().frame();
   for (const Mark& mark : navigator.map().behind()) {
