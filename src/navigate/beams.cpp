@@ -31,7 +31,6 @@ double range_of(const LaserScan& scan, std::size_t beam) {
 }
 
 bool passes(const LaserScan& scan, double bearing_rad, double beyond_m) {
-  const auto beams = static_cast<std::int64_t>(scan.ranges_m.size());
   const double ahead = bearing_rad - scan.first_rad;
   const double wrapped = ahead - turn * std::floor(ahead / turn);
   const auto nearest = static_cast<std::int64_t>(std::lround(wrapped / scan.step_rad));

@@ -16,9 +16,9 @@ constexpr double newest_part = 0.3;   // of a reading in the mean of its mark
 constexpr double beyond_cells = 1.5;  // a beam that ends so far behind a mark has passed it
 constexpr double never_s = -1e9;      // when a wall was seen that was not seen yet
 constexpr std::size_t most_behind = 20'000;
-constexpr double beside_m = 0.15;  // by which the ranges of two beams that see one thing differ at most
-constexpr double edge_m = 0.05;  // what is seen so near to an edge of the allowed ground is the edge
-constexpr double stood_s = 1.0;  // what has stood in a cell so long does not move
+constexpr double one_thing_m = 0.15;  // by which the ranges of two beams that see one thing differ at most
+constexpr double edge_m = 0.05;       // what is seen so near to an edge of the allowed ground is the edge
+constexpr double stood_s = 1.0;       // what has stood in a cell so long does not move
 
 GridFrame window(const LiveMapOptions& options, Vec2 middle) {
   const Vec2 reach{options.reach_m, options.reach_m};
@@ -244,7 +244,7 @@ void LiveMap::note(const LaserScan& scan, const Pose2& world_T_laser) {
     const double bearing_rad = scan.first_rad + static_cast<double>(beam) * scan.step_rad;
     const Vec2 place = world_T_laser * (range_m * direction(bearing_rad));
     if (allowed_ && (!allowed_->contains(place) || allowed_->to_edge_m(place) < edge_m)) continue;
-    if (has_neighbour(scan, beam, beside_m))
+    if (has_neighbour(scan, beam, one_thing_m))
       mark(place, scan.time_s, weight_of_reading, false);
     else
       mark_lone(place, scan.time_s);

@@ -8,6 +8,9 @@ namespace {
 
 constexpr double late_s = 2.0;
 
+/// Rounds to nanoseconds, so that times are the same with and without a shift.
+double rounded(double time_s) { return std::abs(time_s) < 1e6 ? std::round(1e9 * time_s) / 1e9 : time_s; }
+
 }  // namespace
 
 double SteadyTime::note(double clock_s) {
@@ -19,14 +22,14 @@ double SteadyTime::note(double clock_s) {
     ++jumps_;
   }
   clock_s_ = clock_s;
-  now_s_ = clock_s + shift_s_;
+  now_s_ = rounded(clock_s + shift_s_);
   return now_s_;
 }
 
 /// Returns the steady time of a measurement made before or after the last jump: of the two that which is past
 /// and nearer to the present.
 double SteadyTime::of(double clock_s) const {
-  const double now = clock_s + shift_s_, before = clock_s + shift_before_s_;
+  const double now = rounded(clock_s + shift_s_), before = rounded(clock_s + shift_before_s_);
   if (jumps_ == 0 || before > now_s_) return now;
   if (now > now_s_) return before;
   return std::max(now, before);
@@ -35,7 +38,6 @@ double SteadyTime::of(double clock_s) const {
 Observation SteadyTime::steady(Observation seen) {
   seen.time_s = note(seen.time_s);
   expected_s_.reset();
-  if (jumps_ == 0) return seen;
   if (seen.scan) seen.scan->time_s = of(seen.scan->time_s);
   if (seen.image) seen.image->taken_s = of(seen.image->taken_s);
   return seen;

@@ -16,7 +16,7 @@ namespace outrider {
 
 class SteadyTime {
  public:
-  /// Returns the observation with steady times. Times without a jump are not changed.
+  /// Returns the observation with steady times, to a nanosecond.
   Observation steady(Observation seen);
   /// Returns the command with the times of the robot's clock.
   Command on_clock(Command command);

@@ -375,14 +375,15 @@ OdometryRatio LaserSlam::odometry_ratio() const {
 }
 MapCheck LaserSlam::check() const {
   const std::vector<std::size_t> pose_of = state_->pose_numbers();
-  MapCheck result = check_map(placed_scans());
+  const std::vector<PlacedScan> scans = placed_scans();
+  MapCheck result = check_map(scans);
   KeyframeSurfaces surfaces(state_->options.robot_T_laser, state_->options.reach_m);
   result.jumps = find_jumps(state_->graph, surfaces);
   for (Jump& jump : result.jumps) {
     jump.before = pose_of[jump.before];
     jump.after = pose_of[jump.after];
   }
-  result.crossings = wall_crossings(trajectory(), state_->map.occupancy());
+  result.crossings = wall_crossings(trajectory(), state_->map.occupancy(), scans);
   return result;
 }
 std::vector<std::size_t> LaserSlam::gaps() const {

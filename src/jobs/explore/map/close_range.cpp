@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t most_scans = 12;
 constexpr std::size_t most_ends = 720;  ///< of a scan; more say no more about what is smoothed over near_m
 constexpr double near_m = 0.025;        ///< neighbours of a point
+constexpr double again_m = 0.02;        ///< when what was smoothed is smoothed again
 constexpr double thin_m = 0.01;         ///< one point in a square of this side is kept
 constexpr int least_neighbours = 4;
 constexpr double step_m = 0.03;   ///< of the path
@@ -38,13 +39,13 @@ struct Binned {
   }
 
   template <class Visit>
-  void for_each_near(Vec2 p, Visit visit) const {
+  void for_each_near(Vec2 p, double within_m, Visit visit) const {
     const Bin middle = bin_of(p, near_m);
     for (int x = middle.first - 1; x <= middle.first + 1; ++x) {
       const Bin first{x, middle.second - 1}, last{x, middle.second + 1};
       auto at = std::ranges::lower_bound(points, first, {}, [](const auto& one) { return one.first; });
       for (; at != points.end() && at->first <= last; ++at)
-        if (distance(at->second, p) <= near_m) visit(at->second);
+        if (distance(at->second, p) <= within_m) visit(at->second);
     }
   }
 
@@ -88,18 +89,18 @@ double height_at_zero(const Eigen::Matrix3d& squares, const Eigen::Vector3d& hei
 
 /// Puts each point on the parabola through its neighbours, across the line through them; drops those that
 /// have too few.
-std::vector<Vec2> smoothed(const std::vector<Vec2>& points) {
+std::vector<Vec2> smoothed(const std::vector<Vec2>& points, double within_m) {
   const Binned binned(points);
   std::vector<Vec2> smooth;
   for (const Vec2 p : points) {
     Moments near;
-    binned.for_each_near(p, [&](Vec2 q) { near.add(q - p); });
+    binned.for_each_near(p, within_m, [&](Vec2 q) { near.add(q - p); });
     if (near.count < least_neighbours) continue;
     const Vec2 along = line_through(near).along, across = perpendicular(along);
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     Eigen::Vector3d heights = Eigen::Vector3d::Zero();
-    binned.for_each_near(p, [&](Vec2 q) {
-      const double u = dot(q - p, along) / near_m;
+    binned.for_each_near(p, within_m, [&](Vec2 q) {
+      const double u = dot(q - p, along) / within_m;
       const Eigen::Vector3d powers(1.0, u, u * u);
       squares += powers * powers.transpose();
       heights += dot(q - p, across) * powers;
@@ -172,7 +173,7 @@ std::vector<Vec2> CloseRange::surfaces(const Pose2& odometry, const Pose2& pose)
       if (norm(here) <= reach_m) points.push_back(pose * here);
     }
   }
-  return thinned(smoothed(points));
+  return thinned(smoothed(smoothed(points, near_m), again_m));
 }
 
 void GapLooks::add(const PathRoom& room) {

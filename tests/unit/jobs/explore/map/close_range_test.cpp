@@ -25,7 +25,7 @@ std::vector<Vec2> ends_on_corner(Rng& rng) {
   return ends;
 }
 
-TEST(CloseRange, KnowsACornerToHalfACentimetre) {
+TEST(CloseRange, KnowsACornerToSevenMillimetres) {
   constexpr double away_m = 0.1;
   const Vec2 outwards{-std::sqrt(0.5), std::sqrt(0.5)};
   const Pose2 robot{{-0.2, 0.3}, 0.0};  // it sees both faces
@@ -38,8 +38,8 @@ TEST(CloseRange, KnowsACornerToHalfACentimetre) {
       close.add(robot, std::move(ends));
     }
     const Nearby surfaces(close.surfaces(robot, robot), 0.0005);
-    EXPECT_NEAR(surfaces.clearance(corner + away_m * outwards), away_m, 0.005) << seed;
-    EXPECT_NEAR(surfaces.clearance(Vec2{0.6, away_m}), away_m, 0.005) << seed;
+    EXPECT_NEAR(surfaces.clearance(corner + away_m * outwards), away_m, 0.007) << seed;
+    EXPECT_NEAR(surfaces.clearance(Vec2{0.6, away_m}), away_m, 0.003) << seed;
   }
 }
 
