@@ -205,10 +205,11 @@ Command Navigator::act(const Order& order) {
     nearer_s_ = on_track_s_ = time_s_;
     if (std::exchange(progress_, {}).state != Progress::State::underway) order_.reset();
   }
-  if (std::holds_alternative<Hold>(order) || track_.empty()) return DriveTwist{{}, until_s};
+  const bool backs_off = time_s_ < back_until_s_ - instant_s;
+  if ((std::holds_alternative<Hold>(order) && !backs_off) || track_.empty()) return DriveTwist{{}, until_s};
   if (!localiser_->is_located())
     commanded_ = look_for_itself();
-  else if (time_s_ < back_until_s_ - instant_s)
+  else if (backs_off)
     commanded_ = back_from_touch();
   else
     commanded_ = go != nullptr ? this->go(*go) : follow(*track);

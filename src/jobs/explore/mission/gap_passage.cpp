@@ -21,10 +21,15 @@ bool is_narrow(const TraversabilityGrid& ground, Vec2 place) {
          ground.crowded(static_cast<std::uint32_t>(ground.frame().index(cell)));
 }
 
-/// Returns true if the next part of the path leads over ground on which the map leaves no room.
-bool leads_through_narrow(const TraversabilityGrid& ground, Vec2 here, const PathProgress& path) {
+/// Returns true if the next part of the path leads over ground on which the map leaves no room, or within
+/// `beside_m` of what was touched, which the map does not show.
+bool leads_through_narrow(const TraversabilityGrid& ground, const std::vector<Vec2>& touched, double beside_m,
+                          Vec2 here, const PathProgress& path) {
   constexpr double ahead_m = 0.8;
-  const auto narrow = [&](Vec2 point) { return is_narrow(ground, point); };
+  const auto narrow = [&](Vec2 point) {
+    return is_narrow(ground, point) ||
+           std::ranges::any_of(touched, [&](Vec2 other) { return distance(point, other) < beside_m; });
+  };
   return narrow(here) || std::ranges::any_of(points_ahead(path, ahead_m), narrow);
 }
 
@@ -112,13 +117,13 @@ bool GapPassage::look(const ExploreTask& task, const ScanLocaliser& where, Trave
   room_.reset();
   fits_ = true;
   const Vec2 here = where.pose().position;
-  if (path == nullptr || !leads_through_narrow(ground, here, *path)) {
+  const double radius_m = task.robot.radius_m;
+  if (path == nullptr || !leads_through_narrow(ground, touched, radius_m + roomy_m, here, *path)) {
     looks_ = {};
     return true;
   }
   surfaces_ = where.surfaces();
   surfaces_.insert(surfaces_.end(), touched.begin(), touched.end());
-  const double radius_m = task.robot.radius_m;
   room_ = centre_path(*path, here, {surfaces_, point_m}, ahead_m, radius_m + roomy_m);
   fits_ = room_->least_m >= radius_m - largest_error_m;
   return driving != Driving::to_goal || !std::isfinite(room_->least_m) || is_narrow(ground, here) ||
