@@ -9,7 +9,6 @@ namespace {
 
 constexpr double beyond_m = 0.3;  // that is looked at ahead of where the robot could stop
 constexpr double moved_m = 0.01, moved_rad = radians(2.0);  // by which a robot has moved
-constexpr double moved_mps = 0.03;                          // a robot that is faster drives
 constexpr double stop_short_m = 0.1;   // before what stands on the track, with room to turn away
 constexpr double wait_s = 1.0;         // for what stands on the track to go
 constexpr double edge_room_m = 0.005;  // from the edges of the ground, along the track

@@ -56,7 +56,7 @@ std::vector<Vec2> LiveMap::places() const {
 std::vector<Vec2> LiveMap::close_places() const {
   std::vector<Vec2> places = surfaces_;
   for (const Mark& mark : marks_) {
-    const bool known_better = !mark.touched && distance(mark.place, looked_from_) < looked_m_;
+    const bool known_better = distance(mark.place, looked_from_) < looked_m_;
     if (mark.stands() && !known_better) places.push_back(mark.place);
   }
   return places;

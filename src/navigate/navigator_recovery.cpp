@@ -29,7 +29,7 @@ void Navigator::note_bumper(const Observation& seen) {
   const double away_m = setup_.footprint.outer_m() + touch_ahead_m;
   map_.note_touch(here * (away_m * direction(bearing_rad)), time_s_);
   const double ahead = std::cos(bearing_rad);
-  if (ahead * commanded_.ahead_mps <= 0.0) return;  // it was run into
+  if (ahead * commanded_.ahead_mps <= 0.0 && ahead * twist_.ahead_mps < moved_mps) return;  // it was run into
   back_until_s_ = time_s_ + touch_back_s;
   back_mps_ = ahead < 0.0 ? back_off_mps : -back_off_mps;
 }

@@ -88,8 +88,8 @@ class LiveMap {
   [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
   /// Marks that lie in one of these disks, and are newer than a second, are moving, the others not.
   void set_moving(const std::vector<RoundedPolygon>& disks);
-  /// Takes points of surfaces that are known better than marks that were seen within `reach_m` of a place;
-  /// with nothing, forgets them.
+  /// Takes points of surfaces that are known better than what was seen or touched within `reach_m` of a
+  /// place; with nothing, forgets them.
   void look_close(std::vector<Vec2> surfaces, Vec2 from, double reach_m);
   /// Returns the places of what stands near a robot: marks, and better known surfaces.
   [[nodiscard]] std::vector<Vec2> close_places() const;

@@ -181,6 +181,7 @@ class Navigator {
   [[nodiscard]] MotionState state_of(const GoTo& order, const Surroundings& near) const;
 
   static constexpr double instant_s = 1e-9;  // by which times are rounded
+  static constexpr double moved_mps = 0.03;  // a robot that is slower stands
 
   struct TimedOdometry {
     double time_s = 0.0;
