@@ -78,6 +78,7 @@ Twist2 Navigator::along_track(const Follow& order, TrackFollower& follower) {
   const double look_m = speed_mps * speed_mps / setup_.robot.acceleration_mps2 + beyond_m;
   const double margin_m = std::min(order.margin_m, setup_.motion.margin_m);
   on_track_.look(map_, here.position, look_m + setup_.footprint.outer_m(), false);
+  on_track_.leave_inside(setup_.footprint, here);
   const GoTo next{follower.pose_at(follower.at()).position, order.beside_m};
   const MotionState state = state_of(next, near_), among_seen = state_of(next, on_track_);
   const auto is_safe = [&](const Twist2& twist) {

@@ -11,6 +11,8 @@ namespace outrider {
 namespace {
 
 constexpr int weight_of_reading = 2;
+constexpr int weight_of_lone = 1;
+constexpr double lone_s = 0.5;  // for which a lone reading waits for a second one
 constexpr int most_weight = 8;
 constexpr double newest_part = 0.3;   // of a reading in the mean of its mark
 constexpr double beyond_cells = 1.5;  // a beam that ends so far behind a mark has passed it
@@ -18,6 +20,7 @@ constexpr double never_s = -1e9;      // when a wall was seen that was not seen 
 constexpr std::size_t most_behind = 20'000;
 constexpr double one_thing_m = 0.15;  // by which the ranges of two beams that see one thing differ at most
 constexpr double edge_m = 0.05;       // what is seen so near to an edge of the allowed ground is the edge
+constexpr double inside_m = 0.02;     // of the rim of the robot, by which marks may be off
 constexpr double stood_s = 1.0;       // what has stood in a cell so long does not move
 
 GridFrame window(const LiveMapOptions& options, Vec2 middle) {
@@ -182,17 +185,19 @@ void LiveMap::mark(Vec2 place, double time_s, int weight, bool touched) {
   confirm(known);
 }
 
-/// Notes a reading that no other of its scan confirms; one before it may.
+/// Notes a reading that no other of its scan confirms; a lone one of a scan before it may.
 void LiveMap::mark_lone(Vec2 place, double time_s) {
   const Cell cell = frame().cell_at(place);
   if (!cells_.contains(cell)) return;
-  bool alone = true;
+  bool is_confirmed = cells_[cell] != 0 && !marks_[cells_[cell] - 1].lone;
   for_each_beside(cell, [&](Mark& beside) {
-    alone = false;
+    if (!beside.lone || beside.seen_s >= time_s) return;
+    is_confirmed = true;
     confirm(beside);
   });
-  if (!alone) return mark(place, time_s, weight_of_reading, false);
-  marks_.push_back({place, time_s, time_s, weight_of_reading, false, false, false, true});
+  if (is_confirmed) return mark(place, time_s, weight_of_reading, false);
+  if (cells_[cell] != 0) return;
+  marks_.push_back({place, time_s, time_s, weight_of_lone, false, false, false, true});
   cells_[cell] = static_cast<std::uint32_t>(marks_.size());
 }
 
@@ -256,14 +261,17 @@ void LiveMap::note_touch(Vec2 place, double time_s) {
   if (finite(place)) mark(place, time_s, most_weight, true);
 }
 
-void LiveMap::keep_open(Vec2 place, double radius_m) {
-  erase_marks([&](const Mark& mark) { return !mark.touched && distance(mark.place, place) < radius_m; });
+void LiveMap::keep_open(const Footprint& footprint, const Pose2& pose) {
+  erase_marks([&](const Mark& mark) {
+    return !mark.touched && distance(mark.place, pose.position) < footprint.outer_m() &&
+           footprint.gap_m(pose.to_local(mark.place)) < -inside_m;
+  });
 }
 
 void LiveMap::forget(double time_s) {
   erase_marks([&](const Mark& mark) {
-    if (mark.mapped || time_s - mark.seen_s <= (mark.touched ? options_.touch_s : options_.forget_s))
-      return false;
+    const double kept_s = mark.touched ? options_.touch_s : mark.lone ? lone_s : options_.forget_s;
+    if (mark.mapped || time_s - mark.seen_s <= kept_s) return false;
     leave_behind(mark);
     return true;
   });

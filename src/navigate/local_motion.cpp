@@ -64,6 +64,7 @@ bool can_brake(const MotionState& state, const Twist2& commanded, double margin_
   const double enough_m = 0.5 * Surroundings::most_m;
   double gap_m = state.near.gap(state.footprint, state.pose, enough_m);
   const double least_m = std::min(margin_m, gap_m - rounding_m);
+  const double least_inside_m = state.near.inside_gap(state.footprint, state.pose) - rounding_m;
   const double zone_most_m = state.near.zone_margin_m() + enough_m;
   double zone_m = state.near.zone_gap(state.footprint, state.pose, zone_most_m);
   const double least_zone_m = std::min(state.near.zone_margin_m(), zone_m - instant_m);
@@ -84,6 +85,7 @@ bool can_brake(const MotionState& state, const Twist2& commanded, double margin_
     // Between the two poses no point of the footprint is more than half the way from where it is at one of
     // them.
     if (gap_m < least_m || (before_m + gap_m - moved_m < 0.0 && least_m >= 0.0)) return false;
+    if (state.near.inside_gap(state.footprint, pose) < least_inside_m) return false;
     const double zone_before_m = zone_m;
     zone_m = state.near.zone_gap(state.footprint, pose, zone_most_m);
     if (zone_m < least_zone_m || zone_before_m + zone_m - moved_m < 0.0) return false;

@@ -282,6 +282,7 @@ void Navigator::look_around() {
       setup_.robot.speed_mps * setup_.motion.horizon_s + setup_.footprint.outer_m() + around_m;
   near_.look(map_, pose().position, std::min(reach_m, setup_.map.reach_m), true,
              localiser_->is_located() && !in_zone_ ? &zones_ : nullptr, setup_.motion.margin_m);
+  near_.leave_inside(setup_.footprint, pose());
 }
 
 GoalQuery Navigator::query_of(const GoTo& order) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "navigate_grid.hpp"
 
@@ -21,6 +22,7 @@ void Surroundings::look(const LiveMap& map, Vec2 middle, double reach_m, bool ed
   frame_.width = frame_.height = static_cast<int>(std::ceil(2.0 * reach_m / cell_m)) + 1;
   tiles_ = covering(frame_.bounds().grown(most_m), tile_m);
   places_.clear();
+  inside_.clear();
   const auto take = [&](Vec2 place) {
     if (tiles_.contains(tiles_.cell_at(place))) places_.push_back(place);
   };
@@ -32,6 +34,23 @@ void Surroundings::look(const LiveMap& map, Vec2 middle, double reach_m, bool ed
   zone_margin_m_ = std::max(zones->margin_m(), margin_m);
   nearer_m_ = zone_margin_m_ - margin_m;
   edges_ = zones->edges_near(middle, reach_m + most_m + nearer_m_);
+}
+
+void Surroundings::leave_inside(const Footprint& footprint, const Pose2& pose) {
+  const auto is_inside = [&](Vec2 place) {
+    return distance(place, pose.position) < footprint.outer_m() &&
+           footprint.gap_m(pose.to_local(place)) < 0.0;
+  };
+  std::ranges::copy_if(places_, std::back_inserter(inside_), is_inside);
+  if (inside_.empty()) return;
+  std::erase_if(places_, is_inside);
+  sort_into_tiles();
+}
+
+double Surroundings::inside_gap(const Footprint& footprint, const Pose2& pose) const {
+  double least = 0.0;
+  for (const Vec2 place : inside_) least = std::min(least, footprint.gap_m(pose.to_local(place)));
+  return least;
 }
 
 void Surroundings::find_distances() {

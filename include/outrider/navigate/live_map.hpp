@@ -22,6 +22,7 @@
 #include "outrider/core/options.hpp"
 #include "outrider/geometry/convex.hpp"
 #include "outrider/geometry/pose.hpp"
+#include "outrider/motion/footprint.hpp"
 #include "outrider/navigate/allowed_ground.hpp"
 #include "outrider/slam/scan/laser_scan.hpp"
 #include "outrider/world/grid.hpp"
@@ -74,8 +75,8 @@ class LiveMap {
   void note(const LaserScan& scan, const Pose2& world_T_laser);
   /// Notes that the robot touched something there.
   void note_touch(Vec2 place, double time_s);
-  /// Nothing but what was touched later stands within `radius_m` of a place where the robot is.
-  void keep_open(Vec2 place, double radius_m);
+  /// Nothing but what was touched later stands where the robot is, inside of its footprint.
+  void keep_open(const Footprint& footprint, const Pose2& pose);
   /// Forgets marks that are too old at that time.
   void forget(double time_s);
   /// Forgets all marks but walls and those seen within the last `lately_s`.

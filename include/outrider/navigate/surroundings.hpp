@@ -26,6 +26,9 @@ class Surroundings {
   /// the margin of the zones less `margin_m`, that of the motion.
   void look(const LiveMap& map, Vec2 middle, double reach_m, bool edges = true, const Zones* zones = nullptr,
             double margin_m = 0.0);
+  /// Leaves the marks that a footprint overlaps out of gap(): they are where the robot is, so they are off by
+  /// a little, and nothing else may be touched because of them.
+  void leave_inside(const Footprint& footprint, const Pose2& pose);
   /// Finds the distances that clearance() tells, of what look() took.
   void find_distances();
 
@@ -37,6 +40,8 @@ class Surroundings {
   /// Returns the distance from the footprint of a robot at a pose to the nearest mark, m, at most `most`; it
   /// is negative where they overlap.
   [[nodiscard]] double gap(const Footprint& footprint, const Pose2& pose, double most) const;
+  /// Returns the same for the marks that were left out, at most 0.
+  [[nodiscard]] double inside_gap(const Footprint& footprint, const Pose2& pose) const;
   /// Returns the distance to the nearest edge of a keep-out zone, without the margin; 0 where they overlap.
   [[nodiscard]] double zone_gap(const Footprint& footprint, const Pose2& pose, double most) const;
   /// Returns the room that a motion keeps from keep-out zones, m.
@@ -48,6 +53,7 @@ class Surroundings {
   GridFrame frame_;
   GridFrame tiles_;
   std::vector<Vec2> places_;
+  std::vector<Vec2> inside_;          // that were left out
   std::vector<std::uint32_t> first_;  // tile -> its first place, one more at the end
   std::vector<float> distance_m_;     // by cell
   std::vector<Segment> edges_;        // of keep-out zones

@@ -42,23 +42,48 @@ TEST(LiveMap, ForgetsWhatBeamsPass) {
   EXPECT_TRUE(stands_at(map, {4.0, 0.0}));
 }
 
+/// Notes a scan with one reading at 1 m, before walls at 4 m.
+void note_post(LiveMap& map, double time_s, std::size_t beam = 90, float range_m = 1.0F) {
+  LaserScan scan = all_around(4.0, time_s);
+  scan.ranges_m[beam] = range_m;
+  map.note(scan, {});
+}
+
 /// A reading that is wrong is alone; a thin post is hit by one beam, but by one of each scan.
 TEST(LiveMap, AReadingStandsWhereASecondOneSaysSo) {
   LiveMap map({}, {});
-  LaserScan scan = all_around(4.0);
-  map.note(scan, {});
+  map.note(all_around(4.0, 0.0), {});
   const std::uint64_t changes = map.changes();
   const std::size_t walls = map.places().size();
-  scan.ranges_m[90] = 1.0F;
-  map.note(scan, {});
+  note_post(map, 0.1);
   ASSERT_TRUE(stands_at(map, {0.0, 1.0}));
   EXPECT_EQ(map.places().size(), walls);
   EXPECT_EQ(map.close_places().size(), walls);
-  scan.ranges_m[90] = 1.04F;  // maybe in the next cell
-  map.note(scan, {});
+  note_post(map, 0.2, 90, 1.04F);  // maybe in the next cell
   EXPECT_GT(map.places().size(), walls);
   EXPECT_GT(map.changes(), changes);
   EXPECT_TRUE(std::ranges::none_of(map.marks(), &Mark::lone));
+}
+
+TEST(LiveMap, ALoneReadingIsForgottenWhereBeamsPassItOrNoneComesSoon) {
+  LiveMap map({}, {});
+  const std::size_t walls = (map.note(all_around(4.0, 0.0), {}), map.marks().size());
+  note_post(map, 0.1);
+  note_post(map, 0.2, 200);
+  EXPECT_FALSE(stands_at(map, {0.0, 1.0}));
+  map.forget(0.6);
+  EXPECT_EQ(map.marks().size(), walls + 1);
+  map.forget(0.8);
+  EXPECT_EQ(map.marks().size(), walls);
+}
+
+/// A wrong reading right before a wall does not make the wall thicker.
+TEST(LiveMap, ALoneReadingBesideAWallIsNoWall) {
+  LiveMap map({}, {});
+  for (int i = 0; i < 5; ++i) map.note(all_around(4.0, 0.1 * i), {});
+  const std::size_t walls = map.places().size();
+  note_post(map, 0.6, 90, 3.82F);
+  EXPECT_EQ(map.places().size(), walls);
 }
 
 TEST(LiveMap, TwoBeamsThatEndBesideEachOtherSeeAThing) {
@@ -99,14 +124,14 @@ TEST(LiveMap, KeepsWhatWasTouchedAlthoughBeamsPass) {
   LiveMap map({}, {});
   map.note_touch({1.0, 0.0}, 0.0);
   for (int i = 0; i < 20; ++i) map.note(all_around(4.0), {});
-  map.keep_open({1.0, 0.0}, 0.2);
+  map.keep_open(Footprint::disk(0.2), {{1.0, 0.0}, 0.0});
   EXPECT_TRUE(stands_at(map, {1.0, 0.0}));
 }
 
 TEST(LiveMap, IsOpenWhereTheRobotIs) {
   LiveMap map({}, {});
   map.note(all_around(0.2), {});
-  map.keep_open({}, 0.3);
+  map.keep_open(Footprint::disk(0.3), {});
   EXPECT_TRUE(map.marks().empty());
 }
 
