@@ -131,7 +131,7 @@ def bases():
         "drive open": Base("drive", {**drive, "loop": "open"}, ("link",)),
         "explore": Base("explore", {"world": "room.yaml", "start": '"0.55,0.35,0"', "laser": {"beams": "60"}, "robot": {"speed": "1"}}),
         "explore yard": Base("explore", {"world": "yard.sdf", "start": '"0,-2,90"', "laser": {"most": "8"},
-                                         "robot": {"speed": "1"}}, ("occupancy", "explore", "steer")),
+                                         "robot": {"speed": "1"}}, ("occupancy", "explore", "navigator", "live_map", "motion")),
         "cover": Base("cover", {"area": "square.txt", "width": "0.25", "order": {"iterations": "50"}}),
         "cover turning": Base("cover", {"area": "square.txt", "width": "0.1", "turning_radius": "0.05", "uncovered": "0.01"}, ("order",)),
         "cover bar": Base("cover", {"area": "square.txt", "width": "0.2", "uncovered": "0.3", "tool": {"shape": "bar", "width": "0.25"}}, ("tool",)),

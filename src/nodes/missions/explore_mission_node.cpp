@@ -72,6 +72,7 @@ void ExploreMissionNode::perceive_at(double time_s, std::optional<LaserScan> sca
   seen.time_s = std::max(0.0, time_s - began_s());
   seen.odometry = *odometry;
   seen.scan = std::move(scan);
+  if (seen.scan) seen.scan->time_s = seen.time_s;
   mission_->perceive(seen);
   seen_s_ = time_s;
   if (seen.scan) run_log_->note_map(*mission_);

@@ -14,7 +14,7 @@ constexpr double longest_m = 1.0;
 constexpr double beyond_cells = 1.5;  // a beam that ends so far behind a place has passed it
 constexpr int looks = 2;              // that have passed a place where nothing stands any more
 
-/// What a scan says of a place.
+/// The answer of a scan about a place.
 enum class Look { nothing, stands, passes };
 
 Look look_at(const PlacedScan& placed, Vec2 place, double within_m) {

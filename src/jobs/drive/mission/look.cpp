@@ -107,10 +107,10 @@ void accept(DriveMission& mission, const std::vector<TagSighting>& sightings, co
   mission.refused = 0;
   mission.relocaliser = {};
   if (!mission.stop || mission.image_s < mission.stop->counts_from_s) return;
-  if (confirms && fix.belief) mission.stop->accept(*fix.belief);
   mission.stop->is_still = false;
-  if (is_at_rest(mission.reckoning))
-    mission.stop->compare(sightings, adapted(mission).corner_sigma_px, mission.image_s);
+  if (!is_at_rest(mission.reckoning)) return;
+  if (confirms && fix.belief) mission.stop->accept(*fix.belief);
+  mission.stop->compare(sightings, adapted(mission).corner_sigma_px, mission.image_s);
   if (mission.wide && mission.stop->is_still) {
     mission.votes.add(sightings, fix.verdicts, mission.reckoning.belief, mission.task.tags,
                       robot_camera(mission.task.eye), adapted(mission));
