@@ -8,7 +8,7 @@
 namespace outrider {
 namespace {
 
-constexpr double lost_after = 20.0;    // times that without a scan after which the robot stands
+constexpr double lost_after = 120.0;   // times that without a scan after which the robot stands
 constexpr double look_within_m = 0.3;  // of a place to look from
 constexpr double look_turn_rad = 2.0;  // where there is none
 

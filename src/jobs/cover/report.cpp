@@ -152,7 +152,8 @@ std::string why_not_done(const NavigatedCover& done, const CoverProof& proof) {
   return reason;
 }
 
-/// Adds the metrics of a drive with the navigator.
+/// Adds the metrics of a drive with the navigator. The bounds on the time hold for a robot that stops at each
+/// corner, which this one does not.
 void add_metrics(std::vector<std::pair<std::string, double>>& metrics, const NavigatedCover& done,
                  const CoverProof& proof) {
   const std::vector<std::pair<std::string, double>> more = {
@@ -166,6 +167,8 @@ void add_metrics(std::vector<std::pair<std::string, double>>& metrics, const Nav
       {"left_ground", static_cast<double>(done.left_ground)},
       {"blocked_s", done.blocked_s},
       {"false_covered", done.believed_complete && misses_something(done, proof) ? 1.0 : 0.0}};
+  std::erase_if(metrics,
+                [](const auto& metric) { return metric.first == "t_min_s" || metric.first == "t_max_s"; });
   metrics.insert(metrics.end(), more.begin(), more.end());
 }
 

@@ -36,8 +36,11 @@ std::string cover_summary(const Report& report) {
   text +=
       fmt::format("  covered   {:.3f} % of the reach, {:.3g} m2 missed, {:.3g} m2 overlap\n",
                   100.0 * value("planned_fraction"), value("planned_missed_m2"), value("planned_overlap_m2"));
-  text += fmt::format("  time      {} to {}, at full speed {}\n", duration_text(value("t_min_s")),
-                      duration_text(value("t_max_s")), duration_text(value("planned_s")));
+  const std::string bounds =
+      std::isfinite(value("t_min_s"))
+          ? fmt::format("{} to {}, ", duration_text(value("t_min_s")), duration_text(value("t_max_s")))
+          : std::string();
+  text += fmt::format("  time      {}at full speed {}\n", bounds, duration_text(value("planned_s")));
   text += fmt::format(
       "  surely    {:.3f} % of the reach and {:.3f} % of it off the rim, with a tracking error of {:g} m\n",
       100.0 * value("sure_fraction"), 100.0 * value("sure_inner_fraction"), value("tracking_error_limit_m"));

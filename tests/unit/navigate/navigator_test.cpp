@@ -105,11 +105,12 @@ TEST(Navigator, IsLostWhenNoScanComesAnyMore) {
   NavigatorSetup setup = small_robot();
   ExplorerSimParams params = devices(setup);
   params.faults.blind_from_s = 1.0;
-  const Result result = drive({}, setup, {6.0, 0.0}, 60.0, params);
+  const Result result = drive({}, setup, {6.0, 0.0}, 120.0, params);
   EXPECT_EQ(result.progress.state, Progress::State::lost);
-  EXPECT_LT(result.time_s, 15.0);
+  EXPECT_GT(result.time_s, 60.0) << "it waits";
+  EXPECT_LT(result.time_s, 65.0);
   params.faults.blind_from_s = 0.0;
-  EXPECT_EQ(drive({}, setup, {6.0, 0.0}, 60.0, params).progress.state, Progress::State::lost);
+  EXPECT_EQ(drive({}, setup, {6.0, 0.0}, 120.0, params).progress.state, Progress::State::lost);
 }
 
 TEST(Navigator, StandsWithoutScans) {
@@ -198,7 +199,7 @@ TEST(Navigator, StandsWhenItIsBlindByAnyRule) {
     auto navigator = Navigator::make(setup, Pose2{});
     ASSERT_TRUE(navigator);
     Progress::State end = Progress::State::underway;
-    for (double time_s = 0.0; time_s < 15.0; time_s += 0.05) {
+    for (double time_s = 0.0; time_s < 65.0; time_s += 0.05) {
       Observation seen;
       seen.time_s = time_s;
       end = navigator->perceive(seen).progress.state;
