@@ -17,11 +17,8 @@ constexpr std::size_t other_stops = 60;
 
 /// Returns true if a robot that does nothing else can serve the goal.
 bool is_possible_alone(SupplyProblem problem, std::uint32_t goal, const Budget& budget) {
+  problem.table.services = services_of(problem.table, {goal});
   problem.table.goals = 1;
-  for (auto& services : problem.table.services) {
-    std::erase_if(services, [&](const Service& service) { return service.goal != goal; });
-    for (Service& service : services) service.goal = 0;
-  }
   const auto tour = solve_supplied(problem, {.iterations = 0}, budget);
   return tour && tour->dropped.empty();
 }
@@ -197,11 +194,9 @@ Outcome<SupplyTable> supply_table(const GuardProblem& problem, const FiringMap& 
                                   const GuardPlan& plan, std::size_t stops, const Budget& budget) {
   if (auto ok = check_supplies(problem, firing_map); !ok) return pass_on(ok);
   const Supplies& supplies = problem.supplies;
-  ArrivalOptions few;
-  few.stops = static_cast<std::int64_t>(stops);
   SupplyTable table;
   add_stations(supplies, table);
-  auto precomputed = precompute_stops(problem, firing_map, plan, few, budget, table.places);
+  auto precomputed = precompute_stops(problem, firing_map, plan, stops, budget, table.places);
   if (!precomputed) return pass_on(precomputed);
 
   const std::size_t stations_from = precomputed->stops.size() - table.places.size();

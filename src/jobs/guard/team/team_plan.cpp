@@ -80,11 +80,11 @@ class TeamPlanner {
 
  private:
   /// Stops and drives for estimates, with the starts of all robots among the stops.
-  Outcome<PrecomputedStops> stops_for_estimates(const GuardPlan& alone) const {
+  Outcome<StopTable> stops_for_estimates(const GuardPlan& alone) const {
     std::vector<Vec2> others;
     others.reserve(problems_.size());
     for (std::size_t r = 1; r < problems_.size(); ++r) others.push_back(problems_[r].start.position);
-    auto stops = precompute_stops(problems_.front(), firing_map_, alone, ArrivalOptions{}, budget_, others);
+    auto stops = precompute_stops(problems_.front(), firing_map_, alone, usual_stops, budget_, others);
     if (!stops || !alone.on_the_move) return stops;
     for (auto& services : stops->table.services) {
       for (Service& service : services) service.duration_s = 0.0;  // most balls are not waited for
