@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "relaxed.hpp"
+#include "plan/relaxed.hpp"
 #include "research/guard/heading_bound.hpp"
 
 namespace outrider {
@@ -91,11 +91,7 @@ Outcome<GuardPlan> plan_with_heading_bound(const GuardProblem& problem, const Fi
                                            const DraftObserver& observe) {
   auto plan = plan_guard(problem, firing_map, options, budget, observe);
   if (!plan || !plan->on_the_move) return plan;
-  std::vector<std::size_t> targets;
-  for (const PlannedStop& stop : plan->stops) {
-    for (const PassingHit& hit : stop.passing) targets.push_back(hit.target);
-    for (const PlannedHit& hit : stop.hits) targets.push_back(hit.target);
-  }
+  std::vector<std::size_t> targets = plan->targets();
   std::ranges::sort(targets);
   plan->lower_bound_s = plan->anywhere_lower_bound_s =
       heading_mission_bound(problem, firing_map, targets, options, budget);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "team/team_detour.hpp"
+#include "yard/way_around.hpp"
 
 namespace outrider {
 namespace {

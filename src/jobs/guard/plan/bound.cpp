@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "relaxed.hpp"
+#include "plan/relaxed.hpp"
 
 namespace outrider {
 double mission_bound(const GuardProblem& problem, const FiringMap& firing_map,

@@ -42,10 +42,6 @@ struct Drafting {
   std::vector<std::size_t> targets;  // by goal
   std::vector<std::size_t> needed;   // cells that are always among the stops
   std::int64_t exact_goals = 0;      // as in DraftTask
-
-  [[nodiscard]] Vec2 place(std::size_t cell) const {
-    return firing_map.frame.centre(firing_map.frame.cell(cell));
-  }
 };
 
 tl::unexpected<Fault> cancelled() {
@@ -67,8 +63,8 @@ Status fill(const Drafting& drafting, const std::vector<std::size_t>& cells) {
   const auto pitches = pitch_lattice(firing_map.rules);
   const bool done = parallel_for(missing.size(), drafting.budget.stop, [&](std::size_t i) {
     const auto [cell, t] = missing[i]->first;
-    missing[i]->second = best_shot(firing_map.rules, firing_map.space(t), drafting.problem.targets[t],
-                                   drafting.place(cell), pitches[firing_map.regions[t].pitch[cell]]);
+    missing[i]->second = shot_from(drafting.problem, firing_map, t, firing_map.place(cell),
+                                   pitches[firing_map.regions[t].pitch[cell]]);
   });
   return done ? Status{} : Status(cancelled());
 }
@@ -86,8 +82,8 @@ std::optional<std::size_t> any_cell_with_shot(Drafting& drafting, std::size_t t)
   });
   for (const std::size_t cell : cells) {
     if (drafting.budget.stop.stop_requested()) return std::nullopt;
-    const auto shot = best_shot(drafting.firing_map.rules, drafting.firing_map.space(t),
-                                drafting.problem.targets[t], drafting.place(cell), 0.0);
+    const auto shot =
+        shot_from(drafting.problem, drafting.firing_map, t, drafting.firing_map.place(cell), 0.0);
     if (!shot) continue;
     drafting.book[{cell, t}] = shot;
     drafting.hits.add(cell, t);
@@ -151,7 +147,7 @@ Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_
   Draft draft{{0}, drafting.targets, {}, {}};
   draft.cells.insert(draft.cells.end(), cells.begin(), cells.end());
   std::vector<Vec2> places{problem.start.position};
-  for (const std::size_t cell : cells) places.push_back(drafting.place(cell));
+  for (const std::size_t cell : cells) places.push_back(drafting.firing_map.place(cell));
   auto offered =
       stop_table(problem, drafting.firing_map, std::move(places), drafting.targets.size(),
                  offers_from(drafting, draft.cells), drafting.options.shoot_on_the_move, drafting.budget);
@@ -216,7 +212,7 @@ std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft
   std::vector<Vec2> around;
   for (const Visit& visit : draft.tour.visits) {
     cells.push_back(draft.cells[visit.stop]);
-    around.push_back(drafting.place(cells.back()));
+    around.push_back(drafting.firing_map.place(cells.back()));
   }
   const double tile = within.tile_cells * drafting.firing_map.frame.resolution_m;
   for (const std::size_t cell :
@@ -230,21 +226,19 @@ std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft
 
 }  // namespace
 
-std::vector<std::size_t> targets_with_region(const FiringMap& firing_map) {
-  std::vector<std::size_t> targets;
-  for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
-    if (firing_map.regions[t].hits > 0) targets.push_back(t);
-  }
-  return targets;
-}
-
 Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_map, const DraftTask& task,
                           const GuardOptions& options, const Budget& budget, ShotBook& book,
                           const DraftObserver& observe) {
-  Drafting drafting{
-      problem,      firing_map, options,         budget, book, observe, sure_hits(problem, firing_map),
-      task.targets, {},         task.exact_goals};
-  drafting.hits.keep_only(task.targets);
+  Drafting drafting{problem,
+                    firing_map,
+                    options,
+                    budget,
+                    book,
+                    observe,
+                    sure_hits(problem, firing_map, task.targets),
+                    task.targets,
+                    {},
+                    task.exact_goals};
   double told_s = std::numeric_limits<double>::infinity();
   const auto wanted = static_cast<std::size_t>(options.stops);
   std::size_t most = std::min(wanted, stops_at_first);

@@ -27,12 +27,12 @@ void offer_plan(const GuardPlan& plan, StopTable& table, std::vector<ShotOffer>&
 /// Adds further stops with the shots from there. Fault: cancelled.
 Status offer_others(const GuardProblem& problem, const FiringMap& firing_map, std::size_t most,
                     std::vector<Vec2>& stops, std::vector<ShotOffer>& offers, const std::stop_token& stop) {
-  const SureHits hits = sure_hits(problem, firing_map);
+  const SureHits hits = sure_hits(problem, firing_map, targets_with_region(firing_map));
   const std::size_t planned = offers.size();
   const auto pitches = pitch_lattice(firing_map.rules);
   std::vector<double> pitches_rad;
   for (const std::size_t cell : choose_stops(firing_map, hits, tile_m, most, {}, 0.0)) {
-    const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(cell));
+    const Vec2 place = firing_map.place(cell);
     if (std::ranges::find(stops, place) != stops.end()) continue;
     for (std::size_t t = 0; t < problem.targets.size(); ++t) {
       if (!hits.has(cell, t)) continue;
@@ -43,8 +43,7 @@ Status offer_others(const GuardProblem& problem, const FiringMap& firing_map, st
   }
   const bool done = parallel_for(pitches_rad.size(), stop, [&](std::size_t i) {
     ShotOffer& offer = offers[planned + i];
-    offer.shot = best_shot(firing_map.rules, firing_map.space(offer.goal), problem.targets[offer.goal],
-                           stops[offer.stop], pitches_rad[i]);
+    offer.shot = shot_from(problem, firing_map, offer.goal, stops[offer.stop], pitches_rad[i]);
   });
   if (!done) return fault(FaultCode::cancelled, "it was cancelled while it looked for shots");
   return {};

@@ -23,15 +23,14 @@ std::size_t cell_seen_from(const FiringMap& firing_map, Vec2 place, double radiu
 std::vector<Vec2> way_home(const FiringMap& firing_map, Vec2 place, double radius_m) {
   std::size_t cell = cell_seen_from(firing_map, place, radius_m);
   if (cell == firing_map.frame.size()) return {};
-  const auto centre = [&](std::size_t i) { return firing_map.frame.centre(firing_map.frame.cell(i)); };
-  std::vector<Vec2> bends{centre(cell)};
+  std::vector<Vec2> bends{firing_map.place(cell)};
   while (firing_map.homeward[cell] != cell) {
     const std::size_t next = firing_map.homeward[cell];
-    if (!firing_map.ground.segment_free({bends.back(), centre(next)}, radius_m))
-      bends.push_back(centre(cell));
+    if (!firing_map.ground.segment_free({bends.back(), firing_map.place(next)}, radius_m))
+      bends.push_back(firing_map.place(cell));
     cell = next;
   }
-  bends.push_back(centre(cell));
+  bends.push_back(firing_map.place(cell));
   return bends;
 }
 

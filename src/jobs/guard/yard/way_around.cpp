@@ -1,4 +1,4 @@
-#include "team/team_detour.hpp"
+#include "yard/way_around.hpp"
 
 #include <algorithm>
 
@@ -48,7 +48,7 @@ class Chains {
 
   [[nodiscard]] Vec2 place(State s) const {
     if (s == start()) return from_;
-    return s == goal() ? to_ : firing_map_.frame.centre(firing_map_.frame.cell(s));
+    return s == goal() ? to_ : firing_map_.place(s);
   }
 
   template <class Relax>

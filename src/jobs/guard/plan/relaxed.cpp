@@ -1,4 +1,4 @@
-#include "relaxed.hpp"
+#include "plan/relaxed.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -79,7 +79,6 @@ Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
   if (on_the_move_) aside_s_ = std::numbers::sqrt2 * firing_map.frame.resolution_m / straight_.speed;
   overhead_ = static_cast<std::uint32_t>(
       std::min<double>(endless, straight_.speed / straight_.acceleration / unit_s_));
-  const auto place = [&](std::size_t c) { return firing_map.frame.centre(firing_map.frame.cell(c)); };
   const auto [home, nearest] = nearest_cell(frame_, problem.start.position);
   home_ = home;
   to_home_s_ = 2.0 * nearest / straight_.speed;
@@ -88,7 +87,8 @@ Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
     flight_[i] = firing_map.regions[t].pitch.mapped(endless, [&](std::size_t c, std::uint8_t pitch) {
       if (pitch == FiringRegion::no_shot) return endless;
       const double units =
-          on_the_move_ ? 0.0 : least_flight(firing_map.rules, problem.targets[t], place(c)) / unit_s_;
+          on_the_move_ ? 0.0
+                       : least_flight(firing_map.rules, problem.targets[t], firing_map.place(c)) / unit_s_;
       const auto flight = static_cast<std::uint16_t>(std::min<double>(endless - 1, units));
       least_[i] = std::min(least_[i], flight);
       return flight;
