@@ -23,10 +23,10 @@ int main() {
 // mission_s = 40.3885
 // planned_s = 38.7208
 // expected_s = 38.7208
-// lower_bound_s = 29.0161
-// gap = 0.250633
-// anywhere_lower_bound_s = 29.0161
-// anywhere_gap = 0.250633
+// lower_bound_s = 22.8907
+// gap = 0.408826
+// anywhere_lower_bound_s = 22.8907
+// anywhere_gap = 0.408826
 // tour_proven = 0
 // stops_offered = 0
 // driven_m = 21.6646

@@ -5,6 +5,7 @@
 #include "outrider/jobs/catalog.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/pursuit/catalog.hpp"
+#include "research/guard/heading_plan.hpp"
 #include "research/guard/pddl_task.hpp"
 #include "research/guard/reference.hpp"
 #include "research/pursuit/iterative_a_star.hpp"
@@ -74,6 +75,12 @@ void add_guard_planners() {
       {"source_target_table",
        "A table of places and the targets hit from there, looked up; always the nearest place next.",
        "the abstract of the reference report, from its description", at_once<source_target_table>});
+  add_guard_planner(
+      {"best_tour_by_headings",
+       "The plan of best_tour; on the move, its lower bound counts turns and halts as well.",
+       "Held and Karp, A dynamic programming approach to sequencing problems, 1962, with headings; "
+       "research/guard/heading_bound.hpp",
+       plan_with_heading_bound});
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ struct Sample {
 struct Yard {
   GuardScenario scenario;
   FiringMap firing_map;
-  PrecomputedStops precomputed;
+  StopTable precomputed;
   std::vector<ArrivalYard> watches;  // one per seed
 };
 
@@ -46,7 +46,8 @@ Outcome<Yard> prepared(const std::string& path, std::int64_t seeds) {
   auto plan = plan_guard(scenario.problem, *firing_map, scenario.options, {});
   if (!plan) return pass_on(plan);
   plan->on_the_move = on_the_move;
-  auto precomputed = precompute_stops(scenario.problem, *firing_map, *plan, scenario.arrivals, {});
+  auto precomputed = precompute_stops(scenario.problem, *firing_map, *plan,
+                                      static_cast<std::size_t>(scenario.arrivals.stops), {});
   if (!precomputed) return pass_on(precomputed);
   Yard yard{std::move(scenario), std::move(*firing_map), std::move(*precomputed), {}};
   for (std::int64_t seed = 1; seed <= seeds; ++seed) {
@@ -61,7 +62,7 @@ Outcome<Yard> prepared(const std::string& path, std::int64_t seeds) {
 Sample sample_of(const Yard& yard, std::size_t i, const ReplanPolicy& policy, ArrivalObjective objective) {
   const ArrivalYard& watch = yard.watches[i];
   const ArrivalOptions& arrivals = yard.scenario.arrivals;
-  const ArrivalPlan plan{watch,
+  const RollingPlan plan{watch,
                          yard.precomputed,
                          policy,
                          objective,

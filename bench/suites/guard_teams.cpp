@@ -50,7 +50,7 @@ Outcome<TeamRow> measure_team(const GuardScenario& yard, std::int64_t robots, st
     plan.unreachable = alone->unreachable;
     plan.makespan_s = plan.alone_s = alone->cost_s;
     plan.lower_bound_s = alone->lower_bound_s;
-    plan.parts.push_back({yard.problem.start, std::move(*alone), {}, {}, plan.makespan_s});
+    plan.parts.push_back({yard.problem.start, std::move(*alone), {{}, {}, plan.makespan_s}});
   } else {
     auto team = plan_team(yard.problem, *firing_map, *starts, yard.options, {});
     if (!team) return pass_on(team);

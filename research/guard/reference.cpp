@@ -24,10 +24,9 @@ struct Post {
 /// The post at a cell, unless no shot at the target from there keeps the margin.
 std::optional<Post> post_at(const GuardProblem& problem, const FiringMap& firing_map, std::size_t target,
                             std::size_t cell, double pitch_rad) {
-  if (firing_map.regions[target].pitch[cell] == FiringRegion::no_shot) return std::nullopt;
-  const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(cell));
-  auto shot =
-      best_shot(firing_map.rules, firing_map.space(target), problem.targets[target], place, pitch_rad);
+  if (!firing_map.has_shot(target, cell)) return std::nullopt;
+  const Vec2 place = firing_map.place(cell);
+  auto shot = shot_from(problem, firing_map, target, place, pitch_rad);
   if (!shot) return std::nullopt;
   return Post{place, {target, *shot}};
 }
@@ -38,10 +37,9 @@ std::optional<Post> first_on_circles(const GuardProblem& problem, const FiringMa
   const Target& target = problem.targets[t];
   for (double radius = longest_range(firing_map.rules, target); radius > 0.0; radius -= circle_step_m) {
     for (int i = 0; i < bearings; ++i) {
-      const Cell cell =
-          firing_map.frame.cell_at(xy(target.base) + radius * direction(2.0 * pi * i / bearings));
-      if (!firing_map.frame.contains(cell)) continue;
-      if (auto post = post_at(problem, firing_map, t, firing_map.frame.index(cell), 0.0)) return post;
+      const auto cell = firing_map.cell_of(xy(target.base) + radius * direction(2.0 * pi * i / bearings));
+      if (!cell) continue;
+      if (auto post = post_at(problem, firing_map, t, *cell, 0.0)) return post;
     }
   }
   return std::nullopt;
@@ -185,16 +183,14 @@ Outcome<GuardPlan> source_target_table(const GuardProblem& problem, const Firing
     const Cell c = firing_map.frame.cell(cell);
     if (c.x % stride != 0 || c.y % stride != 0) continue;
     for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
-      if (firing_map.regions[t].pitch[cell] != FiringRegion::no_shot) table.push_back({cell, t});
+      if (firing_map.has_shot(t, cell)) table.push_back({cell, t});
     }
   }
   std::vector<Post> posts;
   std::vector<std::uint8_t> served(problem.targets.size(), 0);
   Vec2 here = problem.start.position;
   while (!table.empty()) {
-    const auto away = [&](const ShotChoice& e) {
-      return distance(here, firing_map.frame.centre(firing_map.frame.cell(e.cell)));
-    };
+    const auto away = [&](const ShotChoice& e) { return distance(here, firing_map.place(e.cell)); };
     const auto next = std::ranges::min_element(table, {}, away);
     const std::size_t t = next->target;
     const double pitch = posts.empty() ? 0.0 : posts.back().hit.shot.gun.pitch_rad;

@@ -3,7 +3,8 @@ import json
 
 from tool import COARSE, ToolTest, main
 
-PLANNERS = ["best_tour", "shrinking_circles", "circles_in_order", "source_target_table"]
+PLANNERS = ["best_tour", "shrinking_circles", "circles_in_order", "source_target_table",
+            "best_tour_by_headings"]
 SCENARIO = ("job: guard\nworld: yard.sdf\ntargets: targets.txt\nstart: 0,-2,90\nplan:\n"
             + "".join(f"  {flag[len('--plan-'):]}: {value}\n" for flag, value in zip(COARSE[::2], COARSE[1::2])))
 

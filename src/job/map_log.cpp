@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "outrider/job/grid_message.hpp"
 #include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/world/occupancy.hpp"
@@ -18,12 +19,7 @@ std::int8_t percent(std::uint8_t cell) {
 }  // namespace
 
 void log_map(Log& log, const Grid<std::uint8_t>& occupancy, double yaw_rad, double time_s) {
-  nav_msgs::OccupancyGrid grid;
-  grid.header = header_of(log.time_of(time_s), "map");
-  grid.info.resolution = static_cast<float>(occupancy.frame.resolution_m);
-  grid.info.width = static_cast<std::uint32_t>(occupancy.frame.width);
-  grid.info.height = static_cast<std::uint32_t>(occupancy.frame.height);
-  grid.info.origin = pose_of(Pose2{occupancy.frame.origin, yaw_rad});
+  auto grid = grid_message(occupancy.frame, yaw_rad, log.time_of(time_s));
   grid.data.resize(occupancy.cells.size());
   std::ranges::transform(occupancy.cells, grid.data.begin(), percent);
   log.append(topic::map, time_s, std::move(grid));

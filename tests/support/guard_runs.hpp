@@ -38,7 +38,7 @@ inline YardRun run_yard(GuardProblem problem, const GuardOptions& options, std::
   return {std::move(yard), std::move(run)};
 }
 
-inline Run run_arrivals(const ArrivalPlan& plan, const GuardOptions& options, std::uint64_t seed,
+inline Run run_arrivals(const RollingPlan& plan, const GuardOptions& options, std::uint64_t seed,
                         const Survival& survival = {}, const RunWatch& watch = {}) {
   GuardScenario scenario = settings(options, seed);
   scenario.arrivals.leave = survival.leave;

@@ -41,14 +41,15 @@ inline PlannedYard planned_yard(GuardProblem problem, const GuardOptions& option
 
 struct ArrivalsYard : PlannedYard {
   ArrivalOptions options;
-  PrecomputedStops precomputed;
+  StopTable precomputed;
 };
 
 /// On the move there are shots in passing, and nobody waits for sure shots.
 inline ArrivalsYard arrivals_yard(PlannedYard yard, const ArrivalOptions& options = {},
                                   bool on_the_move = false) {
   yard.plan.on_the_move = on_the_move;
-  auto precomputed = precompute_stops(yard.problem, yard.firing_map, yard.plan, options, {});
+  auto precomputed =
+      precompute_stops(yard.problem, yard.firing_map, yard.plan, static_cast<std::size_t>(options.stops), {});
   EXPECT_TRUE(precomputed.has_value()) << precomputed.error().sentence;
   return {std::move(yard), options, std::move(*precomputed)};
 }

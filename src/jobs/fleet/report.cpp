@@ -5,6 +5,7 @@
 
 #include "fleet_task.hpp"
 #include "outrider/core/text.hpp"
+#include "outrider/job/grid_message.hpp"
 #include "outrider/job/scene.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/log/messages/conversions.hpp"
@@ -15,12 +16,7 @@ namespace {
 
 nav_msgs::OccupancyGrid cells_of(const GridMap& map) {
   const GridFrame& frame = map.frame;
-  nav_msgs::OccupancyGrid grid;
-  grid.header = header_of(0.0, "map");
-  grid.info.resolution = static_cast<float>(frame.resolution_m);
-  grid.info.width = static_cast<std::uint32_t>(frame.width);
-  grid.info.height = static_cast<std::uint32_t>(frame.height);
-  grid.info.origin = pose_of(Pose2{frame.origin, 0.0});
+  auto grid = grid_message(frame, 0.0, 0.0);
   for (std::size_t i = 0; i < frame.size(); ++i) grid.data.push_back(map.blocked(frame.cell(i)) ? 100 : 0);
   return grid;
 }

@@ -7,6 +7,7 @@
 
 #include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
+#include "outrider/job/grid_message.hpp"
 #include "outrider/job/scene.hpp"
 #include "outrider/job/scene_markers.hpp"
 #include "outrider/log/messages/conversions.hpp"
@@ -21,22 +22,17 @@ namespace {
 
 constexpr double arc_step_rad = radians(5.0);
 
-/// Returns a grid for `width` x `height` cells whose values are -1. `yaw_rad` turns it about its origin.
-nav_msgs::OccupancyGrid blank_grid(const GridFrame& frame, double yaw_rad, int width, int height) {
-  nav_msgs::OccupancyGrid grid;
-  grid.header = header_of(0.0, "map");
-  grid.info.resolution = static_cast<float>(frame.resolution_m);
-  grid.info.width = static_cast<std::uint32_t>(width);
-  grid.info.height = static_cast<std::uint32_t>(height);
-  grid.info.origin = pose_of(Pose2{frame.origin, yaw_rad});
-  grid.data.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -1);
+/// Returns a grid whose values are -1. `yaw_rad` turns it about its origin.
+nav_msgs::OccupancyGrid blank_grid(const GridFrame& frame, double yaw_rad) {
+  auto grid = grid_message(frame, yaw_rad, 0.0);
+  grid.data.assign(frame.size(), -1);
   return grid;
 }
 
 /// Returns where the robot has room, as a costmap of ROS: 100 occupied, 99 too close to it, 0 free.
 nav_msgs::OccupancyGrid costmap_of(const PlanGround& ground) {
   const GridFrame& frame = ground.blocked.frame;
-  auto grid = blank_grid(frame, ground.yaw_rad, frame.width, frame.height);
+  auto grid = blank_grid(frame, ground.yaw_rad);
   const bool known = ground.occupied.frame == frame;
   for (std::size_t i = 0; i < grid.data.size(); ++i) {
     const bool occupied = known && ground.occupied.cells[i] != 0;
@@ -70,12 +66,12 @@ nav_msgs::OccupancyGrid expanded_of(const Trace& trace, const PlanGround& ground
   GridFrame frame = map.frame;
   if (more > 0)
     frame.origin = ground.to_world(frame.corner({0, 0}) - 0.5 * frame.resolution_m * Vec2{1.0, 1.0});
-  const int width = frame.width + more, height = frame.height + more;
-  auto grid = blank_grid(frame, ground.yaw_rad, width, height);
+  frame.width += more;
+  frame.height += more;
+  auto grid = blank_grid(frame, ground.yaw_rad);
   for (std::size_t i = 0; i < trace.expansions.size(); ++i) {
     const Cell v = vertex_of(trace, trace.expansions[i].state, map);
-    auto& percent = grid.data[static_cast<std::size_t>(v.y) * static_cast<std::size_t>(width) +
-                              static_cast<std::size_t>(v.x)];
+    auto& percent = grid.data[frame.index(v)];
     if (percent < 0) percent = static_cast<std::int8_t>(100 * i / trace.expansions.size());
   }
   return grid;

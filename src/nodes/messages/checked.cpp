@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/job/grid_message.hpp"
 #include "outrider/log/messages/conversions.hpp"
 #include "outrider/path/grid/grid_map.hpp"
 #include "outrider/world/occupancy.hpp"
@@ -124,13 +125,9 @@ Outcome<std::vector<Pose2>> checked_path(const nav_msgs::Path& path) {
 
 nav_msgs::OccupancyGrid map_message(const Grid<std::uint8_t>& map, double time_s, std::string frame,
                                     double begun_s) {
-  nav_msgs::OccupancyGrid message;
-  message.header = header_of(time_s, std::move(frame));
+  auto message = grid_message(map.frame, 0.0, time_s);
+  message.header.frame_id = std::move(frame);
   message.info.map_load_time = stamp_of(begun_s);
-  message.info.resolution = static_cast<float>(map.frame.resolution_m);
-  message.info.width = static_cast<std::uint32_t>(map.frame.width);
-  message.info.height = static_cast<std::uint32_t>(map.frame.height);
-  message.info.origin = pose_of(Pose2{map.frame.origin, 0.0});
   message.data.resize(map.cells.size());
   std::ranges::transform(map.cells, message.data.begin(), percent_of);
   return message;

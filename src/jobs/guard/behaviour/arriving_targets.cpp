@@ -9,7 +9,6 @@
 namespace outrider {
 namespace {
 
-constexpr std::size_t most_planned = 64;
 constexpr double never_s = std::numeric_limits<double>::infinity();
 
 /// Returns those that are in their places.
@@ -23,7 +22,7 @@ std::vector<std::size_t> settled(const std::vector<TargetArrival>& open, double 
 
 /// The stop at which the robot stands, or nothing.
 std::optional<std::size_t> stop_here(const TaskBoard& board, const Observation& seen,
-                                     const ArrivalPlan& plan) {
+                                     const RollingPlan& plan) {
   const auto& stops = plan.stops.stops;
   const auto sent = std::find(stops.begin(), stops.end(), board.last_place());
   const double off = plan.yard.problem.errors.position_m + there_m;
@@ -33,7 +32,7 @@ std::optional<std::size_t> stop_here(const TaskBoard& board, const Observation& 
 
 /// From where the robot is; from the nearest stop where no corner is seen from there.
 Drive drive_from(const Pose2& pose, std::size_t stop, const ArrivalYard& watch,
-                 const PrecomputedStops& precomputed) {
+                 const StopTable& precomputed) {
   const auto& stops = precomputed.stops;
   const auto route = precomputed.routes.route(pose, stops[stop]);
   if (!route) {
@@ -49,9 +48,9 @@ Drive drive_from(const Pose2& pose, std::size_t stop, const ArrivalYard& watch,
   return {cost.time_s, departure, cost.heading_rad};
 }
 
-RobotState state_of(const TaskBoard& board, const Observation& seen, const ArrivalPlan& plan,
+RobotState state_of(const TaskBoard& board, const Observation& seen, const RollingPlan& plan,
                     const std::vector<PendingTarget>& pending) {
-  const PrecomputedStops& precomputed = plan.stops;
+  const StopTable& precomputed = plan.stops;
   RobotState from{seen.time_s, seen.odometry.heading_rad, seen.gun->yaw_rad, seen.gun->pitch_rad, {}};
   const auto here = stop_here(board, seen, plan);
   for (std::size_t stop = 0; stop < precomputed.stops.size(); ++stop) {
@@ -94,27 +93,16 @@ std::vector<TargetArrival> ArrivingTargets::open_targets(const TaskBoard& board)
   return open;
 }
 
-/// The tour answers this very question: all its targets there at the start, and the makespan.
-bool ArrivingTargets::is_the_still_yard(const std::vector<PendingTarget>& pending, double time_s) const {
-  std::size_t toured = 0;
-  for (const Visit& visit : plan_->stops.tour) toured += visit.goals.size();
-  return plan_->objective == ArrivalObjective::makespan && plans_ == 0 && pending.size() == toured &&
-         std::all_of(pending.begin(), pending.end(),
-                     [&](const PendingTarget& w) { return w.settles_s <= time_s; });
-}
-
 /// Plans for the first `count` of the open ones and sets the tasks.
 void ArrivingTargets::plan_anew(const std::vector<TargetArrival>& open, TaskBoard& board,
                                 const Observation& seen, std::size_t count) {
-  const ArrivalPlan& plan = *plan_;
+  const RollingPlan& plan = *plan_;
   std::vector<PendingTarget> pending;
-  count = std::min({count, open.size(), most_planned});
   for (std::size_t i = 0; i < count; ++i)
     pending.push_back({static_cast<std::uint32_t>(open[i].place), open[i].settles_s});
   const TourProblem& table = plan.stops.table;
   const RobotState from = state_of(board, seen, plan, pending);
-  const Sequence best = sequence_beside(plan.stops.tour, table, pending, from, plan.objective, plan.beam,
-                                        is_the_still_yard(pending, seen.time_s));
+  const Sequence best = plan.next(pending, from, plans_ == 0);
   if (best.visits.empty())
     board.settle(open.front().target, TargetStatus::failed, "no way to a place with a shot", seen.time_s);
   std::deque<StopTask> tasks;
@@ -177,8 +165,7 @@ std::optional<Command> ArrivingTargets::propose(TaskBoard& board, const Observat
   while (board.more_to_come()) {
     const auto open = open_targets(board);
     if (!board.is_busy()) {
-      const std::size_t count =
-          plan_->policy.take({open.size(), entered_, board.queue().empty(), plan_->group});
+      const std::size_t count = plan_->wanted(open.size(), entered_, board.queue().empty());
       if (count > 0) plan_anew(open, board, seen, count);
     }
     board.set_by_the_way(settled(open, seen.time_s));

@@ -98,7 +98,7 @@ Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const FiringMap& fi
   if (!surveyed) return pass_on(surveyed);
   GuardPlan none;
   none.on_the_move = options.shoot_on_the_move;
-  auto precomputed = precompute_stops(regions, *surveyed, none, {}, budget);
+  auto precomputed = precompute_stops(regions, *surveyed, none, usual_stops, budget);
   if (!precomputed) return pass_on(precomputed);
   std::vector<double> longest_m;
   if (!problem.air.none()) {
@@ -203,7 +203,7 @@ std::size_t MovingTargets::best_stop(const TaskBoard& board, const Observation& 
       rests.insert(rests.end(), own.begin(), own.end());
     }
   }
-  const PrecomputedStops& precomputed = plan.stops;
+  const StopTable& precomputed = plan.stops;
   std::size_t best = stop_;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < precomputed.stops.size(); ++i) {

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "team/team_detour.hpp"
+#include "outrider/geometry/convex.hpp"
+#include "yard/way_around.hpp"
 
 namespace outrider {
 namespace {
@@ -44,6 +45,16 @@ std::size_t shots_left(const Observation& seen, const Supplies& supplies) {
   return static_cast<std::size_t>(std::clamp(shots, 0.0, many));
 }
 
+/// Returns true if no leg comes nearer than `gap_m` to the middle of what is standing somewhere.
+bool keeps_away(const std::vector<Vec2>& way, const std::vector<Vec2>& standing, double gap_m) {
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const Segment leg{way[i - 1], way[i]};
+    if (std::ranges::any_of(standing, [&](Vec2 middle) { return distance(middle, leg) < gap_m; }))
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string missed(const TargetRecord& record) {
@@ -56,15 +67,14 @@ std::string missed(const TargetRecord& record) {
 }
 
 Outcome<std::vector<Vec2>> TaskBoard::way_between(const Pose2& from, Vec2 to) const {
-  if (keep_away_ || !cut_.obstacles.empty()) {
-    auto [standing, gap_m] = keep_away_.value_or(KeepAway{{}, obstacle_gap_m(*problem_)});
-    standing.insert(standing.end(), cut_.obstacles.begin(), cut_.obstacles.end());
-    if (auto way = way_around(*problem_, *firing_map_, from.position, to, standing, gap_m, budget_))
-      return std::move(*way);
-  }
   auto way = yard_way(*problem_, *firing_map_, routes_, from, to, budget_);
-  if (way && way->empty()) way->push_back(from.position);
-  return way;
+  if (!way) return way;
+  if (way->empty()) way->push_back(from.position);
+  auto [standing, gap_m] = keep_away_.value_or(KeepAway{{}, obstacle_gap_m(*problem_)});
+  standing.insert(standing.end(), cut_.obstacles.begin(), cut_.obstacles.end());
+  if (keeps_away(*way, standing, gap_m)) return way;
+  auto around = way_around(*problem_, *firing_map_, from.position, to, standing, gap_m, budget_);
+  return around ? std::move(*around) : std::move(*way);
 }
 
 /// Takes a target off the stops that were to hit it.

@@ -22,7 +22,7 @@ Detour shortest_detour(const std::deque<StopTask>& queue, const FiringMap& firin
     const Vec2 from = queue[k].place;
     const bool last = k + 1 == queue.size();
     for (const std::size_t cell : cells) {
-      const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(cell));
+      const Vec2 place = firing_map.place(cell);
       double longer_m = distance(from, place);
       if (!last)
         longer_m = longer_m + distance(place, queue[k + 1].place) - distance(from, queue[k + 1].place);
@@ -37,10 +37,9 @@ Detour shortest_detour(const std::deque<StopTask>& queue, const FiringMap& firin
 
 void TaskBoard::stop_for(std::size_t record) {
   const std::vector<std::size_t> sure = sure_cells(*problem_, *firing_map_, target_of(record));
-  const GridFrame& frame = firing_map_->frame;
   for (StopTask& task : queue_) {
-    const Cell cell = frame.cell_at(task.place);
-    if (task.call || !frame.contains(cell) || !std::ranges::binary_search(sure, frame.index(cell))) continue;
+    const auto cell = firing_map_->cell_of(task.place);
+    if (task.call || !cell || !std::ranges::binary_search(sure, *cell)) continue;
     task.targets.push_back(record);
     return;
   }

@@ -15,7 +15,7 @@ bool shoots(const Command& command) {
 GuardMission::GuardMission(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan)
     : board_(problem, firing_map, plan), targets_(StillTargets{&plan}) {}
 
-GuardMission::GuardMission(const ArrivalPlan& plan)
+GuardMission::GuardMission(const RollingPlan& plan)
     : board_(ArrivingTargets(plan).board()), targets_(ArrivingTargets(plan)) {}
 
 GuardMission::GuardMission(const MovingPlan& plan)

@@ -125,7 +125,7 @@ void TaskBoard::plan_second_pass() {
       const Exhausted tried = exhaust(bold, firing_map_->space(at), problem_->targets[at], firing_map_->frame,
                                       firing_map_->reachable, stop_);
       if (!tried.found) continue;
-      queue_.push_back({firing_map_->frame.centre(firing_map_->frame.cell(*tried.found)), {t}});
+      queue_.push_back({firing_map_->place(*tried.found), {t}});
     }
   }
 }

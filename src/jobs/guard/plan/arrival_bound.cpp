@@ -27,11 +27,10 @@ double off_m(const ArrivalYard& watch, bool on_the_move) {
 /// Least straight-line distances to and from the cells of a region, less what a shot may be off them.
 Nearest nearest(const ArrivalYard& watch, std::size_t i, bool on_the_move) {
   const GuardProblem& problem = watch.problem;
-  const GridFrame& frame = watch.firing_map.frame;
   Nearest least;
   watch.firing_map.regions[i].pitch.each([&](std::size_t c, std::uint8_t pitch) {
     if (pitch == FiringRegion::no_shot) return;
-    const Vec2 place = frame.centre(frame.cell(c));
+    const Vec2 place = watch.firing_map.place(c);
     least.from_start_m = std::min(least.from_start_m, distance(problem.start.position, place));
     least.to_target_m = std::min(least.to_target_m, distance(xy(problem.targets[i].base), place));
   });

@@ -9,7 +9,7 @@
 namespace outrider {
 namespace {
 
-constexpr std::size_t usual_stops = 300;  // the first rounds offer no more, so that more never harm
+constexpr std::size_t stops_at_first = 300;  // the first rounds offer no more, so that more never harm
 
 /// How closely better stops are looked for around those of a tour.
 struct Closeness {
@@ -20,7 +20,7 @@ struct Closeness {
 
 /// One after another: all around, closely, and both again where more stops are wanted.
 std::vector<Closeness> rounds(std::size_t most) {
-  const std::size_t first = std::min(most, usual_stops);
+  const std::size_t first = std::min(most, stops_at_first);
   std::vector<Closeness> all{{1.2, 2.0, first}, {0.4, 1.0, first}};
   if (most > first) all.insert(all.end(), {{1.2, 2.0, most}, {0.4, 1.0, most}});
   return all;
@@ -42,10 +42,6 @@ struct Drafting {
   std::vector<std::size_t> targets;  // by goal
   std::vector<std::size_t> needed;   // cells that are always among the stops
   std::int64_t exact_goals = 0;      // as in DraftTask
-
-  [[nodiscard]] Vec2 place(std::size_t cell) const {
-    return firing_map.frame.centre(firing_map.frame.cell(cell));
-  }
 };
 
 tl::unexpected<Fault> cancelled() {
@@ -67,8 +63,8 @@ Status fill(const Drafting& drafting, const std::vector<std::size_t>& cells) {
   const auto pitches = pitch_lattice(firing_map.rules);
   const bool done = parallel_for(missing.size(), drafting.budget.stop, [&](std::size_t i) {
     const auto [cell, t] = missing[i]->first;
-    missing[i]->second = best_shot(firing_map.rules, firing_map.space(t), drafting.problem.targets[t],
-                                   drafting.place(cell), pitches[firing_map.regions[t].pitch[cell]]);
+    missing[i]->second = shot_from(drafting.problem, firing_map, t, firing_map.place(cell),
+                                   pitches[firing_map.regions[t].pitch[cell]]);
   });
   return done ? Status{} : Status(cancelled());
 }
@@ -86,8 +82,8 @@ std::optional<std::size_t> any_cell_with_shot(Drafting& drafting, std::size_t t)
   });
   for (const std::size_t cell : cells) {
     if (drafting.budget.stop.stop_requested()) return std::nullopt;
-    const auto shot = best_shot(drafting.firing_map.rules, drafting.firing_map.space(t),
-                                drafting.problem.targets[t], drafting.place(cell), 0.0);
+    const auto shot =
+        shot_from(drafting.problem, drafting.firing_map, t, drafting.firing_map.place(cell), 0.0);
     if (!shot) continue;
     drafting.book[{cell, t}] = shot;
     drafting.hits.add(cell, t);
@@ -113,25 +109,16 @@ Status cover_all(Drafting& drafting, std::vector<std::size_t>& cells) {
   return drafting.budget.stop.stop_requested() ? Status(cancelled()) : Status{};
 }
 
-/// The shots offered to the tour, by stop: those that hit nearly always, or where a target has none of these,
-/// any. The first of the cells stands for the start.
-std::vector<std::vector<Service>> services(const Drafting& drafting, const std::vector<std::size_t>& cells) {
-  std::vector<std::vector<Service>> offered(cells.size());
+/// The shots known from the cells. The first of the cells stands for the start, where none is offered.
+std::vector<ShotOffer> offers_from(const Drafting& drafting, const std::vector<std::size_t>& cells) {
+  std::vector<ShotOffer> offers;
   for (std::size_t goal = 0; goal < drafting.targets.size(); ++goal) {
-    const auto offer = [&](bool any) {
-      bool found = false;
-      for (std::size_t i = 1; i < cells.size(); ++i) {
-        const auto entry = drafting.book.find({cells[i], drafting.targets[goal]});
-        if (entry == drafting.book.end() || !entry->second || !(any || entry->second->hit_rate >= good_rate))
-          continue;
-        offered[i].push_back(service_of(goal, *entry->second, drafting.options.shoot_on_the_move));
-        found = true;
-      }
-      return found;
-    };
-    if (!offer(false)) offer(true);
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+      const auto entry = drafting.book.find({cells[i], drafting.targets[goal]});
+      if (entry != drafting.book.end()) offers.push_back({i, goal, entry->second});
+    }
   }
-  return offered;
+  return offers;
 }
 
 /// Tells the observer of tours over the stops of a draft, when they are faster than those before. `told_s` is
@@ -160,18 +147,17 @@ Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_
   Draft draft{{0}, drafting.targets, {}, {}};
   draft.cells.insert(draft.cells.end(), cells.begin(), cells.end());
   std::vector<Vec2> places{problem.start.position};
-  for (const std::size_t cell : cells) places.push_back(drafting.place(cell));
-  auto joined =
-      stop_table(problem, drafting.firing_map, std::move(places), drafting.targets.size(), drafting.budget);
-  if (!joined) return pass_on(joined);
-  draft.offered = std::move(*joined);
-  TourProblem& tour = draft.offered.table;
-  tour.services = services(drafting, draft.cells);
+  for (const std::size_t cell : cells) places.push_back(drafting.firing_map.place(cell));
+  auto offered =
+      stop_table(problem, drafting.firing_map, std::move(places), drafting.targets.size(),
+                 offers_from(drafting, draft.cells), drafting.options.shoot_on_the_move, drafting.budget);
+  if (!offered) return pass_on(offered);
+  draft.offered = std::move(*offered);
   TourOptions tour_options;
   tour_options.exact_goals = drafting.exact_goals;
   tour_options.iterations = drafting.options.iterations;
   tour_options.gap = 1.0;
-  auto solved = solve(tour, tour_options, drafting.budget, teller(drafting, draft, told_s));
+  auto solved = solve(draft.offered.table, tour_options, drafting.budget, teller(drafting, draft, told_s));
   if (!solved) return pass_on(solved);
   draft.tour = std::move(*solved);
   return draft;
@@ -226,7 +212,7 @@ std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft
   std::vector<Vec2> around;
   for (const Visit& visit : draft.tour.visits) {
     cells.push_back(draft.cells[visit.stop]);
-    around.push_back(drafting.place(cells.back()));
+    around.push_back(drafting.firing_map.place(cells.back()));
   }
   const double tile = within.tile_cells * drafting.firing_map.frame.resolution_m;
   for (const std::size_t cell :
@@ -240,24 +226,22 @@ std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft
 
 }  // namespace
 
-std::vector<std::size_t> targets_with_region(const FiringMap& firing_map) {
-  std::vector<std::size_t> targets;
-  for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
-    if (firing_map.regions[t].hits > 0) targets.push_back(t);
-  }
-  return targets;
-}
-
 Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_map, const DraftTask& task,
                           const GuardOptions& options, const Budget& budget, ShotBook& book,
                           const DraftObserver& observe) {
-  Drafting drafting{
-      problem,      firing_map, options,         budget, book, observe, sure_hits(problem, firing_map),
-      task.targets, {},         task.exact_goals};
-  drafting.hits.keep_only(task.targets);
+  Drafting drafting{problem,
+                    firing_map,
+                    options,
+                    budget,
+                    book,
+                    observe,
+                    sure_hits(problem, firing_map, task.targets),
+                    task.targets,
+                    {},
+                    task.exact_goals};
   double told_s = std::numeric_limits<double>::infinity();
   const auto wanted = static_cast<std::size_t>(options.stops);
-  std::size_t most = std::min(wanted, usual_stops);
+  std::size_t most = std::min(wanted, stops_at_first);
   // Among fewer stops a search finds better which parts of the yard to go to; near these it then gets all.
   if (drafting.targets.size() > most_alone) most = most * 2 / 5;
   auto cells = choose_stops(firing_map, drafting.hits, coarse_tile_m, most, {}, 0.0);

@@ -40,9 +40,6 @@ Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_m
                           const GuardOptions& options, const Budget& budget, ShotBook& book,
                           const DraftObserver& observe = {});
 
-/// Returns the targets that have a firing region, ascending.
-std::vector<std::size_t> targets_with_region(const FiringMap& firing_map);
-
 /// Gives each hit of the draft's tour, in its order, the shot of those found at its stop with which the tour
 /// ends soonest. They replace those of the same stops and targets in `offered` and in `book`; the tour gets
 /// its new cost and loses its bound. No shot becomes less sure. O(hits x pitches) searches for a shot.

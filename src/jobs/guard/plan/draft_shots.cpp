@@ -39,8 +39,7 @@ std::vector<PlannedShot> shots_like(const GuardProblem& problem, const FiringMap
   ShotRules coarse = firing_map.rules;
   coarse.pitch_step_rad = pitch_apart_rad;
   for (const double pitch : pitch_lattice(coarse)) {
-    const auto shot =
-        best_shot(firing_map.rules, firing_map.space(target), problem.targets[target], place, pitch);
+    const auto shot = shot_from(problem, firing_map, target, place, pitch);
     if (!shot || shot->hit_rate < known.hit_rate) continue;
     const bool again = std::ranges::any_of(shots, [&](const PlannedShot& other) {
       return other.gun.pitch_rad == shot->gun.pitch_rad && other.gun.yaw_rad == shot->gun.yaw_rad;
@@ -97,8 +96,7 @@ void choose_shots(const GuardProblem& problem, const FiringMap& firing_map, cons
   parallel_for(steps.size(), [&](std::size_t i) {
     Step& step = steps[i];
     const std::size_t cell = draft.cells[step.stop], target = draft.targets[step.goal];
-    step.shots = shots_like(problem, firing_map, target, firing_map.frame.centre(firing_map.frame.cell(cell)),
-                            *book.at({cell, target}));
+    step.shots = shots_like(problem, firing_map, target, firing_map.place(cell), *book.at({cell, target}));
   });
   const auto chosen = soonest(problem.gun, options, steps);
   for (std::size_t i = 0; i < steps.size(); ++i) {

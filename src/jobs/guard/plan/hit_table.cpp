@@ -40,7 +40,7 @@ TablePlanner::TablePlanner(const GuardProblem& problem, const FiringMap& firing_
     : problem_(problem),
       firing_map_(firing_map),
       plan_(plan),
-      sure_(sure_hits(problem, firing_map)),
+      sure_(sure_hits(problem, firing_map, plan.targets())),
       passing_(problem, firing_map) {
   routes_index_[{problem.start.position.x, problem.start.position.y}] = 0;
   for (std::size_t i = 0; i < plan.stops.size(); ++i) {
@@ -104,14 +104,12 @@ double TablePlanner::drives_s(const HitTable& table) {
 }
 
 bool TablePlanner::may_stop(Vec2 place, const std::vector<std::size_t>& targets) {
-  const Cell cell = firing_map_.frame.cell_at(place);
-  if (!firing_map_.frame.contains(cell)) return false;
-  const std::size_t index = firing_map_.frame.index(cell);
-  if (firing_map_.reachable[index] == 0) return false;
+  const auto cell = firing_map_.cell_of(place);
+  if (!cell || firing_map_.reachable[*cell] == 0) return false;
   const double room_m = problem_.robot.radius_m + problem_.errors.position_m;
   if (firing_map_.ground.clearance(place, room_m) < room_m) return false;
   if (!firing_map_.ground.segment_free({place, place}, problem_.robot.radius_m)) return false;  // on a slope
-  return std::ranges::all_of(targets, [&](std::size_t target) { return sure_.has(index, target); });
+  return std::ranges::all_of(targets, [&](std::size_t target) { return sure_.has(*cell, target); });
 }
 
 double TablePlanner::expected_s(const GuardPlan& plan) {
@@ -158,10 +156,7 @@ const std::vector<Vec2>& TablePlanner::way(const Pose2& from, Vec2 to) {
 
 const std::optional<PlannedShot>& TablePlanner::shot_from(Vec2 place, std::size_t target, double pitch_rad) {
   const auto [entry, added] = shots_.try_emplace({{place.x, place.y}, target, pitch_rad});
-  if (added) {
-    entry->second =
-        best_shot(firing_map_.rules, firing_map_.space(target), problem_.targets[target], place, pitch_rad);
-  }
+  if (added) entry->second = outrider::shot_from(problem_, firing_map_, target, place, pitch_rad);
   return entry->second;
 }
 

@@ -117,10 +117,8 @@ std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const Firin
   const Target& aim = problem.targets[target];
   const HeightField* const terrain = firing_map.ground.terrain();
   const Platform platform = platform_on(problem.robot, straight.from, straight.to, after_s, terrain);
-  const Cell cell = firing_map.frame.cell_at(platform.position);
-  if (!firing_map.frame.contains(cell) || !clear_of(firing_map.rules, aim, platform.position))
-    return std::nullopt;
-  if (firing_map.regions[target].pitch[firing_map.frame.index(cell)] == FiringRegion::no_shot)
+  const auto cell = firing_map.cell_of(platform.position);
+  if (!cell || !clear_of(firing_map.rules, aim, platform.position) || !firing_map.has_shot(target, *cell))
     return std::nullopt;
 
   const FlightSpace& space = firing_map.space(target);
@@ -175,12 +173,9 @@ PassingShots::Leg PassingShots::look_along(const Straight& straight) const {
     std::vector<Chance>& chances = leg.moments.emplace_back();
     const Vec2 at =
         platform_on(problem_.robot, straight.from, straight.to, moment_after_s(m), terrain).position;
-    const Cell cell = firing_map_.frame.cell_at(at);
-    if (!firing_map_.frame.contains(cell)) continue;
-    const std::size_t index = firing_map_.frame.index(cell);
-    for (std::uint32_t target = 0; target < problem_.targets.size(); ++target) {
-      if (firing_map_.regions[target].pitch[index] != FiringRegion::no_shot)
-        chances.push_back({target, unsolved});
+    const auto cell = firing_map_.cell_of(at);
+    for (std::uint32_t target = 0; cell && target < problem_.targets.size(); ++target) {
+      if (firing_map_.has_shot(target, *cell)) chances.push_back({target, unsolved});
     }
   }
   return leg;

@@ -18,8 +18,7 @@ std::vector<PlannedStop> stops_of(const GuardProblem& problem, const FiringMap& 
   for (const Visit& visit : draft.tour.visits) {
     const std::size_t cell = draft.cells[visit.stop];
     const bool at_start = visit.stop == 0;
-    PlannedStop stop{
-        at_start ? problem.start.position : firing_map.frame.centre(firing_map.frame.cell(cell)), {}, {}};
+    PlannedStop stop{at_start ? problem.start.position : firing_map.place(cell), {}, {}};
     for (const std::uint32_t goal : visit.goals) {
       const std::size_t target = draft.targets[goal];
       stop.hits.push_back({target, *book.at({cell, target})});
@@ -59,8 +58,7 @@ TourDraft draft_of(const GuardProblem& problem, const GuardPlan& plan) {
   TourDraft tour{{}, {problem.start.position}, plan.bounded_s(), plan.lower_bound_s};
   for (const PlannedStop& stop : plan.stops) {
     DraftStop& told = tour.stops.emplace_back(DraftStop{stop.position, {}});
-    for (const PassingHit& hit : stop.passing) told.targets.push_back(hit.target);
-    for (const PlannedHit& hit : stop.hits) told.targets.push_back(hit.target);
+    stop.add_targets(told.targets);
     tour.way.insert(tour.way.end(), stop.waypoints.begin(), stop.waypoints.end());
   }
   return tour;

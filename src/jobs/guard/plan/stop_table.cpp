@@ -11,75 +11,67 @@ namespace {
 
 constexpr double tile_m = 0.8;
 
-struct Offer {
-  std::size_t stop = 0;
-  std::size_t target = 0;
-  double pitch_rad = 0.0;
-  std::optional<PlannedShot> shot;
-};
-
-void offer_plan(const GuardPlan& plan, PrecomputedStops& precomputed, std::vector<Offer>& offers) {
+/// Adds the stops of a plan with its shots.
+void offer_plan(const GuardPlan& plan, StopTable& table, std::vector<ShotOffer>& offers) {
   for (const PlannedStop& stop : plan.stops) {
-    Visit visit{precomputed.stops.size(), {}};
+    Visit visit{table.stops.size(), {}};
     for (const PlannedHit& hit : stop.hits) {
-      offers.push_back({visit.stop, hit.target, 0.0, hit.shot});
+      offers.push_back({visit.stop, hit.target, hit.shot, true});
       visit.goals.push_back(static_cast<std::uint32_t>(hit.target));
     }
-    precomputed.stops.push_back(stop.position);
-    precomputed.tour.push_back(std::move(visit));
+    table.stops.push_back(stop.position);
+    table.tour.push_back(std::move(visit));
   }
 }
 
-/// Fault: cancelled.
+/// Adds further stops with the shots from there. Fault: cancelled.
 Status offer_others(const GuardProblem& problem, const FiringMap& firing_map, std::size_t most,
-                    PrecomputedStops& precomputed, std::vector<Offer>& offers, const std::stop_token& stop) {
-  const SureHits hits = sure_hits(problem, firing_map);
+                    std::vector<Vec2>& stops, std::vector<ShotOffer>& offers, const std::stop_token& stop) {
+  const SureHits hits = sure_hits(problem, firing_map, targets_with_region(firing_map));
   const std::size_t planned = offers.size();
   const auto pitches = pitch_lattice(firing_map.rules);
+  std::vector<double> pitches_rad;
   for (const std::size_t cell : choose_stops(firing_map, hits, tile_m, most, {}, 0.0)) {
-    const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(cell));
-    if (std::find(precomputed.stops.begin(), precomputed.stops.end(), place) != precomputed.stops.end())
-      continue;
+    const Vec2 place = firing_map.place(cell);
+    if (std::ranges::find(stops, place) != stops.end()) continue;
     for (std::size_t t = 0; t < problem.targets.size(); ++t) {
-      if (hits.has(cell, t)) {
-        offers.push_back({precomputed.stops.size(), t, pitches[firing_map.regions[t].pitch[cell]], {}});
-      }
+      if (!hits.has(cell, t)) continue;
+      offers.push_back({stops.size(), t, {}});
+      pitches_rad.push_back(pitches[firing_map.regions[t].pitch[cell]]);
     }
-    precomputed.stops.push_back(place);
+    stops.push_back(place);
   }
-  const bool done = parallel_for(offers.size() - planned, stop, [&](std::size_t i) {
-    Offer& offer = offers[planned + i];
-    offer.shot = best_shot(firing_map.rules, firing_map.space(offer.target), problem.targets[offer.target],
-                           precomputed.stops[offer.stop], offer.pitch_rad);
+  const bool done = parallel_for(pitches_rad.size(), stop, [&](std::size_t i) {
+    ShotOffer& offer = offers[planned + i];
+    offer.shot = shot_from(problem, firing_map, offer.goal, stops[offer.stop], pitches_rad[i]);
   });
   if (!done) return fault(FaultCode::cancelled, "it was cancelled while it looked for shots");
   return {};
 }
 
-/// The services of the offers: those of the plan, the first stops, and good ones alone where a target has
-/// such.
-void take(const std::vector<Offer>& offers, PrecomputedStops& precomputed) {
-  TourProblem& table = precomputed.table;
+/// Makes the shots services of the table.
+void take(const std::vector<ShotOffer>& offers, StopTable& stops) {
+  TourProblem& table = stops.table;
   std::vector<char> good(table.goals, 0);
-  for (const Offer& offer : offers) {
-    if (offer.shot && offer.shot->hit_rate >= good_rate) good[offer.target] = 1;
+  for (const ShotOffer& offer : offers) {
+    if (offer.shot && offer.shot->hit_rate >= good_rate) good[offer.goal] = 1;
   }
-  table.services.resize(precomputed.stops.size());
-  precomputed.reachable.assign(table.goals, 0);
-  for (const Offer& offer : offers) {
-    const bool planned = offer.stop <= precomputed.tour.size();
+  table.services.resize(stops.stops.size());
+  stops.reachable.assign(table.goals, 0);
+  for (const ShotOffer& offer : offers) {
     if (!offer.shot) continue;
-    if (!planned && good[offer.target] != 0 && offer.shot->hit_rate < good_rate) continue;
+    if (!offer.planned && good[offer.goal] != 0 && offer.shot->hit_rate < good_rate) continue;
     if (!std::isfinite(table.drives[offer.stop].time_s)) continue;  // from the start
-    table.services[offer.stop].push_back(service_of(offer.target, *offer.shot, precomputed.on_the_move));
-    precomputed.reachable[offer.target] = 1;
+    table.services[offer.stop].push_back(service_of(offer.goal, *offer.shot, stops.on_the_move));
+    stops.reachable[offer.goal] = 1;
   }
 }
 
 }  // namespace
 
 Outcome<StopTable> stop_table(const GuardProblem& problem, const FiringMap& firing_map,
-                              std::vector<Vec2> stops, std::size_t goals, const Budget& budget) {
+                              std::vector<Vec2> stops, std::size_t goals,
+                              const std::vector<ShotOffer>& offers, bool on_the_move, const Budget& budget) {
   auto routes = yard_routes(problem, firing_map, stops, budget);
   if (!routes) return pass_on(routes);
   TourProblem table{goals,
@@ -92,7 +84,10 @@ Outcome<StopTable> stop_table(const GuardProblem& problem, const FiringMap& firi
   for (std::size_t i = 0; i < stops.size(); ++i) {
     for (std::size_t j = 0; j < stops.size(); ++j) table.drives.push_back(routes->between(i, j));
   }
-  return StopTable{std::move(stops), std::move(table), std::move(*routes)};
+  StopTable joined{std::move(stops), std::move(table), std::move(*routes)};
+  joined.on_the_move = on_the_move;
+  take(offers, joined);
+  return joined;
 }
 
 double service_time(const PlannedShot& shot, bool on_the_move) {
@@ -119,24 +114,19 @@ std::vector<std::vector<Service>> services_of(const TourProblem& table,
   return services;
 }
 
-Outcome<PrecomputedStops> precompute_stops(const GuardProblem& problem, const FiringMap& firing_map,
-                                           const GuardPlan& plan, const ArrivalOptions& options,
-                                           const Budget& budget, const std::vector<Vec2>& besides) {
-  PrecomputedStops precomputed;
-  precomputed.stops = {problem.start.position};
-  precomputed.on_the_move = plan.on_the_move;
-  std::vector<Offer> offers;
-  offer_plan(plan, precomputed, offers);
-  const auto most = static_cast<std::size_t>(options.stops);
-  if (auto ok = offer_others(problem, firing_map, most, precomputed, offers, budget.stop); !ok)
-    return pass_on(ok);
-  precomputed.stops.insert(precomputed.stops.end(), besides.begin(), besides.end());
-
-  auto joined = stop_table(problem, firing_map, std::move(precomputed.stops), problem.targets.size(), budget);
-  if (!joined) return pass_on(joined);
-  static_cast<StopTable&>(precomputed) = std::move(*joined);
-  take(offers, precomputed);
-  return precomputed;
+Outcome<StopTable> precompute_stops(const GuardProblem& problem, const FiringMap& firing_map,
+                                    const GuardPlan& plan, std::size_t most, const Budget& budget,
+                                    const std::vector<Vec2>& besides) {
+  StopTable planned{{problem.start.position}, {}};
+  std::vector<ShotOffer> offers;
+  offer_plan(plan, planned, offers);
+  std::vector<Vec2>& stops = planned.stops;
+  if (auto ok = offer_others(problem, firing_map, most, stops, offers, budget.stop); !ok) return pass_on(ok);
+  stops.insert(stops.end(), besides.begin(), besides.end());
+  auto table = stop_table(problem, firing_map, std::move(stops), problem.targets.size(), offers,
+                          plan.on_the_move, budget);
+  if (table) table->tour = std::move(planned.tour);
+  return table;
 }
 
 }  // namespace outrider

@@ -171,29 +171,20 @@ void SureHits::add(std::size_t cell, std::size_t target) {
   for (std::size_t later = cell + 1; later < first_.size(); ++later) ++first_[later];
 }
 
-void SureHits::keep_only(const std::vector<std::size_t>& kept) {
-  std::vector<bool> wanted;
-  for (const std::size_t target : kept) {
-    wanted.resize(std::max(wanted.size(), target + 1));
-    wanted[target] = true;
+std::vector<std::size_t> targets_with_region(const FiringMap& firing_map) {
+  std::vector<std::size_t> targets;
+  for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
+    if (firing_map.regions[t].hits > 0) targets.push_back(t);
   }
-  std::size_t size = 0;
-  for (std::size_t cell = 0, begin = 0; cell + 1 < first_.size(); ++cell) {
-    const std::size_t end = first_[cell + 1];
-    for (std::size_t i = begin; i < end; ++i) {
-      if (targets_[i] < wanted.size() && wanted[targets_[i]]) targets_[size++] = targets_[i];
-    }
-    begin = end;
-    first_[cell + 1] = size;
-  }
-  targets_.resize(size);
+  return targets;
 }
 
-SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map) {
-  std::vector<std::vector<std::uint32_t>> cells_of;
-  for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
+SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map,
+                   const std::vector<std::size_t>& targets) {
+  std::vector<std::vector<std::uint32_t>> cells_of(firing_map.regions.size());
+  for (const std::size_t t : targets) {
     const auto cells = sure_cells(problem, firing_map, t);
-    cells_of.emplace_back(cells.begin(), cells.end());
+    cells_of[t].assign(cells.begin(), cells.end());
   }
   return {firing_map.frame.size(), cells_of};
 }
@@ -202,7 +193,7 @@ std::vector<std::size_t> choose_stops(const FiringMap& firing_map, const SureHit
                                       std::size_t most, const std::vector<Vec2>& around, double near_m) {
   const auto counts = [&](std::size_t cell) {
     if (hits.at(cell).empty()) return false;
-    const Vec2 p = firing_map.frame.centre(firing_map.frame.cell(cell));
+    const Vec2 p = firing_map.place(cell);
     return around.empty() ||
            std::any_of(around.begin(), around.end(), [&](Vec2 a) { return distance(a, p) <= near_m; });
   };
@@ -231,7 +222,7 @@ std::optional<Vec2> nearest_place(const FiringMap& firing_map, const std::vector
   std::optional<Vec2> best;
   double least = std::numeric_limits<double>::infinity();
   for (const std::size_t cell : cells) {
-    const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(cell));
+    const Vec2 place = firing_map.place(cell);
     const double away = distance(here, place);
     if (away < apart_m || away >= least) continue;
     least = away;

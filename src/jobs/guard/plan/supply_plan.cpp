@@ -17,11 +17,8 @@ constexpr std::size_t other_stops = 60;
 
 /// Returns true if a robot that does nothing else can serve the goal.
 bool is_possible_alone(SupplyProblem problem, std::uint32_t goal, const Budget& budget) {
+  problem.table.services = services_of(problem.table, {goal});
   problem.table.goals = 1;
-  for (auto& services : problem.table.services) {
-    std::erase_if(services, [&](const Service& service) { return service.goal != goal; });
-    for (Service& service : services) service.goal = 0;
-  }
   const auto tour = solve_supplied(problem, {.iterations = 0}, budget);
   return tour && tour->dropped.empty();
 }
@@ -63,8 +60,7 @@ std::vector<PlannedStop> stops_of(const GuardProblem& problem, const FiringMap& 
     }
     for (const std::uint32_t goal : step.goals) {
       const std::size_t target = table.targets[goal];
-      auto shot = best_shot(firing_map.rules, firing_map.space(target), problem.targets[target],
-                            stop.position, pitch);
+      auto shot = shot_from(problem, firing_map, target, stop.position, pitch);
       if (!shot) {  // the one that the plan had from there
         for (const PlannedStop& before : plan.stops) {
           for (const PlannedHit& hit : before.hits) {
@@ -85,12 +81,8 @@ GuardPlan on_the_move(const GuardProblem& problem, const FiringMap& firing_map, 
                       const GuardOptions& options, const Budget& budget) {
   GuardPlan result = shoot_in_passing(problem, firing_map, plan, budget.stop);
   if (!plan.unsupplied.empty()) return result;
-  std::vector<std::size_t> targets;
-  for (const PlannedStop& stop : plan.stops) {
-    for (const PlannedHit& hit : stop.hits) targets.push_back(hit.target);
-  }
   result.lower_bound_s = result.anywhere_lower_bound_s =
-      mission_bound(problem, firing_map, targets, options, budget);
+      mission_bound(problem, firing_map, plan.targets(), options, budget);
   return result;
 }
 
@@ -122,8 +114,7 @@ Status check_station(const GuardProblem& problem, const FiringMap& firing_map, c
                     station.name, station.position.x, station.position.y, why),
         "supplies.stations");
   };
-  if (!firing_map.frame.contains(firing_map.frame.cell_at(station.position)))
-    return refuse("is outside the yard");
+  if (!firing_map.cell_of(station.position)) return refuse("is outside the yard");
   if (!firing_map.ground.segment_free({station.position, station.position}, problem.robot.radius_m)) {
     return refuse("is too close to an obstacle for the robot");
   }
@@ -197,11 +188,9 @@ Outcome<SupplyTable> supply_table(const GuardProblem& problem, const FiringMap& 
                                   const GuardPlan& plan, std::size_t stops, const Budget& budget) {
   if (auto ok = check_supplies(problem, firing_map); !ok) return pass_on(ok);
   const Supplies& supplies = problem.supplies;
-  ArrivalOptions few;
-  few.stops = static_cast<std::int64_t>(stops);
   SupplyTable table;
   add_stations(supplies, table);
-  auto precomputed = precompute_stops(problem, firing_map, plan, few, budget, table.places);
+  auto precomputed = precompute_stops(problem, firing_map, plan, stops, budget, table.places);
   if (!precomputed) return pass_on(precomputed);
 
   const std::size_t stations_from = precomputed->stops.size() - table.places.size();

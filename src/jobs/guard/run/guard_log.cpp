@@ -1,15 +1,16 @@
 #include "run/guard_log.hpp"
-#include "outrider/job/scene.hpp"
-#include "outrider/job/scene_markers.hpp"
-#include "outrider/log/messages/conversions.hpp"
-#include "outrider/log/topics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "outrider/job/grid_message.hpp"
+#include "outrider/job/scene.hpp"
+#include "outrider/job/scene_markers.hpp"
+#include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/messages/gun_messages.hpp"
+#include "outrider/log/topics.hpp"
 #include "outrider/sim/simulated_gun.hpp"
 #include "outrider/world/contours.hpp"
 #include "outrider/world/steep_ground.hpp"
@@ -97,17 +98,6 @@ void log_world(Log& log, const GuardProblem& problem) {
     log.append(topic::terrain, 0.0, terrain_entry(*problem.world.terrain, problem.robot));
 }
 
-nav_msgs::OccupancyGrid blank_grid(const Log& log, const GridFrame& frame, double time_s) {
-  nav_msgs::OccupancyGrid grid;
-  grid.header = header_of(log.time_of(time_s), "map");
-  grid.info = {{},
-               static_cast<float>(frame.resolution_m),
-               static_cast<std::uint32_t>(frame.width),
-               static_cast<std::uint32_t>(frame.height),
-               pose_of(Pose2{frame.origin, 0.0})};
-  return grid;
-}
-
 }  // namespace
 
 void log_yard(Log& log, const GuardProblem& problem, const GuardScenario& scenario) {
@@ -128,9 +118,10 @@ void log_firing_regions(Log& log, const GuardProblem& problem, const FiringMap& 
   const GridFrame& frame = firing_map.frame;
   for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
     const FiringRegion& region = firing_map.regions[t];
-    outrider_msgs::FiringRegion message{problem.targets[t].name, blank_grid(log, frame, time_s)};
+    outrider_msgs::FiringRegion message{problem.targets[t].name,
+                                        grid_message(frame, 0.0, log.time_of(time_s))};
     for (std::size_t i = 0; i < frame.size(); ++i) {
-      const bool hits = region.pitch[i] != FiringRegion::no_shot;
+      const bool hits = firing_map.has_shot(t, i);
       const double forgiven =
           hits ? 100.0 * std::clamp(1.0 - static_cast<double>(region.error_ratio[i]), 0.01, 1.0) : 0.0;
       message.grid.data.push_back(
@@ -141,7 +132,7 @@ void log_firing_regions(Log& log, const GuardProblem& problem, const FiringMap& 
 }
 
 void log_firing_map(Log& log, const FiringMap& firing_map, double time_s) {
-  nav_msgs::OccupancyGrid grid = blank_grid(log, firing_map.frame, time_s);
+  auto grid = grid_message(firing_map.frame, 0.0, log.time_of(time_s));
   const auto targets = static_cast<double>(firing_map.regions.size());
   for (std::size_t i = 0; i < firing_map.frame.size(); ++i) {
     const auto hit = std::ranges::count_if(firing_map.regions, [i](const FiringRegion& region) {

@@ -73,7 +73,7 @@ double reached_by_reference_rule(const Log& log, const std::vector<Target>& targ
 }
 
 Metrics arrival_metrics(const EndedMission& ended, const ArrivingTargets& arriving, bool may_survive) {
-  const ArrivalPlan& plan = arriving.plan();
+  const RollingPlan& plan = arriving.plan();
   const ArrivalBound bound = arrival_bound(plan.yard, plan.stops.on_the_move);
   const bool makespan = plan.objective == ArrivalObjective::makespan;
   const Stays stays = stays_of(ended, plan.yard.intruders);

@@ -16,6 +16,9 @@
 namespace outrider {
 namespace {
 
+constexpr std::size_t survivor_missions = 40;  // that are simulated to estimate the time of one
+constexpr std::size_t most_beam_of_survivors = 4;
+
 /// The options on which a plan does not depend: `faults`, which planners do not know, and `seed`, unless it
 /// draws intruders, who are planned for.
 std::vector<std::string> unplanned_options(const GuardScenario& scenario) {
@@ -131,15 +134,13 @@ Status choose_policy(PreparedGuard& guard, const Budget& budget, const Notes& no
   if (!policy) return pass_on(policy);
   auto objective = find_objective(options.objective);
   if (!objective) return pass_on(objective);
-  ArrivalPlan& plan = guard.arrivals.emplace(ArrivalPlan{*guard.yard, *guard.stops, std::move(*policy)});
+  RollingPlan& plan = guard.arrivals.emplace(RollingPlan{*guard.yard, *guard.stops, std::move(*policy)});
   plan.group = static_cast<std::size_t>(options.group);
   plan.objective = options.any() ? *objective : ArrivalObjective::makespan;
   plan.beam = static_cast<std::size_t>(options.beam);
   if (options.any()) return {};
-  const ArrivalOptions quick = survivor_options(options);
-  plan.beam = static_cast<std::size_t>(quick.beam);
-  guard.expected =
-      expected_time(guard.scenario.problem, *guard.stops, quick, plan.policy, survivor_missions, budget.stop);
+  plan.beam = std::min(plan.beam, most_beam_of_survivors);
+  guard.expected = expected_time(plan, options, survivor_missions, budget.stop);
   if (budget.stop.stop_requested())
     return fault(FaultCode::cancelled, "it was cancelled while it estimated the time of the mission");
   log_event(notes.log, notes.time_s, "plan",
@@ -153,7 +154,7 @@ Status prepare_arrivals(PreparedGuard& guard, const Budget& budget, const Notes&
   auto intruders = scenario.arrivals.any() ? scenario.intruders : settled_intruders(scenario.problem);
   guard.yard = arrival_yard(scenario.problem, guard.plan->firing_map, std::move(intruders));
   auto stops = precompute_stops(scenario.problem, guard.plan->firing_map, *guard.plan->tour,
-                                scenario.arrivals, budget);
+                                static_cast<std::size_t>(scenario.arrivals.stops), budget);
   if (!stops) return pass_on(stops);
   guard.stops = std::move(*stops);
   if (auto ok = choose_policy(guard, budget, notes); !ok) return ok;

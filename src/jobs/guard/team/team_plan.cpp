@@ -20,16 +20,6 @@ namespace {
 constexpr double spare_m = 0.02;
 constexpr int most_splits = 3;  // that are planned
 
-/// The targets in the order in which a plan hits them.
-std::vector<std::size_t> order_of(const GuardPlan& plan) {
-  std::vector<std::size_t> order;
-  for (const PlannedStop& stop : plan.stops) {
-    for (const PassingHit& hit : stop.passing) order.push_back(hit.target);
-    for (const PlannedHit& hit : stop.hits) order.push_back(hit.target);
-  }
-  return order;
-}
-
 /// The targets by their bearing from the first start, from behind the robot on, counter-clockwise.
 std::vector<std::size_t> by_bearing(const GuardProblem& problem, std::vector<std::size_t> targets) {
   const auto bearing = [&](std::size_t t) {
@@ -58,7 +48,7 @@ class TeamPlanner {
     if (!alone) return pass_on(alone);
     best_.alone_s = alone->cost_s;
     best_.unreachable = alone->unreachable;
-    const std::vector<std::size_t> order = order_of(*alone);
+    const std::vector<std::size_t> order = alone->targets();
     std::vector<GuardPlan> plans(problems_.size());
     plans.front() = *alone;
     keep_if_sooner(plans);
@@ -80,11 +70,11 @@ class TeamPlanner {
 
  private:
   /// Stops and drives for estimates, with the starts of all robots among the stops.
-  Outcome<PrecomputedStops> stops_for_estimates(const GuardPlan& alone) const {
+  Outcome<StopTable> stops_for_estimates(const GuardPlan& alone) const {
     std::vector<Vec2> others;
     others.reserve(problems_.size());
     for (std::size_t r = 1; r < problems_.size(); ++r) others.push_back(problems_[r].start.position);
-    auto stops = precompute_stops(problems_.front(), firing_map_, alone, ArrivalOptions{}, budget_, others);
+    auto stops = precompute_stops(problems_.front(), firing_map_, alone, usual_stops, budget_, others);
     if (!stops || !alone.on_the_move) return stops;
     for (auto& services : stops->table.services) {
       for (Service& service : services) service.duration_s = 0.0;  // most balls are not waited for
@@ -192,8 +182,7 @@ class TeamPlanner {
     best_.makespan_s = makespan_s;
     best_.parts.clear();
     for (std::size_t r = 0; r < plans.size(); ++r)
-      best_.parts.push_back({problems_[r].start, plans[r], std::move((*times)[r].begins_s),
-                             std::move((*times)[r].turns), (*times)[r].end_s});
+      best_.parts.push_back({problems_[r].start, plans[r], std::move((*times)[r])});
     return true;
   }
 
@@ -222,10 +211,9 @@ Status check_starts(const GuardProblem& problem, const FiringMap& firing_map,
     const auto& [place, heading] = starts[i];
     if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(heading))
       return bad_input(fmt::format("the start of robot {} has a number that is not finite", i + 1));
-    const Cell cell = firing_map.frame.cell_at(place);
-    const bool reached = firing_map.frame.contains(cell) &&
-                         firing_map.ground.clearance(place, 1.0) >= problem.robot.radius_m - 1e-9 &&
-                         firing_map.reachable[firing_map.frame.index(cell)] != 0;
+    const auto cell = firing_map.cell_of(place);
+    const bool reached = cell && firing_map.reachable[*cell] != 0 &&
+                         firing_map.ground.clearance(place, 1.0) >= problem.robot.radius_m - 1e-9;
     if (i > 0 && !reached)
       return bad_input(
           fmt::format("robot {} at {:.2f},{:.2f} is not on free ground that is connected with "

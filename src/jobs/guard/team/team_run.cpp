@@ -93,10 +93,7 @@ class TeamRunner {
   void note_owners(const TeamPlan& plan) {
     run_.robot_of.resize(problem_.targets.size());
     for (std::size_t r = 0; r < plan.parts.size(); ++r) {
-      for (const PlannedStop& stop : plan.parts[r].plan.stops) {
-        for (const PlannedHit& hit : stop.hits) run_.robot_of[hit.target] = r;
-        for (const PassingHit& hit : stop.passing) run_.robot_of[hit.target] = r;
-      }
+      for (const std::size_t target : plan.parts[r].plan.targets()) run_.robot_of[target] = r;
     }
   }
 

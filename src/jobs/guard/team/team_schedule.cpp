@@ -125,12 +125,12 @@ std::optional<std::size_t> TeamOrder::waits_for(std::size_t robot, Vec2 place,
   const TeamPart& own = plan_.parts[robot];
   const auto stop = std::ranges::find(own.plan.stops, place, &PlannedStop::position);
   const auto number = static_cast<std::size_t>(stop - own.plan.stops.begin());
-  if (number >= own.turns.size()) return std::nullopt;
+  if (number >= own.times.turns.size()) return std::nullopt;
   for (std::size_t other = 0; other < plan_.parts.size(); ++other) {
     const TeamPart& part = plan_.parts[other];
-    for (std::size_t k = 0; other != robot && k < part.turns.size(); ++k) {
+    for (std::size_t k = 0; other != robot && k < part.times.turns.size(); ++k) {
       const PlannedStop& before = part.plan.stops[k];
-      if (part.turns[k] < own.turns[number] && is_to_come(*tasks[other], before.position) &&
+      if (part.times.turns[k] < own.times.turns[number] && is_to_come(*tasks[other], before.position) &&
           come_near(waypoints, before.waypoints, gap_m_))
         return other;
     }

@@ -23,7 +23,7 @@ struct SplitStart {
 /// stops times a factor of its robot. The arguments must outlive it.
 class SplitSearch {
  public:
-  SplitSearch(const PrecomputedStops& stops, std::vector<SplitStart> starts, const Budget& budget)
+  SplitSearch(const StopTable& stops, std::vector<SplitStart> starts, const Budget& budget)
       : stops_(stops), starts_(std::move(starts)), factors_(starts_.size(), 1.0), budget_(budget) {}
 
   /// Returns the estimate of a part, without the factor, s; infinite if it was cancelled.
@@ -50,7 +50,7 @@ class SplitSearch {
   static std::vector<TargetSplit> neighbours(const TargetSplit& split, std::size_t latest);
   bool improve_once(TargetSplit& split);
 
-  const PrecomputedStops& stops_;
+  const StopTable& stops_;
   std::vector<SplitStart> starts_;
   std::vector<double> factors_;
   const Budget& budget_;

@@ -18,7 +18,7 @@ std::optional<Vec2> next_start(const GuardProblem& problem, const FiringMap& fir
   double least_m = std::numeric_limits<double>::infinity();
   for (std::size_t c = 0; c < firing_map.frame.size(); ++c) {
     if (firing_map.reachable[c] == 0) continue;
-    const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(c));
+    const Vec2 place = firing_map.place(c);
     const Vec2 away = place - problem.start.position;
     const double beside_m = std::abs(cross(ahead, away)) + 2.0 * std::abs(dot(ahead, away));
     if (beside_m >= least_m) continue;

@@ -115,4 +115,18 @@ ArrivalYard arrival_yard(const GuardProblem& problem, const FiringMap& firing_ma
   return watch;
 }
 
+Status check_survivors(const GuardProblem& problem, const ArrivalOptions& options) {
+  constexpr double least_leave = 0.001;
+  if (options.leave < least_leave) {
+    return bad_input(fmt::format("with {:g} the mission would not end; give a probability from {:g} to 1",
+                                 options.leave, least_leave),
+                     "arrivals.leave");
+  }
+  if (options.may_survive() && problem.targets.size() < 2) {
+    return bad_input("who does not leave goes to another target's place, and there is none; list two targets",
+                     "arrivals.leave");
+  }
+  return {};
+}
+
 }  // namespace outrider

@@ -203,8 +203,7 @@ constexpr std::size_t cells_an_ask = 256;  // of the stop token
 void find_standable(FiringMap& firing_map, double radius_m, double spare_m, const std::stop_token& stop) {
   for (std::size_t i = 0; i < firing_map.frame.size(); ++i) {
     if (i % cells_an_ask == 0 && stop.stop_requested()) return;
-    const double clearance =
-        firing_map.ground.clearance(firing_map.frame.centre(firing_map.frame.cell(i)), radius_m + spare_m);
+    const double clearance = firing_map.ground.clearance(firing_map.place(i), radius_m + spare_m);
     firing_map.clearance_m[i] = static_cast<float>(clearance);
     firing_map.standable[i] = clearance >= radius_m ? 1 : 0;
   }
@@ -278,7 +277,7 @@ void try_all(FiringMap& firing_map, const Target& target, std::size_t t, const s
   if (tried.found) {
     FiringRegion& region = firing_map.regions[t];
     const auto pitches = pitch_lattice(firing_map.rules);
-    const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(*tried.found));
+    const Vec2 place = firing_map.place(*tried.found);
     const double pitch = angles_of(stance_at(firing_map.rules, place), tried.shot).pitch_rad;
     const auto index =
         std::ranges::min_element(pitches, {}, [pitch](double p) { return std::abs(p - pitch); }) -

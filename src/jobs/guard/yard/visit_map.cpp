@@ -100,10 +100,8 @@ VisitMap visit_map(const GuardProblem& problem, const FiringMap& firing_map,
   const GridFrame frame = covering(problem.world.bounds, spacing_m);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Vec2 place = frame.centre(frame.cell(i));
-    const Cell cell = firing_map.frame.cell_at(place);
-    if (firing_map.frame.contains(cell) && firing_map.standable[firing_map.frame.index(cell)] != 0) {
-      map.regions.push_back(place);
-    }
+    const auto cell = firing_map.cell_of(place);
+    if (cell && firing_map.standable[*cell] != 0) map.regions.push_back(place);
   }
   if (map.regions.empty()) map.regions.push_back(problem.start.position);
   map.seconds.assign(map.regions.size(), 0.0);

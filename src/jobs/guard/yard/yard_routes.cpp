@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "outrider/jobs/guard/plan/plan.hpp"
+#include "yard/way_around.hpp"
 
 namespace outrider {
 namespace {
@@ -23,15 +24,14 @@ std::size_t cell_seen_from(const FiringMap& firing_map, Vec2 place, double radiu
 std::vector<Vec2> way_home(const FiringMap& firing_map, Vec2 place, double radius_m) {
   std::size_t cell = cell_seen_from(firing_map, place, radius_m);
   if (cell == firing_map.frame.size()) return {};
-  const auto centre = [&](std::size_t i) { return firing_map.frame.centre(firing_map.frame.cell(i)); };
-  std::vector<Vec2> bends{centre(cell)};
+  std::vector<Vec2> bends{firing_map.place(cell)};
   while (firing_map.homeward[cell] != cell) {
     const std::size_t next = firing_map.homeward[cell];
-    if (!firing_map.ground.segment_free({bends.back(), centre(next)}, radius_m))
-      bends.push_back(centre(cell));
+    if (!firing_map.ground.segment_free({bends.back(), firing_map.place(next)}, radius_m))
+      bends.push_back(firing_map.place(cell));
     cell = next;
   }
-  bends.push_back(centre(cell));
+  bends.push_back(firing_map.place(cell));
   return bends;
 }
 
@@ -76,6 +76,22 @@ Outcome<std::vector<Vec2>> yard_way(const GuardProblem& problem, const FiringMap
   if (along_grid) return along_grid->waypoints(0, 1);
   if (along_grid.error().code == FaultCode::budget_exhausted) return pass_on(along_grid);
   return std::vector<Vec2>{};
+}
+
+std::optional<std::vector<Vec2>> way_around(const GuardProblem& problem, const FiringMap& firing_map,
+                                            Vec2 from, Vec2 to, const std::vector<Vec2>& standing,
+                                            double gap_m, const Budget& budget) {
+  const double radius_m = problem.robot.radius_m;
+  std::vector<RoundedPolygon> obstacles = firing_map.ground.obstacles();
+  for (const Vec2 middle : standing) obstacles.push_back({{middle}, gap_m - radius_m});
+  const CollisionMap ground(firing_map.ground.bounds(), std::move(obstacles), problem.world.terrain);
+  std::vector<Vec2> bends = way_home(firing_map, from, radius_m);
+  const auto others = way_home(firing_map, to, radius_m);
+  bends.insert(bends.end(), others.begin(), others.end());
+  const auto routes = routes_between(ground, problem.robot, {from, to}, bends, {}, budget);
+  if (!routes) return std::nullopt;
+  auto way = routes->waypoints(0, 1);
+  return way.empty() ? std::nullopt : std::optional(std::move(way));
 }
 
 }  // namespace outrider

@@ -10,28 +10,15 @@
 #include <optional>
 #include <vector>
 
-#include "outrider/jobs/guard/behaviour/policy.hpp"
+#include "outrider/jobs/guard/behaviour/rolling_plan.hpp"
 #include "outrider/jobs/guard/mission/task_board.hpp"
-#include "outrider/jobs/guard/plan/stop_table.hpp"
-#include "outrider/jobs/guard/yard/arrivals.hpp"
-#include "outrider/tour/sequence.hpp"
 
 namespace outrider {
-
-/// The inputs of the planning. Planning uses only the intruders that were observed so far.
-struct ArrivalPlan {
-  const ArrivalYard& yard;
-  const PrecomputedStops& stops;
-  ReplanPolicy policy;                                         ///< when to plan anew
-  ArrivalObjective objective = ArrivalObjective::time_inside;  ///< what plans minimise
-  std::size_t group = 3;                                       ///< as in ArrivalOptions
-  std::size_t beam = 100;                                      ///< as in ArrivalOptions
-};
 
 /// The intruders known so far. Copies are independent; the plan must outlive them.
 class ArrivingTargets {
  public:
-  explicit ArrivingTargets(const ArrivalPlan& plan) : plan_(&plan) {}
+  explicit ArrivingTargets(const RollingPlan& plan) : plan_(&plan) {}
 
   /// Returns a board without tasks and with one record per intruder.
   [[nodiscard]] TaskBoard board() const;
@@ -43,7 +30,7 @@ class ArrivingTargets {
   /// unreachable.
   std::optional<Command> propose(TaskBoard& board, const Observation& seen);
 
-  [[nodiscard]] const ArrivalPlan& plan() const { return *plan_; }
+  [[nodiscard]] const RollingPlan& plan() const { return *plan_; }
   /// Returns those observed and not done, in the order of entering.
   [[nodiscard]] const std::vector<TargetArrival>& inside() const { return inside_; }
   [[nodiscard]] std::int64_t plans() const { return plans_; }        ///< number of plans made
@@ -53,11 +40,10 @@ class ArrivingTargets {
   void forget_the_done(const TaskBoard& board);
   [[nodiscard]] std::vector<TargetArrival> open_targets(const TaskBoard& board) const;
   [[nodiscard]] std::optional<double> to_wait_for(const TaskBoard& board, const Observation& seen) const;
-  [[nodiscard]] bool is_the_still_yard(const std::vector<PendingTarget>& pending, double time_s) const;
   void plan_anew(const std::vector<TargetArrival>& open, TaskBoard& board, const Observation& seen,
                  std::size_t count);
 
-  const ArrivalPlan* plan_;
+  const RollingPlan* plan_;
   std::vector<TargetArrival> inside_;
   std::size_t entered_ = 0;  // since the last plan
   std::int64_t plans_ = 0;

@@ -28,8 +28,8 @@ namespace outrider {
 struct MovingPlan {
   const GuardProblem& problem;
   const FiringMap& firing_map;
-  VisitMap map;            ///< state of the map before the mission
-  PrecomputedStops stops;  ///< for a yard whose targets are the regions of the map
+  VisitMap map;     ///< state of the map before the mission
+  StopTable stops;  ///< for a yard whose targets are the regions of the map
   WanderOptions options;
   std::vector<double> longest_m;  ///< by target, no shot goes farther in air; empty without air
 };

@@ -1,11 +1,6 @@
 // The catalogue of replanning policies: when to make a new plan while intruders keep coming, and for whom.
 // src/jobs/guard/behaviour/policy.cpp is the only list of them; the command line tool, benchmarks and tests
 // read it.
-//
-// expected_time() estimates how long a mission under a policy takes against survivors, intruders that may
-// survive a hit. The model: all intruders are inside from the start. The robot drives, aims and shoots as in
-// the tour model (tour/problem.hpp). After a hit the intruder leaves with a given probability; otherwise it
-// walks in a straight line to another place, drawn uniformly. The robot knows at once where it goes.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +11,6 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/jobs/guard/plan/stop_table.hpp"
 
 namespace outrider {
 
@@ -45,28 +39,5 @@ const std::vector<ReplanPolicy>& replan_policies();
 
 /// Returns the policy of that name. Fault: bad_input, with the nearest known name.
 Outcome<ReplanPolicy> find_replan_policy(std::string_view name);
-
-/// An estimate of the mission time.
-struct ExpectedTime {
-  double mean_s = 0.0;
-  double error_s = 0.0;  ///< standard error of the mean
-};
-
-/// Estimates the time of the last hit under a policy whose plans make the makespan least, as the mean over
-/// `missions` simulated missions. Of the options, only leave, walk_mps, group and beam are used. The result
-/// is a pure function of the arguments for any number of threads. After a stop request no more missions
-/// begin, and the result is meaningless.
-ExpectedTime expected_time(const GuardProblem& problem, const PrecomputedStops& precomputed,
-                           const ArrivalOptions& options, const ReplanPolicy& policy, std::size_t missions,
-                           const std::stop_token& stop = {});
-
-inline constexpr std::size_t survivor_missions = 40;  ///< simulated before a mission
-
-/// Returns the options with which missions against survivors are simulated and planned: a beam of at most 4.
-ArrivalOptions survivor_options(ArrivalOptions options);
-
-/// Checks the options. Faults: a probability of leaving that is 0 or so small that a mission would not end,
-/// and fewer than two places.
-Status check_survivors(const GuardProblem& problem, const ArrivalOptions& options);
 
 }  // namespace outrider

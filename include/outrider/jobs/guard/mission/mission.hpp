@@ -40,8 +40,8 @@ class GuardMission {
   /// Makes a mission against targets that stand still from the start.
   GuardMission(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan);
   /// Makes a mission against intruders that arrive one after another, or may survive.
-  explicit GuardMission(const ArrivalPlan& plan);
-  explicit GuardMission(const ArrivalPlan&& plan) = delete;
+  explicit GuardMission(const RollingPlan& plan);
+  explicit GuardMission(const RollingPlan&& plan) = delete;
   /// Makes a mission against intruders that walk about.
   explicit GuardMission(const MovingPlan& plan);
   explicit GuardMission(const MovingPlan&& plan) = delete;

@@ -7,8 +7,8 @@
 // On the move (GuardOptions::shoot_on_the_move) it holds for all missions that fire at each target while the
 // robot is anywhere in a cell of its firing region, standing or driving. Flights count nothing then, and a
 // drive of length d takes d / v; the robot speeds up once. For each target that takes part, the way to the
-// centre of a cell and back is taken off. Where a bound with turns and halts for the same targets is larger,
-// the result is that one (src/jobs/guard/heading_bound.hpp).
+// centre of a cell and back is taken off. A bound that counts turns and halts, too, is in research/
+// (research/guard/heading_plan.hpp).
 //
 // The bound is a dynamic programme over sets of targets (Held and Karp, 1962). For a set, the value of a cell
 // is the least time in which a robot that stands there can hit all targets of the set. There are two choices:

@@ -31,6 +31,12 @@ struct PlannedStop {
   std::vector<PlannedHit> hits;          ///< shots from here, in order
   std::optional<StationCall> call = {};  ///< set if a store is filled here; then there are no shots
   std::vector<PassingHit> passing = {};  ///< shots during the drive to here (shoot_in_passing())
+
+  /// Adds the targets that are hit during the drive to here, then those that are hit from here.
+  void add_targets(std::vector<std::size_t>& targets) const {
+    for (const PassingHit& hit : passing) targets.push_back(hit.target);
+    for (const PlannedHit& hit : hits) targets.push_back(hit.target);
+  }
 };
 
 /// A target that the plan leaves out.
@@ -63,6 +69,12 @@ struct GuardPlan {
   std::size_t stops_offered = 0;  ///< number of stops last given to the tour solver
   std::size_t places = 0;         ///< number of reachable cells
 
+  /// Returns the targets in the order in which they are hit.
+  [[nodiscard]] std::vector<std::size_t> targets() const {
+    std::vector<std::size_t> all;
+    for (const PlannedStop& stop : stops) stop.add_targets(all);
+    return all;
+  }
   /// Returns the time that `lower_bound_s` bounds.
   [[nodiscard]] double bounded_s() const { return expected_s.value_or(cost_s); }
   /// Return the optimality gaps: the largest fraction of the time that a better plan could save.

@@ -37,16 +37,18 @@ class SureHits {
   [[nodiscard]] bool has(std::size_t cell, std::size_t target) const;
   /// O(cells + hits).
   void add(std::size_t cell, std::size_t target);
-  /// Removes the hits of all other targets. O(cells + hits).
-  void keep_only(const std::vector<std::size_t>& kept);
 
  private:
   std::vector<std::size_t> first_;      // cell -> its first target; one more at the end
   std::vector<std::uint32_t> targets_;  // cell by cell
 };
 
-/// Computes the sure hits of all cells.
-SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map);
+/// Returns the targets that have a firing region, ascending.
+std::vector<std::size_t> targets_with_region(const FiringMap& firing_map);
+
+/// Computes the sure hits of all cells at these targets, and at no others.
+SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map,
+                   const std::vector<std::size_t>& targets);
 
 /// Selects at most `most` cells and returns their indices in ascending order. The yard is divided into square
 /// tiles. In each tile, the best cell is taken for each maximal set of targets that can be hit from one cell.

@@ -13,7 +13,6 @@
 #include <string>
 
 #include "outrider/job/watch.hpp"
-#include "outrider/jobs/guard/behaviour/policy.hpp"
 #include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/jobs/guard/mission/mission.hpp"
 #include "outrider/jobs/guard/scenario.hpp"
@@ -32,21 +31,21 @@ struct YardPlan {
 
 /// A mission together with everything that it points at. It is made in place and never moved.
 struct PreparedGuard {
-  GuardScenario scenario;                      ///< as loaded; `problem` is the yard as the robot knows it
-  std::shared_ptr<const YardPlan> plan = {};   ///< always set
-  std::optional<ArrivalYard> yard = {};        ///< set if intruders arrive or survive
-  std::optional<PrecomputedStops> stops = {};  ///< the same
-  std::optional<ArrivalPlan> arrivals = {};    ///< the same
-  std::optional<ExpectedTime> expected = {};   ///< set if intruders survive and none arrive
-  std::optional<MovingPlan> walkers = {};      ///< set if intruders walk about
-  std::optional<GuardMission> mission = {};    ///< of one robot; unset for a team
+  GuardScenario scenario;                     ///< as loaded; `problem` is the yard as the robot knows it
+  std::shared_ptr<const YardPlan> plan = {};  ///< always set
+  std::optional<ArrivalYard> yard = {};       ///< set if intruders arrive or survive
+  std::optional<StopTable> stops = {};        ///< the same
+  std::optional<RollingPlan> arrivals = {};   ///< the same
+  std::optional<ExpectedTime> expected = {};  ///< set if intruders survive and none arrive
+  std::optional<MovingPlan> walkers = {};     ///< set if intruders walk about
+  std::optional<GuardMission> mission = {};   ///< of one robot; unset for a team
 };
 
 /// Prepares a scenario that load_problem() has read, in two steps, and logs what it finds at `time_s`. The
 /// yard is the one in `scenario.problem`, also if it was explored before. Plans are shared through the cache
 /// of the watch. Stations are planned where everybody is there from the start and leaves when hit; else the
 /// mission goes to them as it must. If nobody comes but some survive, plans make the makespan least, and the
-/// expected time is estimated (policy.hpp). Faults: those of build_firing_map(), the planner,
+/// expected time is estimated (rolling_plan.hpp). Faults: those of build_firing_map(), the planner,
 /// check_supplies(), supply_plan(), find_replan_policy(), find_objective(), precompute_stops(),
 /// plan_moving(), starts_of_team() and plan_team().
 Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, RunSteps& steps,

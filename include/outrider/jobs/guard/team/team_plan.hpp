@@ -24,14 +24,18 @@
 
 namespace outrider {
 
+/// When a robot of a team does what.
+struct MemberTimes {
+  std::vector<double> begins_s;    ///< by stop of the plan: when the drive to it begins
+  std::vector<std::size_t> turns;  ///< by stop: number of drives of the team that were admitted before it
+  double end_s = 0.0;              ///< all its stops are made and its last ball has landed
+};
+
 /// The part of one robot in the plan of a team.
 struct TeamPart {
   Pose2 start;
-  GuardPlan plan;                ///< of its targets, as if it were alone; without lower bounds
-  std::vector<double> begins_s;  ///< by stop of the plan: when the drive to it begins
-  std::vector<std::size_t> turns =
-      {};              ///< by stop: number of drives of the team that were admitted before it
-  double end_s = 0.0;  ///< all its stops are made and its last ball has landed
+  GuardPlan plan;  ///< of its targets, as if it were alone; without lower bounds
+  MemberTimes times = {};
 };
 
 /// The plan of a team.

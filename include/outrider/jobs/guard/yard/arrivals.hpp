@@ -52,6 +52,10 @@ std::vector<Option> describe(ArrivalOptions& options);
 /// Returns the objective of that name. Fault: bad_input, with the two valid names.
 Outcome<ArrivalObjective> find_objective(const std::string& name);
 
+/// Checks the options. Faults: a probability of leaving that is 0 or so small that a mission would not end,
+/// and fewer than two places.
+Status check_survivors(const GuardProblem& problem, const ArrivalOptions& options);
+
 /// Returns the time at which an intruder that enters at `enters_s` reaches its place.
 double settling_time(const GuardProblem& problem, const ArrivalOptions& options, const Intruder& intruder);
 

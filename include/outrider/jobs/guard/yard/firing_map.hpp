@@ -48,6 +48,17 @@ struct FiringMap {
   [[nodiscard]] const FlightSpace& space(std::size_t target) const {
     return spaces.size() == 1 ? spaces.front() : spaces[target];
   }
+  /// Returns the centre of a cell.
+  [[nodiscard]] Vec2 place(std::size_t cell) const { return frame.centre(frame.cell(cell)); }
+  /// Returns the cell that contains a place; nothing outside the grid.
+  [[nodiscard]] std::optional<std::size_t> cell_of(Vec2 place) const {
+    const Cell cell = frame.cell_at(place);
+    return frame.contains(cell) ? std::optional(frame.index(cell)) : std::nullopt;
+  }
+  /// Returns true if the target can be hit from the cell.
+  [[nodiscard]] bool has_shot(std::size_t target, std::size_t cell) const {
+    return regions[target].pitch[cell] != FiringRegion::no_shot;
+  }
 };
 
 /// How far the search for places to shoot from goes.
@@ -65,6 +76,12 @@ enum class RegionSearch : std::uint8_t {
 Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOptions& options,
                                     const Budget& budget = {},
                                     RegionSearch search = RegionSearch::exhaustive);
+
+/// Returns the soonest exact shot at a target from a place, for a gun that has this pitch (best_shot()).
+inline std::optional<PlannedShot> shot_from(const GuardProblem& problem, const FiringMap& firing_map,
+                                            std::size_t target, Vec2 place, double pitch_rad) {
+  return best_shot(firing_map.rules, firing_map.space(target), problem.targets[target], place, pitch_rad);
+}
 
 /// For a target whose region is empty: what was tried, at which resolution, and what stands in the way.
 std::string why_unreachable(const GuardProblem& problem, const FiringMap& firing_map,

@@ -34,7 +34,7 @@ ArrivalYard crowd(const ArrivalsYard& yard, std::int64_t count, double rate_hz, 
 }
 
 /// Nobody is lost, nobody is shot at before it is there, and nobody does better than the bound.
-void expect_laws(const ArrivalYard& watch, const PrecomputedStops& precomputed, const ReplanPolicy& policy,
+void expect_laws(const ArrivalYard& watch, const StopTable& precomputed, const ReplanPolicy& policy,
                  const Run& run) {
   const auto targets = testing::targets_of(run.log);
   double failed = 0.0;
@@ -73,7 +73,7 @@ TEST(ArrivingTargets, LosesNobodyStaysAboveTheBoundAndRepeats) {
       const ArrivalYard watch = crowd(yard, 8, 0.02 * static_cast<double>(1 + 4 * seed), seed);
       for (const ReplanPolicy& policy : replan_policies()) {
         const auto objective = seed % 2 == 0 ? ArrivalObjective::makespan : ArrivalObjective::time_inside;
-        const ArrivalPlan plan{watch, yard.precomputed, policy, objective, 3, 50};
+        const RollingPlan plan{watch, yard.precomputed, policy, objective, 3, 50};
         auto run = testing::run_arrivals(plan, quick(), seed);
         expect_laws(watch, yard.precomputed, policy, run);
         EXPECT_GT(metric(run, "makespan_bound_s"), 0.0);
@@ -98,7 +98,7 @@ TEST(ArrivingTargets, OnTheMoveStayForLessTime) {
       const ArrivalsYard yard = random_arrivals_yard(rng, 8, 5, true, on_the_move);
       for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         const ArrivalYard watch = crowd(yard, 12, 0.5, seed);
-        const ArrivalPlan plan{watch, yard.precomputed, *find_replan_policy("each_arrival")};
+        const RollingPlan plan{watch, yard.precomputed, *find_replan_policy("each_arrival")};
         inside_s[on_the_move ? 1 : 0] +=
             metric(testing::run_arrivals(plan, quick(), seed), "intruder_seconds");
       }
@@ -118,7 +118,7 @@ TEST(ArrivingTargets, FinishesWhatIsInHand) {
                                        {"cat", 1, "gate", {}, enters, enters}};
     const auto watch = arrival_yard(yard.problem, yard.firing_map, two);
     const auto policy = find_replan_policy("each_arrival");
-    const ArrivalPlan plan{watch, yard.precomputed, *policy};
+    const RollingPlan plan{watch, yard.precomputed, *policy};
     Log log;
     auto robot = simulated_guard(watch.problem, watch.firing_map, log, 1, {.intruders = watch.intruders});
     GuardMission mission(plan);
@@ -198,7 +198,7 @@ TEST(ArrivingTargets, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
     put_in_order(yard.problem, all);
     const auto watch = arrival_yard(yard.problem, yard.firing_map, all);
     for (const ReplanPolicy& policy : replan_policies()) {
-      const ArrivalPlan plan{watch, yard.precomputed, policy, ArrivalObjective::makespan, 3, 50};
+      const RollingPlan plan{watch, yard.precomputed, policy, ArrivalObjective::makespan, 3, 50};
       const auto run = testing::run_arrivals(plan, quick(), 1);
       expect_laws(watch, yard.precomputed, policy, run);
       EXPECT_EQ(metric(run, "unreachable"), metric(still, "unreachable"));
@@ -216,7 +216,7 @@ TEST(ArrivingTargets, ShotsOfADriveThatEndedBeforeAreNotFired) {
   const ArrivalsYard yard = yard_with_corners();
   const std::vector<Intruder> two = {{"fox", 0, "gate", {}, 0.0, 0.0}, {"cat", 1, "gate", {}, 2.0, 2.0}};
   const auto watch = arrival_yard(yard.problem, yard.firing_map, two);
-  const ArrivalPlan plan{watch, yard.precomputed, *find_replan_policy("each_arrival")};
+  const RollingPlan plan{watch, yard.precomputed, *find_replan_policy("each_arrival")};
   for (const double leaves_s : {1.5, 4.0}) {
     ArrivingTargets targets(plan);
     TaskBoard board = targets.board();

@@ -87,8 +87,7 @@ TEST(Survivors, AtTwoPlacesTakeTheSumOfTheSeries) {
     const double p = 0.6 + 0.1 * (y % 4);
     yard.options.leave = p;
     yard.options.walk_mps = y % 2 == 0 ? 0.0 : 0.4;
-    PrecomputedStops one =
-        yard.precomputed;  // the second place is empty at first: it counts as served by the plan
+    StopTable one = yard.precomputed;  // the second place is empty at first: it counts as served by the plan
     const TourProblem& table = one.table;
     const ReplanPolicy policy = replan_policies().front();
 
@@ -103,7 +102,7 @@ TEST(Survivors, AtTwoPlacesTakeTheSumOfTheSeries) {
       const double way = distance(xy(yard.problem.targets[a].base), xy(yard.problem.targets[b].base));
       return yard.options.walk_mps > 0.0 ? way / yard.options.walk_mps : 0.0;
     };
-    const PrecomputedStops& precomputed = one;
+    const StopTable& precomputed = one;
     const std::function<void(State, std::vector<std::pair<std::size_t, std::size_t>>, double, bool, int)>
         go_through = [&](State state, std::vector<std::pair<std::size_t, std::size_t>> hits,
                          double probability, bool somebody_new, int depth) {
@@ -142,7 +141,9 @@ TEST(Survivors, AtTwoPlacesTakeTheSumOfTheSeries) {
                         table.drives.begin() + static_cast<std::ptrdiff_t>(table.services.size()));
     go_through({{{0, 0.0}, {1, 0.0}}, start}, {}, 1.0, false, 0);
 
-    const ExpectedTime expected = expected_time(yard.problem, one, yard.options, policy, 1000);
+    const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
+    const RollingPlan plan{watch, one, policy, ArrivalObjective::makespan, 3, 10};
+    const ExpectedTime expected = expected_time(plan, yard.options, 1000);
     EXPECT_NEAR(expected.mean_s, mean, 4.0 * expected.error_s + cut * mean) << "p = " << p;
   }
 }
@@ -154,9 +155,9 @@ TEST(Survivors, TakeOnAverageWhatIsExpected) {
     ArrivalsYard yard = yard_without_loss(rng, 4, false);
     yard.options.leave = 0.6;
     const ReplanPolicy policy = find_replan_policy("each_arrival").value();
-    const ExpectedTime expected = expected_time(yard.problem, yard.precomputed, yard.options, policy, 100);
     const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
-    const ArrivalPlan plan{watch, yard.precomputed, policy, ArrivalObjective::makespan, 3, 10};
+    const RollingPlan plan{watch, yard.precomputed, policy, ArrivalObjective::makespan, 3, 10};
+    const ExpectedTime expected = expected_time(plan, yard.options, 100);
     constexpr int missions = 60;
     double sum = 0.0, squares = 0.0;
     for (std::uint64_t seed = 1; seed <= missions; ++seed) {
@@ -180,7 +181,7 @@ TEST(Survivors, ThatThereAreNoneIsTheStillYard) {
     ArrivalsYard yard = yard_without_loss(rng, 5, true);
     const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
     const auto policy = find_replan_policy("each_arrival");
-    const ArrivalPlan plan{watch, yard.precomputed, *policy, ArrivalObjective::makespan, 3, 30};
+    const RollingPlan plan{watch, yard.precomputed, *policy, ArrivalObjective::makespan, 3, 30};
     auto run = testing::run_arrivals(plan, quick(), 7, {1.0, 1.0});
     auto still = testing::run_still(yard.problem, yard.firing_map, yard.plan, quick(), 7);
     EXPECT_EQ(run.report.status, still.report.status);

@@ -32,7 +32,7 @@ TEST(MissionStep, AnArrivalDuringADriveIsPlannedForWherePoliciesInterrupt) {
   const ArrivalsYard yard = arrivals_yard(planned_yard(corners(), coarse()));
   const ArrivalYard arriving = two_come(yard);
   for (const ReplanPolicy& policy : replan_policies()) {
-    const ArrivalPlan plan{arriving, yard.precomputed, policy};
+    const RollingPlan plan{arriving, yard.precomputed, policy};
     GuardMission mission(plan);
     const auto first = mission.step(seen_at(0.0, yard.problem.start, {{0, 0.0, 0}}, true));
     ASSERT_TRUE(first && std::holds_alternative<FollowWaypoints>(*first)) << policy.name;
@@ -65,7 +65,7 @@ TEST(MissionStep, APlaceWithoutAShotIsOutOfReachOnlyWhereThatIsProven) {
   for (const bool proven : {false, true}) {
     if (proven) yard.firing_map.regions[0].hits = 0;
     const ArrivalYard arriving = two_come(yard);
-    const ArrivalPlan plan{arriving, yard.precomputed, replan_policies().front()};
+    const RollingPlan plan{arriving, yard.precomputed, replan_policies().front()};
     GuardMission mission(plan);
     (void)mission.step(seen_at(0.0, yard.problem.start, {{0, 0.0, 0}}, true));
     EXPECT_EQ(mission.board().records()[0].status, proven ? TargetStatus::unreachable : TargetStatus::failed);
@@ -77,7 +77,7 @@ TEST(MissionStep, WhoSurvivesAHitIsShotAtWhereItGoes) {
   problem.world.solids.resize(1);
   const ArrivalsYard yard = arrivals_yard(planned_yard(std::move(problem), coarse()));
   const auto arriving = arrival_yard(yard.problem, yard.firing_map, {{"fox", 0, {}, {}, 0.0, 0.0}});
-  const ArrivalPlan plan{arriving, yard.precomputed, *find_replan_policy("each_arrival")};
+  const RollingPlan plan{arriving, yard.precomputed, *find_replan_policy("each_arrival")};
   GuardMission mission(plan);
   Pose2 pose = yard.problem.start;
   double now_s = 0.0;
@@ -120,7 +120,7 @@ TEST(MissionStep, AVisitToAStationIsNotDroppedWhenSomebodyEnters) {
   problem.supplies.stations = {{"well", {3.0, -2.5}, true, false}};
   const ArrivalsYard yard = arrivals_yard(planned_yard(std::move(problem), coarse()));
   const ArrivalYard arriving = two_come(yard);
-  const ArrivalPlan plan{arriving, yard.precomputed, *find_replan_policy("each_arrival")};
+  const RollingPlan plan{arriving, yard.precomputed, *find_replan_policy("each_arrival")};
   GuardMission mission(plan);
   const auto empty_at = [&](double time_s, Vec2 place, std::vector<TargetArrival> arrivals) {
     Observation seen = seen_at(time_s, {place, 0.0}, std::move(arrivals), false);

@@ -116,9 +116,9 @@ TEST(PassingRun, IntrudersAreHitByTheWay) {
   double last_s = 0.0;
   for (const bool moving : {false, true}) {
     plan->on_the_move = moving;
-    const auto stops = precompute_stops(p.problem, p.firing_map, *plan, {}, {});
+    const auto stops = precompute_stops(p.problem, p.firing_map, *plan, usual_stops, {});
     ASSERT_TRUE(stops.has_value());
-    const ArrivalPlan arrivals{watch, *stops, *find_replan_policy("each_arrival"),
+    const RollingPlan arrivals{watch, *stops, *find_replan_policy("each_arrival"),
                                ArrivalObjective::makespan};
     const auto run = testing::run_arrivals(arrivals, from_rest, 1);
     EXPECT_EQ(run.report.status, "done") << run.report.reason;

@@ -96,8 +96,8 @@ TeamPlan shot_from_start(const GuardProblem& problem, const FiringMap& firing_ma
   PlannedStop stop{problem.start.position, {problem.start.position}, {}};
   stop.hits.push_back({0, shot.value()});
   plan.parts[0].plan.stops.push_back(stop);
-  plan.parts[0].begins_s = {0.0};
-  plan.parts[0].turns = {0};
+  plan.parts[0].times.begins_s = {0.0};
+  plan.parts[0].times.turns = {0};
   return plan;
 }
 

@@ -61,9 +61,9 @@ void expect_apart(const GuardProblem& problem, const TeamPlan& team) {
   std::vector<TimedDrives> robots;
   for (const TeamPart& part : team.parts) {
     TimedDrives& driven = robots.emplace_back(TimedDrives{part.start, {}});
-    ASSERT_EQ(part.begins_s.size(), part.plan.stops.size());
+    ASSERT_EQ(part.times.begins_s.size(), part.plan.stops.size());
     for (std::size_t s = 0; s < part.plan.stops.size(); ++s)
-      driven.drives.push_back({part.begins_s[s], part.plan.stops[s].waypoints});
+      driven.drives.push_back({part.times.begins_s[s], part.plan.stops[s].waypoints});
   }
   const auto nearest = closest_approach(problem.robot, robots);
   ASSERT_TRUE(nearest.has_value()) << nearest.error().sentence;
@@ -74,9 +74,9 @@ void expect_apart(const GuardProblem& problem, const TeamPlan& team) {
 void expect_times_add_up(const GuardProblem& problem, const TeamPlan& team) {
   double latest_s = 0.0;
   for (const TeamPart& part : team.parts) {
-    latest_s = std::max(latest_s, part.end_s);
-    EXPECT_TRUE(std::ranges::is_sorted(part.begins_s));
-    EXPECT_GE(part.end_s, part.plan.cost_s - 1e-9);
+    latest_s = std::max(latest_s, part.times.end_s);
+    EXPECT_TRUE(std::ranges::is_sorted(part.times.begins_s));
+    EXPECT_GE(part.times.end_s, part.plan.cost_s - 1e-9);
     GuardProblem own = problem;
     own.start = part.start;
     if (!part.plan.on_the_move) {
@@ -112,7 +112,7 @@ TEST(PlanTeam, KeepsItsPromisesInRandomYards) {
     EXPECT_EQ(again->makespan_s, team->makespan_s);
     EXPECT_EQ(again->lower_bound_s, team->lower_bound_s);
     for (std::size_t r = 0; r < starts.size(); ++r)
-      EXPECT_EQ(again->parts[r].begins_s, team->parts[r].begins_s);
+      EXPECT_EQ(again->parts[r].times.begins_s, team->parts[r].times.begins_s);
   }
   EXPECT_GE(shared, 1U);
 }

@@ -91,7 +91,7 @@ TEST(RunTeam, GivesAStopUpThatNobodyLeaves) {
     if (plan->parts[0].plan.stops.empty()) continue;
     const Vec2 stop = plan->parts[0].plan.stops.back().position;
     if (distance(stop, problem.start.position) < team_gap_m(problem)) continue;
-    plan->parts.push_back({{stop, 0.0}, {}, {}, {}, 0.0});
+    plan->parts.push_back({{stop, 0.0}, {}});
     const TeamRun run = run_team(problem, *firing_map, *plan, 3);
     const auto nearest = closest_approach(problem.robot, driven_in(run));
     ASSERT_TRUE(nearest.has_value()) << nearest.error().sentence;
@@ -102,6 +102,27 @@ TEST(RunTeam, GivesAStopUpThatNobodyLeaves) {
   }
   EXPECT_GT(ran, 0U);
   EXPECT_GT(given_up, 0U);
+}
+
+/// A robot without targets stands in the middle of the way of the other one, on open ground.
+TEST(RunTeam, DrivesAroundARobotThatStays) {
+  GuardProblem problem;
+  problem.world.bounds = {{-5, -4}, {5, 4}};
+  problem.world.solids = {testing::floor_at(0)};
+  problem.start = {{-4.0, 0.0}, 0.0};
+  problem.gun.muzzle_speed_mps = 4.0;  // it has to go near
+  problem.targets = {{"cat", {4.0, 0.0, 0.0}, {0.3, 0.3, 0.3}}};
+  const auto firing_map = build_firing_map(problem, testing::from_rest());
+  ASSERT_TRUE(firing_map.has_value());
+  auto plan = plan_team(problem, *firing_map, {problem.start}, testing::from_rest(), {});
+  ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
+  plan->parts.push_back({{{0.0, 0.0}, 0.0}, {}});
+  const TeamRun run = run_team(problem, *firing_map, *plan, 3);
+  EXPECT_EQ(run.given_up, 0U);
+  EXPECT_EQ(run.records[0].status, TargetStatus::reached) << run.records[0].reason;
+  const auto nearest = closest_approach(problem.robot, {run.robots[0].driven, run.robots[1].driven});
+  ASSERT_TRUE(nearest.has_value()) << nearest.error().sentence;
+  EXPECT_GE(nearest->distance_m, 2.0 * problem.robot.radius_m);
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ TeamPlan crossing() {
   plan.parts.resize(2);
   plan.parts[0].start = {{-2, 0}, 0.0};
   plan.parts[0].plan.stops.push_back({{2, 0}, {{-2, 0}, {2, 0}}, {}});
-  plan.parts[0].turns = {1};
+  plan.parts[0].times.turns = {1};
   plan.parts[1].start = {{0, -2}, 0.0};
   plan.parts[1].plan.stops.push_back({{0, 2}, {{0, -2}, {0, 2}}, {}});
-  plan.parts[1].turns = {0};
+  plan.parts[1].times.turns = {0};
   return plan;
 }
 

@@ -1,8 +1,7 @@
-#include "team/team_detour.hpp"
+#include "yard/way_around.hpp"
 
 #include <gtest/gtest.h>
 
-#include "outrider/jobs/guard/team/team_run.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 
@@ -20,8 +19,7 @@ TEST(WayAround, IsFreeAndApartInRandomYards) {
     ASSERT_TRUE(firing_map.has_value());
     std::vector<Vec2> places;
     for (std::size_t c = 0; c < firing_map->frame.size(); ++c) {
-      if (firing_map->reachable[c] != 0)
-        places.push_back(firing_map->frame.centre(firing_map->frame.cell(c)));
+      if (firing_map->reachable[c] != 0) places.push_back(firing_map->place(c));
     }
     const auto place = [&] { return places[rng.below(places.size())]; };
     const Vec2 from = place(), to = place();
@@ -44,27 +42,6 @@ TEST(WayAround, IsFreeAndApartInRandomYards) {
   }
   EXPECT_GT(found, cases(40) / 8);
   EXPECT_GT(led, 0);
-}
-
-/// A robot without targets stands in the middle of the way of the other one, on open ground.
-TEST(RunTeam, DrivesAroundARobotThatStays) {
-  GuardProblem problem;
-  problem.world.bounds = {{-5, -4}, {5, 4}};
-  problem.world.solids = {testing::floor_at(0)};
-  problem.start = {{-4.0, 0.0}, 0.0};
-  problem.gun.muzzle_speed_mps = 4.0;  // it has to go near
-  problem.targets = {{"cat", {4.0, 0.0, 0.0}, {0.3, 0.3, 0.3}}};
-  const auto firing_map = build_firing_map(problem, testing::from_rest());
-  ASSERT_TRUE(firing_map.has_value());
-  auto plan = plan_team(problem, *firing_map, {problem.start}, testing::from_rest(), {});
-  ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
-  plan->parts.push_back({{{0.0, 0.0}, 0.0}, {}, {}, {}, 0.0});
-  const TeamRun run = run_team(problem, *firing_map, *plan, 3);
-  EXPECT_EQ(run.given_up, 0U);
-  EXPECT_EQ(run.records[0].status, TargetStatus::reached) << run.records[0].reason;
-  const auto nearest = closest_approach(problem.robot, {run.robots[0].driven, run.robots[1].driven});
-  ASSERT_TRUE(nearest.has_value()) << nearest.error().sentence;
-  EXPECT_GE(nearest->distance_m, 2.0 * problem.robot.radius_m);
 }
 
 }  // namespace

@@ -5,14 +5,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "heading_cone.hpp"
 #include "outrider/jobs/guard/yard/firing_map.hpp"
+#include "research/guard/heading_cone.hpp"
 
 namespace outrider {
 
 /// A time in units of HeadingFields::unit_s().
 using Units = std::int16_t;
-inline constexpr Units never = 15000;  // the sum of two fits
+inline constexpr Units never_units = 15000;  // the sum of two fits
 
 /// Some columns and rows of a grid.
 struct GridWindow {
@@ -22,7 +22,7 @@ struct GridWindow {
   [[nodiscard]] bool empty() const { return columns <= 0 || rows <= 0; }
 };
 
-/// A field of values in a window for each cone; values outside are `never`.
+/// A field of values in a window for each cone; values outside are `never_units`.
 class ConeFields {
  public:
   static constexpr int rim = 4;  // cells stored around the window, so that steps from it stay within
@@ -69,7 +69,7 @@ class HeadingFields {
 
   /// All values are the same.
   [[nodiscard]] HeadingValues constant(const GridWindow& window, Units value) const;
-  /// Returns for each cell: 0 in the region, `never` outside.
+  /// Returns for each cell: 0 in the region, `never_units` outside.
   [[nodiscard]] std::vector<Units> mask(const FiringRegion& region) const;
   /// Lowers values to those `after` a target is hit, wherever it can be.
   void hit(const std::vector<Units>& mask, const HeadingValues& after, HeadingValues& values) const;
@@ -96,7 +96,7 @@ class HeadingFields {
   double unit_s_ = 0.0;
   Units halt_ = 0;                 // of a straight drive, to speed up and slow down
   Units shuffle_ = 0;              // to drive a cell far in short pieces
-  std::vector<Units> wall_;        // by cell: 0 where the robot may be, else `never`
+  std::vector<Units> wall_;        // by cell: 0 where the robot may be, else `never_units`
   std::vector<Units> turn_;        // by cone and cone
   std::vector<Units> first_turn_;  // by cone
   Cell start_;

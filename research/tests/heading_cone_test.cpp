@@ -1,4 +1,4 @@
-#include "heading_cone.hpp"
+#include "research/guard/heading_cone.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ Cell cell_of(Vec2 point) {
   return {static_cast<int>(std::floor(point.x + 0.5)), static_cast<int>(std::floor(point.y + 0.5))};
 }
 
-TEST(HeadingCones, CoverTheCircleOnce) {
+TEST(ResearchHeadingCones, CoverTheCircleOnce) {
   double from = 0.0;
   for (const HeadingCone& cone : heading_cones()) {
     EXPECT_NEAR(wrap_angle(cone.middle_rad - cone.half_width_rad - from), 0.0, 1e-12);
@@ -45,7 +45,7 @@ TEST(HeadingCones, CoverTheCircleOnce) {
   EXPECT_NEAR(from, 2.0 * pi, 1e-12);
 }
 
-TEST(HeadingCones, MeasureLengthsFromBelow) {
+TEST(ResearchHeadingCones, MeasureLengthsFromBelow) {
   Rng rng(401);
   const std::vector<HeadingCone> all = heading_cones();
   for (int i = 0; i < cases(2000); ++i) {
@@ -57,7 +57,7 @@ TEST(HeadingCones, MeasureLengthsFromBelow) {
   }
 }
 
-TEST(HeadingCones, AStraightDriveGoesFromTileToTileAheadThroughTheCellsThatAreNamed) {
+TEST(ResearchHeadingCones, AStraightDriveGoesFromTileToTileAheadThroughTheCellsThatAreNamed) {
   Rng rng(402);
   const std::vector<HeadingCone> all = heading_cones();
   const auto holds = [](const std::vector<Cell>& cells, Cell cell) {
@@ -101,7 +101,7 @@ TEST(HeadingCones, AStraightDriveGoesFromTileToTileAheadThroughTheCellsThatAreNa
   EXPECT_GT(crossings, 1000);
 }
 
-TEST(HeadingCones, AnglesBetweenThemAreTheLeast) {
+TEST(ResearchHeadingCones, AnglesBetweenThemAreTheLeast) {
   Rng rng(403);
   const std::vector<HeadingCone> all = heading_cones();
   for (const HeadingCone& a : all) {

@@ -1,4 +1,4 @@
-#include "relaxed.hpp"
+#include "plan/relaxed.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -12,6 +12,9 @@
 
 namespace outrider {
 namespace {
+
+constexpr std::size_t usual_chosen = 8;
+constexpr std::size_t most_chosen = 13;
 
 /// Least time in which a ball of at most this speed gets to some point at a distance and a height within
 /// these limits, all from the muzzle: the first time at which the falling ball of reach holds such a point.
@@ -76,7 +79,6 @@ Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
   if (on_the_move_) aside_s_ = std::numbers::sqrt2 * firing_map.frame.resolution_m / straight_.speed;
   overhead_ = static_cast<std::uint32_t>(
       std::min<double>(endless, straight_.speed / straight_.acceleration / unit_s_));
-  const auto place = [&](std::size_t c) { return firing_map.frame.centre(firing_map.frame.cell(c)); };
   const auto [home, nearest] = nearest_cell(frame_, problem.start.position);
   home_ = home;
   to_home_s_ = 2.0 * nearest / straight_.speed;
@@ -85,7 +87,8 @@ Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
     flight_[i] = firing_map.regions[t].pitch.mapped(endless, [&](std::size_t c, std::uint8_t pitch) {
       if (pitch == FiringRegion::no_shot) return endless;
       const double units =
-          on_the_move_ ? 0.0 : least_flight(firing_map.rules, problem.targets[t], place(c)) / unit_s_;
+          on_the_move_ ? 0.0
+                       : least_flight(firing_map.rules, problem.targets[t], firing_map.place(c)) / unit_s_;
       const auto flight = static_cast<std::uint16_t>(std::min<double>(endless - 1, units));
       least_[i] = std::min(least_[i], flight);
       return flight;
@@ -169,39 +172,6 @@ double Relaxed::on_the_move_s(double driven_s) const {
                           : (way + speed_up_m) / straight_.speed;
 }
 
-Relaxed Relaxed::homeward(const std::stop_token& stop) const {
-  Relaxed back = *this;
-  back.chosen_.clear();
-  back.value_.assign(1, Field(frame_.size(), endless));
-  back.value_[0][home_] = 0;
-  back.drive(back.value_[0]);
-  Budget budget;
-  budget.stop = stop;
-  BudgetMeter meter(budget);
-  for (const std::size_t index : chosen_) {
-    if (!back.choose(index, meter, stop)) break;
-  }
-  return back;
-}
-
-std::vector<GridWindow> Relaxed::windows(const Relaxed& homeward, double most_s) const {
-  std::vector<GridWindow> windows(value_.size());
-  const double aside_s = static_cast<double>(chosen_.size() + 1) * aside_s_;
-  for (std::size_t left = 0; left < windows.size(); ++left) {
-    const Field& before = homeward.value_[windows.size() - 1 - left];
-    Cell low{frame_.width, frame_.height}, high{-1, -1};
-    for (std::size_t c = 0; c < frame_.size(); ++c) {
-      const double time = (before[c] + value_[left][c]) * unit_s_ - to_home_s_ - aside_s;
-      if (on_the_move_s(time) > most_s) continue;
-      const Cell cell = frame_.cell(c);
-      low = Cell{std::min(low.x, cell.x), std::min(low.y, cell.y)};
-      high = Cell{std::max(high.x, cell.x), std::max(high.y, cell.y)};
-    }
-    if (low.x <= high.x) windows[left] = {low, high.x - low.x + 1, high.y - low.y + 1};
-  }
-  return windows;
-}
-
 /// The best of the sets: its value, and the least flights of all other targets.
 double Relaxed::bound_s() const {
   std::uint64_t all = 0;
@@ -258,6 +228,25 @@ std::optional<std::size_t> Relaxed::hardest() const {
     }
   }
   return index;
+}
+
+double bound_memory_bytes(const GuardOptions& options) {
+  return (options.prove ? 0.5 : 0.25) * static_cast<double>(options.memory_mib) * 1048576.0;
+}
+
+Relaxed relaxed_mission(const GuardProblem& problem, const FiringMap& firing_map,
+                        const std::vector<std::size_t>& targets, const GuardOptions& options,
+                        const Budget& budget) {
+  const std::size_t most = options.prove ? most_chosen : usual_chosen;
+  const double field = sizeof(std::uint16_t) * static_cast<double>(firing_map.frame.size());
+  BudgetMeter meter(budget);
+  Relaxed relaxed(problem, firing_map, targets, options.shoot_on_the_move);
+  while (relaxed.chosen().size() < most &&
+         std::ldexp(field, static_cast<int>(relaxed.chosen().size()) + 1) <= bound_memory_bytes(options)) {
+    const auto next = relaxed.hardest();
+    if (!next || !relaxed.choose(*next, meter, budget.stop)) break;
+  }
+  return relaxed;
 }
 
 }  // namespace outrider

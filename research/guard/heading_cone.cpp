@@ -1,4 +1,4 @@
-#include "heading_cone.hpp"
+#include "research/guard/heading_cone.hpp"
 
 #include <algorithm>
 #include <array>

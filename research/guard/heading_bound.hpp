@@ -21,8 +21,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "heading_fields.hpp"
 #include "outrider/jobs/guard/yard/firing_map.hpp"
+#include "research/guard/heading_fields.hpp"
 
 namespace outrider {
 

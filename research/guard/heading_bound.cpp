@@ -1,4 +1,4 @@
-#include "heading_bound.hpp"
+#include "research/guard/heading_bound.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -51,7 +51,7 @@ double heading_bound(const GuardProblem& problem, const FiringMap& firing_map,
       if (static_cast<std::size_t>(std::popcount(set)) == left && !windows[set].empty()) sets.push_back(set);
     }
     const bool done = parallel_for(sets.size(), stop, [&](std::size_t i) {
-      HeadingValues& here = values[sets[i]] = fields.constant(windows[sets[i]], never);
+      HeadingValues& here = values[sets[i]] = fields.constant(windows[sets[i]], never_units);
       for (std::size_t bit = 0; bit < targets.size(); ++bit) {
         const std::size_t after = sets[i] & ~(std::size_t{1} << bit);
         if (after != sets[i] && !windows[after].empty()) fields.hit(masks[bit], values[after], here);
@@ -61,7 +61,7 @@ double heading_bound(const GuardProblem& problem, const FiringMap& firing_map,
     if (!done) return 0.0;
   }
   const double last_halt_s = 0.5 * straight.speed / straight.acceleration;  // that drive need not end
-  const Units least = windows.back().empty() ? never : fields.at_start(values.back());
+  const Units least = windows.back().empty() ? never_units : fields.at_start(values.back());
   return std::clamp(least * fields.unit_s() - last_halt_s, 0.0, limits.most_s);
 }
 

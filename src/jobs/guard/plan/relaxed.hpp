@@ -5,7 +5,6 @@
 #include <stop_token>
 #include <vector>
 
-#include "heading_fields.hpp"
 #include "outrider/core/budget.hpp"
 #include "outrider/jobs/guard/yard/firing_map.hpp"
 #include "outrider/path/grid/drive_lattice.hpp"
@@ -30,13 +29,10 @@ class Relaxed {
   [[nodiscard]] const std::vector<std::size_t>& chosen() const { return chosen_; }
   /// Returns for each set of chosen targets the least time to hit all of them from another start.
   [[nodiscard]] std::vector<double> values_from(Vec2 start) const;
-  /// The same targets on the move, but the mission ends at the start.
-  [[nodiscard]] Relaxed homeward(const std::stop_token& stop) const;
-  /// Returns for each set of chosen targets the cells where a robot on the move may have these left to hit if
-  /// the mission takes at most `most_s`; `homeward` tells how long it took to hit the others.
-  [[nodiscard]] std::vector<GridWindow> windows(const Relaxed& homeward, double most_s) const;
 
  private:
+  friend class RelaxedWindows;  // research/guard/heading_plan.cpp
+
   [[nodiscard]] Field arrived(std::size_t set) const;
   void drive(Field& value) const;
   [[nodiscard]] std::vector<std::size_t> stops() const;
@@ -61,5 +57,14 @@ class Relaxed {
   std::vector<std::size_t> chosen_;              // bit of a set -> index
   std::vector<Field> value_;                     // set -> by cell, the least time to hit it
 };
+
+/// Returns the relaxed mission over the hardest targets, chosen one by one: at most 8 of them (13 with
+/// `options.prove`), and fewer if memory or budget end.
+Relaxed relaxed_mission(const GuardProblem& problem, const FiringMap& firing_map,
+                        const std::vector<std::size_t>& targets, const GuardOptions& options,
+                        const Budget& budget);
+
+/// Returns the memory that the fields of a bound may take: half of what there is where a proof is asked for.
+double bound_memory_bytes(const GuardOptions& options);
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-#include "heading_bound.hpp"
+#include "research/guard/heading_bound.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,12 @@
 #include <limits>
 
 #include "outrider/core/units.hpp"
+#include "outrider/jobs/guard/plan/bound.hpp"
 #include "outrider/motion/profile.hpp"
+#include "research/guard/heading_plan.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
+#include "support/straight_missions.hpp"
 
 namespace outrider {
 namespace {
@@ -60,7 +63,7 @@ double least_time(const GuardProblem& problem, const FiringMap& firing_map) {
   return least;
 }
 
-TEST(HeadingBound, IsCloseToTheLeastTurnAndDriveToOneTarget) {
+TEST(ResearchHeadingBound, IsCloseToTheLeastTurnAndDriveToOneTarget) {
   Rng rng(411);
   int yards = 0;
   double tightness = 0.0;
@@ -81,7 +84,7 @@ TEST(HeadingBound, IsCloseToTheLeastTurnAndDriveToOneTarget) {
   EXPECT_GT(tightness / yards, 0.8);
 }
 
-TEST(HeadingBound, IsAtMostTheLimitAndNothingWhereItCannotBeFound) {
+TEST(ResearchHeadingBound, IsAtMostTheLimitAndNothingWhereItCannotBeFound) {
   Rng rng(412);
   GuardProblem problem = target_behind(rng);
   const auto firing_map = build_firing_map(problem, fine_options());
@@ -98,6 +101,17 @@ TEST(HeadingBound, IsAtMostTheLimitAndNothingWhereItCannotBeFound) {
   EXPECT_EQ(heading_bound(problem, *firing_map, {0}, limits, plenty_bytes, {}), 0.5 * bound);
   problem.robot.acceleration_mps2 = 1000.0;
   EXPECT_EQ(heading_bound(problem, *firing_map, {0}, unlimited(*firing_map, 1), plenty_bytes, {}), 0.0);
+}
+
+TEST(ResearchHeadingBound, IsNeverAboveAMissionOfStraightDrives) {
+  const auto [mean, yards] = testing::compare_with_random_missions(
+      [](const auto& problem, const auto& firing_map, const auto& targets, const auto& options) {
+        const double bound = heading_mission_bound(problem, firing_map, targets, options, {});
+        EXPECT_GE(bound, mission_bound(problem, firing_map, targets, options, {}));
+        return bound;
+      });
+  EXPECT_GT(yards, 10);
+  EXPECT_GT(mean, 0.6);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "heading_fields.hpp"
+#include "research/guard/heading_fields.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,11 +48,11 @@ GridFrame refined(const GridFrame& frame, int fine) {
   return finer;
 }
 
-/// For each cell of the refined grid: 0 where holds(cell of `frame`), else `never`.
+/// For each cell of the refined grid: 0 where holds(cell of `frame`), else `never_units`.
 template <class Holds>
 std::vector<Units> refined_mask(const GridFrame& frame, const GridFrame& finer, int fine,
                                 const Holds& holds) {
-  std::vector<Units> mask(finer.size(), never);
+  std::vector<Units> mask(finer.size(), never_units);
   for (int y = 0; y < frame.height * fine; ++y) {
     for (int x = 0; x < frame.width * fine; ++x) {
       if (holds(frame.index({x / fine, y / fine}))) mask[finer.index({x + margin, y + margin})] = 0;
@@ -81,7 +81,7 @@ class Rows {
 
 ConeFields::ConeFields(const GridWindow& window, std::size_t cones, Units value)
     : window_(window), stride_(window.columns + 2 * rim) {
-  values_.assign(at(cones, -rim) - static_cast<std::size_t>(rim), never);
+  values_.assign(at(cones, -rim) - static_cast<std::size_t>(rim), never_units);
   for (std::size_t cone = 0; cone < cones; ++cone) {
     for (int y = 0; y < window.rows; ++y) std::fill_n(row(cone, y), window.columns, value);
   }
@@ -115,13 +115,13 @@ HeadingFields::HeadingFields(const GuardProblem& problem, const FiringMap& firin
 
 /// A time from below.
 Units HeadingFields::units(double time_s) const {
-  return static_cast<Units>(std::min<double>(never, std::max(0.0, time_s / unit_s_ - 1e-9)));
+  return static_cast<Units>(std::min<double>(never_units, std::max(0.0, time_s / unit_s_ - 1e-9)));
 }
 
-/// Returns for each tile the time to the next one across a side, or `never` where no point of the side may be
-/// free.
+/// Returns for each tile the time to the next one across a side, or `never_units` where no point of the side
+/// may be free.
 std::vector<Units> HeadingFields::crossing(const TileExit& exit) const {
-  std::vector<Units> across(frame_.size(), never);
+  std::vector<Units> across(frame_.size(), never_units);
   for (int y = rim; y < frame_.height - rim; ++y) {
     for (int x = rim; x < frame_.width - rim; ++x) {
       const bool open = std::any_of(exit.cells.begin(), exit.cells.end(), [&](Cell cell) {
@@ -162,8 +162,8 @@ std::vector<Units> HeadingFields::mask(const FiringRegion& region) const {
                       [&](std::size_t cell) { return region.pitch[cell] != FiringRegion::no_shot; });
 }
 
-/// Finds for each cell of a row the least value at rest of the cells around it and of itself; `never` in a
-/// wall.
+/// Finds for each cell of a row the least value at rest of the cells around it and of itself; `never_units`
+/// in a wall.
 void HeadingFields::nearby(const ConeFields& resting, std::size_t cone, int row,
                            std::vector<Units>& least) const {
   const int columns = resting.window().columns;
@@ -196,7 +196,7 @@ void HeadingFields::hit(const std::vector<Units>& mask, const HeadingValues& aft
       const Units* near = rest.data() + (low.x - from.low.x);
       lower(values.resting.row(c, y - to.low.y) + (low.x - to.low.x), columns,
             [&](int i) { return std::max(near[i], region[i]); });
-      std::fill(tile.begin(), tile.end(), never);
+      std::fill(tile.begin(), tile.end(), never_units);
       for (const TileOverlap& overlap : cones_[c].overlaps) {
         const Units* there = region + std::ptrdiff_t{frame_.width} * overlap.cell.y + overlap.cell.x;
         lower(tile.data(), columns, [&](int i) { return there[i]; });
@@ -219,7 +219,7 @@ class HeadingFields::Settling {
         window_(moving_.window()),
         columns_(window_.columns),
         rows_(window_.rows),
-        arrived_(window_, fields.cones_.size(), never) {}
+        arrived_(window_, fields.cones_.size(), never_units) {}
 
   void run() {
     std::vector<Rows> moved(cones_.size(), Rows(window_, true));
@@ -339,8 +339,8 @@ void HeadingFields::settle(HeadingValues& values) const { Settling(*this, values
 Units HeadingFields::at_start(const HeadingValues& values) const {
   const GridWindow& window = values.resting.window();
   const Cell at{start_.x - window.low.x, start_.y - window.low.y};
-  if (at.x < 0 || at.y < 0 || at.x >= window.columns || at.y >= window.rows) return never;
-  Units least = never;
+  if (at.x < 0 || at.y < 0 || at.x >= window.columns || at.y >= window.rows) return never_units;
+  Units least = never_units;
   std::vector<Units> near;
   for (std::size_t c = 0; c < cones_.size(); ++c) {
     nearby(values.resting, c, at.y, near);
