@@ -10,7 +10,7 @@ from cancel import more_runs, processor_s, scenario_jobs, stop_at, usual_s
 from held_run import HeldRun
 from tool import SOURCE, TOOL, ToolTest, main, until
 
-PARTS = (0.1, 0.4, 0.8)  # of the usual time
+PARTS = (0.1, 0.6)  # of the usual time
 MOST_S = 2.0  # of the processors' work from the signal to the end; cancel_soak.py asks for less, of time too
 
 

@@ -97,9 +97,9 @@ class SlamLaser(SlamCase):
 
     def test_ranges_of_a_wrong_scale(self):
         """Odometry tells: the map then moves farther than the wheels counted, and turns no more."""
-        cases = [("office", 0.95), ("office", 1.05), ("aces", 0.95), ("csail", 1.05)]
+        cases = [("office", 1.05), ("aces", 0.95)]
         if in_soak():
-            cases += [("aces", 1.05), ("csail", 0.95), ("freiburg-101", 0.95), ("freiburg-101", 1.05)]
+            cases += [("office", 0.95), ("aces", 1.05), ("csail", 0.95), ("csail", 1.05), ("freiburg-101", 0.95), ("freiburg-101", 1.05)]
         for name, scale in cases:
             log = SOURCE / "scenarios/slam/office.yaml" if name == "office" else self.laser_log(name)
             found = self.doubtful(log, "--faults-range-scale", scale)
@@ -129,7 +129,8 @@ class SlamLaser(SlamCase):
 
     def test_a_stretch_that_is_repeated(self):
         """The map returns to where the stretch began, which odometry does not tell: doubtful."""
-        for name, first, last, at in (("intel", 109, 849, 370), ("freiburg-079", 1020, 2723, 851)):
+        cases = [("intel", 109, 849, 370)] + in_soak() * [("freiburg-079", 1020, 2723, 851)]
+        for name, first, last, at in cases:
             with self.subTest(name):
                 steps = laser_logs.read(self.laser_log(name))[first:last]
                 again = laser_logs.repeated(steps, at, laser_logs.driven_after(steps, at, 8.0))

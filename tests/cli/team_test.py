@@ -90,12 +90,13 @@ class Team(ToolTest):
                 self.check(report, log, 2)
 
     def test_the_example(self):
-        result = self.run_tool("run", SOURCE / "scenarios/yard/two_robots.yaml", "--plan-resolution", "0.2",
-                               "--plan-iterations", "50", "--plan-refinements", "0", "--plan-stops", "60", "--out", "out")
+        result = self.run_tool("run", SOURCE / "scenarios/yard/two_robots.yaml", "--plan-resolution", "0.2", "--out", "out")
         self.assertEqual(result.returncode, 0, result.stderr)
         well_logged(self, "out")
         report = self.result_of("out")
-        self.assertEqual((report["status"], report["metrics"]["robots"]), ("done", 2))
+        metrics = report["metrics"]
+        self.assertEqual((report["status"], metrics["robots"], metrics["reached"], metrics["given_up"]), ("done", 2, 23, 0))
+        self.assertLess(metrics["mission_s"], 0.6 * metrics["alone_s"])
         self.check(report, self.log_of("out"), 2)
 
     def test_starts_that_are_refused(self):

@@ -23,7 +23,7 @@ class Totality(unittest.TestCase):
                 self.assertLess(result.status, 2, text_of(Case(base, {})))
 
     def test_drawn_values_and_pairs(self):
-        for case in cases(costly_cases(40), seed=62):
+        for case in cases(costly_cases(20), seed=62):
             with self.subTest(case.named()):
                 self.assertEqual(run(case, self.folder).complaint, "", case.words or text_of(case)[:1000])
 

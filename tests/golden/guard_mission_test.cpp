@@ -106,31 +106,6 @@ TEST(OurYard, GivesTheSameBytesWithOneThreadAndTwo) {
   EXPECT_EQ(bytes_with(1), bytes_with(2));
 }
 
-/// The example of two robots, on coarser ground.
-Run run_of_two_robots() {
-  GuardJob job;
-  const auto read = read_scenario(job, std::string(OUTRIDER_SOURCE_DIR) + "/scenarios/yard/two_robots.yaml");
-  EXPECT_TRUE(read.has_value()) << to_string(read.error());
-  job.scenario.options.resolution_m = 0.2;
-  EXPECT_TRUE(job.load().has_value());
-  Run run;
-  const auto done = job.run(run, {});
-  EXPECT_TRUE(done.has_value()) << to_string(done.error());
-  run.report = test::without_machine_times(std::move(run.report));
-  return run;
-}
-
-TEST(OurYard, IsGuardedByTwoRobotsInTheSameBytesWithOneThread) {
-  auto run = run_of_two_robots();
-  EXPECT_EQ(run.report.status, "done") << run.report.reason;
-  EXPECT_EQ(metric(run, "reached"), 23.0);
-  EXPECT_EQ(metric(run, "given_up"), 0.0);
-  EXPECT_LT(metric(run, "mission_s"), 0.6 * metric(run, "alone_s"));
-  if (!testing::in_full()) GTEST_SKIP() << "a mission like the one above";
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
-  EXPECT_EQ(test::bytes_of_run(run), test::bytes_of_run(run_of_two_robots()));
-}
-
 class ReferenceWorld : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Worlds, ReferenceWorld, ::testing::Values("by_small", "by_small2"),
                          [](const auto& world) { return std::string(world.param); });

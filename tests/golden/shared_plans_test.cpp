@@ -30,7 +30,7 @@ class SharedPlans : public ::testing::Test {
 
 TEST_F(SharedPlans, OfAYardHoldForOtherSeedsAndFaults) {
   const std::string yard = "driveby/driveby.yaml";
-  common_ = {{"plan.resolution", "0.25"}};
+  common_ = {{"plan.resolution", "0.4"}, {"plan.iterations", "100"}, {"plan.refinements", "0"}};
   EXPECT_EQ(expect_same_run(yard, {{"seed", "1"}}), "done");
   expect_same_run(yard, {{"seed", "2"}, {"regions", "true"}});
   EXPECT_EQ(plans_.size(), 2U) << "regions are logged, and count as planning";
@@ -42,7 +42,7 @@ TEST_F(SharedPlans, OfAYardHoldForOtherSeedsAndFaults) {
 
 TEST_F(SharedPlans, OfATeamHoldForOtherSeeds) {
   const std::string yard = "driveby/driveby.yaml";
-  common_ = {{"plan.resolution", "0.25"}};
+  common_ = {{"plan.resolution", "0.4"}, {"plan.iterations", "100"}, {"plan.refinements", "0"}};
   for (const char* seed : {"1", "2"}) expect_same_run(yard, {{"seed", seed}, {"robots", "2"}});
   EXPECT_EQ(plans_.size(), 1U);
   expect_same_run(yard, {});
@@ -58,7 +58,8 @@ TEST_F(SharedPlans, OfTargetsThatSurviveHoldForOtherSeeds) {
 /// The seed draws who comes when, so each has a plan of its own.
 TEST_F(SharedPlans, OfIntrudersHoldForOtherFaultsOnly) {
   const std::string yard = "arrivals/arrivals.yaml";
-  common_ = {{"plan.resolution", "0.5"}, {"plan.gap", "1"}, {"arrivals.count", "6"}};
+  common_ = {
+      {"plan.resolution", "0.5"}, {"plan.iterations", "100"}, {"plan.gap", "1"}, {"arrivals.count", "6"}};
   expect_same_run(yard, {{"seed", "1"}});
   expect_same_run(yard, {{"seed", "1"}, {"faults.jammed_at", "20"}});
   EXPECT_EQ(plans_.size(), 1U);
@@ -71,7 +72,8 @@ TEST_F(SharedPlans, OfARoomHoldForOtherSeedsAndFaults) {
   EXPECT_EQ(expect_same_run(room, {{"seed", "1"}}), "done");
   EXPECT_EQ(expect_same_run(room, {{"seed", "2"}}), "done");
   EXPECT_EQ(plans_.size(), 1U);
-  common_ = {{"sim", "navigator"}, {"tracking_error", "0.01"}, {"overlap", "0.25"}};
+  common_ = {
+      {"sim", "navigator"}, {"tracking_error", "0.01"}, {"overlap", "0.25"}, {"order.iterations", "200"}};
   expect_same_run(room, {{"seed", "1"}});
   expect_same_run(room, {{"seed", "2"}, {"faults.slip", "0.2"}});
   EXPECT_EQ(plans_.size(), 2U);

@@ -40,7 +40,7 @@ TEST(Stop, GridPlannersEndSoonHoweverLargeTheMapIs) {
       const double whole = work_of([&] { ended = code({}); }).blocks;
       ASSERT_EQ(ended, FaultCode::no_path) << name;
       ASSERT_GT(whole, 10.0 * most_blocks) << name << " is over too soon to show anything";
-      for (const double part : {0.0, 0.1, 0.35, 0.6, 0.85}) {
+      for (const double part : {0.0, 0.35, 0.85}) {
         const double at = 1.0 + part * whole;
         const double ran = blocks_when_stopped(at, [&](const std::stop_token& stop) { ended = code(stop); });
         EXPECT_EQ(ended, FaultCode::cancelled) << name << " stopped at " << part;

@@ -17,15 +17,15 @@ const std::vector<std::pair<const char*, const char*>> maps_and_tables = {
     {"dao/arena.map", "arena"},
     {"dao/den312d.map", "den312d"},
     {"dao/lak303d.map", "lak303d"},
-    {"dao/brc202d.map", "brc202d"},
-    {"dao/orz900d.map", "orz900d"},
     {"bg512/AR0602SR.map", "AR0602SR"},
     {"cities/Berlin_0_512.map", "Berlin_0_512"},
-    {"cities/London_1_1024.map", "London_1_1024"},
     {"mazes/maze512-8-0.map", "maze512-8-0"},
     {"random/random512-10-0.map", "random512-10-0"},
-    {"random/random512-35-0.map", "random512-35-0"},
     {"rooms/8room_000.map", "8room_000"},
+    {"dao/brc202d.map", "brc202d"},
+    {"dao/orz900d.map", "orz900d"},
+    {"cities/London_1_1024.map", "London_1_1024"},
+    {"random/random512-35-0.map", "random512-35-0"},
     {"sc1/Aurora.map", "Aurora"},
 };
 
@@ -38,7 +38,7 @@ TEST(AnyAngleOptima, AreReachedOnPublishedQueries) {
   if (!movingai::text_of("anyangle/arena.csv")) {
     GTEST_SKIP() << "no published any-angle lengths in " << movingai::data_folder();
   }
-  const int most_maps = std::max(3, testing::part_of(static_cast<int>(maps_and_tables.size())));
+  const int most_maps = std::clamp(testing::costly_cases(8), 3, static_cast<int>(maps_and_tables.size()));
   for (const auto& [map, table] : std::span(maps_and_tables).first(static_cast<std::size_t>(most_maps))) {
     const auto text = movingai::text_of(map);
     const auto optima = movingai::text_of(std::string("anyangle/") + table + ".csv");
@@ -48,7 +48,7 @@ TEST(AnyAngleOptima, AreReachedOnPublishedQueries) {
     const int top = ground->frame.height;
     const auto published = movingai::read_any_angle(*optima);
     EXPECT_GE(published.size(), 100U) << map;
-    const auto queries = movingai::spread(published, 100);
+    const auto queries = movingai::spread(published, 40);
     for (const PathPlanner& row : path_planners()) {
       if (!claims_the_optimum(row)) continue;
       const ConfiguredPlanner planner = row.configure();

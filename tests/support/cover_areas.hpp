@@ -8,6 +8,7 @@
 #include "outrider/core/rng.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/jobs/cover/ground/problem.hpp"
+#include "outrider/jobs/cover/strokes/plan.hpp"
 
 namespace outrider::testing {
 
@@ -33,6 +34,15 @@ inline CoverProblem random_cover_problem(Rng& rng) {
   problem.overlap = rng.uniform(0.02, 0.3);
   problem.tracking_error_m = rng.uniform() * 0.5 * problem.overlap * problem.width_m;
   return problem;
+}
+
+/// Options for tests that need a track and not the best one: a short search for the order, and no bound of
+/// it.
+inline CoverOptions any_order() {
+  CoverOptions options;
+  options.order.iterations = 200;
+  options.order.gap = 1.0;
+  return options;
 }
 
 /// How often a disk on the way comes over a point: maximal stretches of the way within the radius, where a

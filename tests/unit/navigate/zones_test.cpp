@@ -8,6 +8,7 @@
 #include "outrider/core/rng.hpp"
 #include "outrider/navigate/navigator.hpp"
 #include "outrider/sim/simulated_robot.hpp"
+#include "support/random_cases.hpp"
 
 namespace outrider {
 namespace {
@@ -117,7 +118,7 @@ TEST(Zones, NoMotionEntersOne) {
   robot.speed_mps = 1.5;
   robot.acceleration_mps2 = 2.0;
   for (const LocalMotionRow& row : local_motions()) {
-    for (int world = 0; world < 8; ++world) {
+    for (int world = 0; world < testing::cases(3); ++world) {
       std::vector<Zone> all;
       for (int i = 0; i < 12; ++i) {
         const Vec2 at{rng.uniform(-1, 6), rng.uniform(-2.5, 2.5)};

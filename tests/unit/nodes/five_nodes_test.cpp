@@ -131,7 +131,8 @@ TEST(FiveNodes, MapTheOfficeAndComeHome) {
 }
 
 TEST(FiveNodes, MapTheOfficeThoughMessagesAreLostAndLate) {
-  for (int seed = 1; seed <= std::min(16, testing::cases(3)); ++seed) {
+  for (int seed = 2; seed <= std::min(16, 1 + testing::cases(1));
+       ++seed) {  // the others below have the first
     SCOPED_TRACE(seed);
     Office office({.loss = 0.01, .delay_s = 0.1}, static_cast<std::uint64_t>(seed));
     ASSERT_TRUE(office.explored());

@@ -19,9 +19,11 @@ namespace outrider::server {
 
 class AppTest : public ::testing::Test {
  protected:
-  AppTest() : home_(std::move(*TemporaryFolder::make())) {}
+  AppTest() : own_(std::move(*TemporaryFolder::make())), home_(own_.path() / "served") {
+    std::filesystem::create_directory(home_);
+  }
 
-  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return home_.path() / name; }
+  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return home_ / name; }
 
   void write(const std::string& name, const std::string& text) const {
     std::filesystem::create_directories(path(name).parent_path());
@@ -36,7 +38,7 @@ class AppTest : public ::testing::Test {
   }
 
   App& app() {
-    if (!app_) app_ = std::make_unique<App>(*Folder::open(home_.path().string()), settings_);
+    if (!app_) app_ = std::make_unique<App>(*Folder::open(home_.string()), settings_);
     return *app_;
   }
 
@@ -72,7 +74,8 @@ class AppTest : public ::testing::Test {
     return run;
   }
 
-  TemporaryFolder home_;
+  TemporaryFolder own_;  ///< it is locked, and whoever writes a file into a locked folder waits
+  std::filesystem::path home_;
   /// Files are read here, not in a process that is confined: tests/cli/serve_confinement_test.py tests that
   /// one. Counts the questions.
   ReadFiles read_here() {

@@ -98,14 +98,13 @@ Region covered_by(const Sweep& sweep, std::vector<Region>& overlap, const std::s
   return covered_by(sweep, 0, sweep.points - 1, overlap, stop);
 }
 
-/// Returns the union; of many regions in parts, between which it asks whether to stop.
-Region united_in_parts(std::span<const Region> all, const std::stop_token& stop) {
-  constexpr std::size_t at_once = 256;
+/// Returns the union, made of at most so many regions at once. Asks between the parts whether to stop.
+Region united_in_parts(std::span<const Region> all, std::size_t at_once, const std::stop_token& stop) {
   if (stop.stop_requested()) return {};
   if (all.size() <= at_once) return united(std::vector<Region>(all.begin(), all.end()));
   const std::size_t half = all.size() / 2;
-  const Region before = united_in_parts(all.first(half), stop);
-  const Region after = united_in_parts(all.subspan(half), stop);
+  const Region before = united_in_parts(all.first(half), at_once, stop);
+  const Region after = united_in_parts(all.subspan(half), at_once, stop);
   return united(before, after);
 }
 
@@ -115,7 +114,7 @@ Coverage measured(const Sweep& sweep, const Region& area, const std::stop_token&
   if (sweep.points > 0) coverage.covered = common(covered_by(sweep, overlap, stop), area);
   if (stop.stop_requested()) return coverage;
   coverage.missed = without(area, coverage.covered);
-  coverage.overlap = common(united_in_parts(overlap, stop), area);
+  coverage.overlap = common(united_in_parts(overlap, 256, stop), area);
   coverage.covered_m2 = area_of(coverage.covered);
   coverage.missed_m2 = area_of(coverage.missed);
   coverage.overlap_m2 = area_of(coverage.overlap);
@@ -145,7 +144,8 @@ Region GrowingCoverage::known_of(const Region& region, const Box2& box, Region S
   for (const Section& one : before_) {
     if (one.box.overlaps(box)) known.push_back(common(one.*part, region));
   }
-  return united(known);
+  // A robot that circles has many sections in one place, and a union of n that overlap takes n^2 steps.
+  return united_in_parts(known, 16, {});
 }
 
 CoverageSums GrowingCoverage::add(const std::vector<Vec2>& way) {

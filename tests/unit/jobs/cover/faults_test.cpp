@@ -32,7 +32,9 @@ class CoverFaults : public ::testing::Test {
         {"pace.slowest_speed", "0.4"},
         {"pace.turn_rate", "1.5"},
         {"pace.turn_acceleration", "4"},
-        {"pace.pause", "0"}};
+        {"pace.pause", "0"},
+        {"order.iterations", "200"},
+        {"order.gap", "1"}};
     changes.insert(changes.end(), more.begin(), more.end());
     return changes;
   }

@@ -13,7 +13,7 @@ namespace outrider {
 namespace {
 
 CoverRun run_of(const CoverProblem& problem, const char* method, std::uint64_t seed) {
-  auto plan = find_cover_method(method)->plan(problem, {}, {});
+  auto plan = find_cover_method(method)->plan(problem, testing::any_order(), {});
   if (!plan) throw std::runtime_error(to_string(plan.error()));
   auto proof = prove(*plan, problem);
   if (!proof) throw std::runtime_error(to_string(proof.error()));

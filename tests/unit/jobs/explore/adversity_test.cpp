@@ -65,7 +65,7 @@ void expect_honest(const ExploreRun& run) {
 }
 
 TEST(ExploreAdversity, GetsAroundSingleBlocks) {
-  for (int n = 1; n <= testing::costly_cases(3); ++n) {
+  for (int n = 1; n <= testing::costly_cases(2); ++n) {
     const auto seed = static_cast<std::uint64_t>(n);
     const ExploreRun run = explored_in(strewn_room(seed), {}, seed);
     expect_honest(run);
@@ -92,7 +92,7 @@ TEST(ExploreAdversity, SurvivesThreeTimesTheErrorsOfTheWheels) {
   ExplorerSimParams params;
   params.wheels.scale_error *= 3.0;
   params.wheels.noise_m *= 3.0;
-  for (int n = 1; n <= testing::costly_cases(2); ++n) {
+  for (int n = 1; n <= testing::costly_cases(1); ++n) {
     const ExploreRun run = explored_in(two_rooms(), params, static_cast<std::uint64_t>(n));
     expect_honest(run);
     EXPECT_EQ(run.stop_reason, "complete") << run.report.reason;

@@ -45,8 +45,6 @@ ExploreRun explored(const ExplorerFaults& faults, const LinkFaults& link = {}) {
   return std::move(*run);
 }
 
-TEST(ExploreFaults, WithoutAnyItIsDone) { EXPECT_EQ(explored({}).report.status, "done"); }
-
 TEST(ExploreFaults, WithoutScansItIsBlind) {
   ExplorerFaults faults;
   faults.blind_from_s = 4.0;
@@ -86,14 +84,23 @@ TEST(ExploreFaults, OthersEndHonestly) {
   for (const ExplorerFaults& faults : {late, slips, stuck, kidnapped}) explored(faults);
 }
 
-TEST(ExploreFaults, AClockThatJumpsChangesNothing) {
-  const double undisturbed_s = metric(explored({}).report, "time_s");
-  for (const double jump_s : {-1000.0, -3.0, 3.0, 1000.0}) {
+TEST(ExploreFaults, WithoutAnyItIsDoneAndAClockThatJumpsOrAPlannerThatPausesLeavesItSo) {
+  const ExploreRun undisturbed = explored({});
+  EXPECT_EQ(undisturbed.report.status, "done");
+  const double undisturbed_s = metric(undisturbed.report, "time_s");
+  for (const double jump_s : {-1000.0, 3.0}) {
     ExplorerFaults faults;
     faults.clock = {5.0, jump_s};
     const ExploreRun run = explored(faults);
     EXPECT_EQ(run.report.status, "done") << run.report.reason;
     EXPECT_NEAR(metric(run.report, "time_s"), undisturbed_s, 1e-6);
+  }
+  for (const PlannerOutage outage : {PlannerOutage{3.0, 3.0}, {12.0, 15.0}}) {
+    ExplorerFaults faults;
+    faults.planner = outage;
+    const ExploreRun run = explored(faults);
+    EXPECT_EQ(run.report.status, "done") << outage.for_s << ": " << run.report.reason;
+    EXPECT_NE(metric(run.report, "time_s"), undisturbed_s) << "it has waited";
   }
 }
 
@@ -121,57 +128,51 @@ World rooms_with_a_door() {
 }
 constexpr Vec2 middle_of_door{3.1, 1.45};
 
-struct DoorRun {
-  ExploreRun run;
-  double closed_x = 0.0;  ///< where the robot was when the door closed
-};
-
-/// Explores the two rooms from the first; the door closes once the robot is well in the second.
-DoorRun explored_behind_a_door(double closed_for_s) {
+ExploreRun run_behind_a_door(const ExplorerFaults& faults, const ScanHook& scanned,
+                             std::stop_token stop = {}) {
   ExploreTask task;
   task.start = {{1.0, 1.5}, 0.0};
   task.rules.most_time_s = 60.0;
-  const auto run_with = [&](const ExplorerFaults& faults, const ScanHook& scanned,
-                            std::stop_token stop = {}) {
-    ExplorerSimParams params;
-    params.faults = faults;
-    Log log;
-    auto run = run_explore(rooms_with_a_door(), task, params, 1, log, {.stop = std::move(stop)}, scanned);
-    EXPECT_TRUE(run) << run.error().sentence;
-    return std::move(*run);
-  };
+  ExplorerSimParams params;
+  params.faults = faults;
+  Log log;
+  auto run = run_explore(rooms_with_a_door(), task, params, 1, log, {.stop = std::move(stop)}, scanned);
+  EXPECT_TRUE(run) << run.error().sentence;
+  return std::move(*run);
+}
+
+/// Explores the two rooms from the first; the door closes for so long once the robot is well in the second.
+ExploreRun explored_behind_a_door(ExplorerFaults faults, double closed_for_s) {
+  faults.walk_ins.blocked_for_s = closed_for_s;
+  std::optional<double> closed_x;  // where the robot was then
+  ExploreRun run =
+      run_behind_a_door(faults, [&](const Observation&, const ExploreMission&, const SimulatedRobot& robot) {
+        if (!closed_x && robot.body<TwistBody>().walk_ins().blocked_s()) closed_x = robot.pose().position.x;
+      });
+  EXPECT_GT(closed_x.value_or(0.0), 3.8) << "it is in the second room when the door closes";
+  EXPECT_EQ(metric(run.report, "false_complete"), 0.0);
+  return run;
+}
+
+TEST(ExploreFaults, ARobotBehindADoorThatClosesSaysThatItIsNotHomeUnlessTheDoorOpensAgain) {
   ExplorerFaults faults;
   faults.walk_ins.blocked_place = middle_of_door;
   faults.walk_ins.blocked_radius_m = 0.47;
-  faults.walk_ins.blocked_for_s = closed_for_s;
   std::stop_source far_enough;
   const ScanHook look = [&](const Observation& seen, const ExploreMission&, const SimulatedRobot& robot) {
     if (robot.pose().position.x <= 4.2 || far_enough.stop_requested()) return;
     faults.walk_ins.blocked_at_s = seen.time_s;
     far_enough.request_stop();
   };
-  run_with({}, look, far_enough.get_token());
-  std::optional<double> closed_x;
-  DoorRun done{run_with(faults, [&](const Observation&, const ExploreMission&, const SimulatedRobot& robot) {
-    if (!closed_x && robot.body<TwistBody>().walk_ins().blocked_s()) closed_x = robot.pose().position.x;
-  })};
-  done.closed_x = closed_x.value_or(0.0);
-  EXPECT_GT(done.closed_x, 3.8) << "it is in the second room when the door closes";
-  EXPECT_EQ(metric(done.run.report, "false_complete"), 0.0);
-  return done;
-}
+  run_behind_a_door({}, look, far_enough.get_token());
 
-TEST(ExploreFaults, ARobotBehindADoorThatClosesForGoodSaysThatItIsNotHome) {
-  const ExploreRun run = explored_behind_a_door(1e9).run;
-  EXPECT_EQ(run.report.status, "not_done");
-  EXPECT_FALSE(run.report.reason.empty());
-  EXPECT_GT(run.true_pose.position.x, 3.2);
-}
-
-TEST(ExploreFaults, ARobotBehindADoorThatOpensAgainComesHome) {
-  const ExploreRun run = explored_behind_a_door(10.0).run;
-  EXPECT_EQ(run.report.status, "done") << run.report.reason;
-  EXPECT_LT(run.true_pose.position.x, 2.0);
+  const ExploreRun shut = explored_behind_a_door(faults, 1e9);
+  EXPECT_EQ(shut.report.status, "not_done");
+  EXPECT_FALSE(shut.report.reason.empty());
+  EXPECT_GT(shut.true_pose.position.x, 3.2);
+  const ExploreRun opened = explored_behind_a_door(faults, 10.0);
+  EXPECT_EQ(opened.report.status, "done") << opened.report.reason;
+  EXPECT_LT(opened.true_pose.position.x, 2.0);
 }
 
 TEST(ExploreFaults, APlannerWithoutABudgetEndsTheMissionWithThatReason) {
@@ -181,17 +182,6 @@ TEST(ExploreFaults, APlannerWithoutABudgetEndsTheMissionWithThatReason) {
   EXPECT_EQ(run.stop_reason, "stuck");
   EXPECT_NE(run.report.reason.find("the budget ended"), std::string::npos) << run.report.reason;
   EXPECT_LT(metric(run.report, "time_s"), 100.0);
-}
-
-TEST(ExploreFaults, AfterAPlannerWithoutABudgetItGoesOn) {
-  const double undisturbed_s = metric(explored({}).report, "time_s");
-  for (const PlannerOutage outage : {PlannerOutage{3.0, 3.0}, {12.0, 15.0}}) {
-    ExplorerFaults faults;
-    faults.planner = outage;
-    const ExploreRun run = explored(faults);
-    EXPECT_EQ(run.report.status, "done") << outage.for_s << ": " << run.report.reason;
-    EXPECT_NE(metric(run.report, "time_s"), undisturbed_s) << "it has waited";
-  }
 }
 
 TEST(ExploreFaults, PeopleWhoWalkThroughAreNotTouched) {

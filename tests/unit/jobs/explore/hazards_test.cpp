@@ -91,7 +91,7 @@ TEST(ExploreHazards, SaysHowWideACorridorIsThatIsTooNarrow) {
 TEST(ExploreHazards, NeverSaysCompleteWhereTheRobotCouldHaveSeenMore) {
   Rng rng(3);
   int complete = 0, left_over = 0;
-  for (int n = 0; n < testing::costly_cases(4); ++n) {
+  for (int n = 0; n < testing::costly_cases(3); ++n) {
     const double corridor_m = rng.uniform(0.15, 0.7);
     const World world = rooms(corridor_m, rng.uniform(0.6, 1.4));
     const double radius_m = rng.uniform(0.1, 0.25);
@@ -169,12 +169,6 @@ TEST(ExploreHazards, DrivesAroundATableBelowItsLaserAndIsDone) {
   EXPECT_GE(metric(run->report, "explored_fraction"), 0.99);
   EXPECT_GE(metric(run->report, "contacts"), 1.0) << "it can find the table by its bumper only";
   EXPECT_EQ(metric(run->report, "visible_contacts"), 0.0);
-}
-
-TEST(ExploreHazards, HomeErrorIsTheDistanceFromHome) {
-  const World world = rooms(0.9, 1.0);
-  const auto run = explored(world, burger().radius_m, 1);
-  ASSERT_TRUE(run);
   EXPECT_EQ(metric(run->report, "home_error_m"), distance(run->true_pose.position, Vec2{0.7, 1.0}));
   EXPECT_EQ(metric(run->report, "pose_error_m"), distance(run->true_pose.position, run->pose.position));
 }

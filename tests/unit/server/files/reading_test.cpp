@@ -11,7 +11,7 @@ namespace {
 /// However long that takes: a busy machine is no reason to refuse. Only a number of them waits.
 TEST_F(AppTest, QuestionsWaitForThoseBeforeThem) {
   write_tool("until [ -e go ]; do sleep 0.01; done\necho '{}'\n");
-  const Folder folder = *Folder::open(home_.path().string());
+  const Folder folder = *Folder::open(home_.string());
   const ReadFiles read = reading_in_a_child({.tool = settings_.runs.tool, .at_once = 1, .waiting = 1});
   std::atomic<int> answered = 0, refused = 0;
   {
@@ -33,14 +33,14 @@ TEST_F(AppTest, QuestionsWaitForThoseBeforeThem) {
 
 /// The limits are told apart, and each by its remedy.
 TEST_F(AppTest, AQuestionThatTakesTooMuchIsRefused) {
-  const Folder folder = *Folder::open(home_.path().string());
+  const Folder folder = *Folder::open(home_.string());
   const auto says = [&](const std::string& script) {
     write_tool(script);
     const auto answer = reading_in_a_child({.tool = settings_.runs.tool, .limit = std::chrono::seconds(1)})(
         folder, {{"map", "a.map"}}, {});
     return answer ? "" : answer.error().sentence;
   };
-  EXPECT_EQ(says("sleep 1.5\necho '{}'\n"), "") << "it waited, as for a processor that others use";
+  EXPECT_EQ(says("sleep 1.2\necho '{}'\n"), "") << "it waited, as for a processor that others use";
   EXPECT_EQ(says("while :; do :; done\n").substr(0, 46), "reading it takes more than 1 s of a processor,");
   EXPECT_EQ(says("kill -9 $$\n").substr(0, 43), "reading it takes more than 1024 MiB of memo");
 }

@@ -43,7 +43,7 @@ TEST_F(AppTest, ARunThatTheServerLosesIsNoneOfTheOthers) {
   write("a.yaml", "job: guard\n");
   write_tool("echo $$ > pid\nexec sleep 1000\n");
   settings_.runs.at_once = 1;
-  const Folder folder = *Folder::open(home_.path().string());
+  const Folder folder = *Folder::open(home_.string());
   Runs runs(folder, settings_.runs, settings_.read);
   const auto here = std::this_thread::get_id();
   std::atomic<int> heard = 0;
@@ -71,7 +71,7 @@ TEST_F(AppTest, AMissionThatIsLostIsEnded) {
   write_tool("echo $$ > pid\necho line >&3\nexec sleep 1000\n");
   std::stop_source stop;
   const auto follow = [&] {
-    (void)run_child({.words = {settings_.runs.tool}, .folder = *OpenFolder::open(home_.path().string())},
+    (void)run_child({.words = {settings_.runs.tool}, .folder = *OpenFolder::open(home_.string())},
                     stop.get_token(), {.on_line = [](std::string_view) { throw std::bad_alloc(); }});
   };
   EXPECT_THROW(follow(), std::bad_alloc);
@@ -86,12 +86,12 @@ TEST_F(AppTest, AProgramThatTakesTooMuchProcessorTimeIsEnded) {
   const auto followed = [&](const std::string& script) {
     write_tool(script);
     return run_child({.words = {settings_.runs.tool},
-                      .folder = *OpenFolder::open(home_.path().string()),
+                      .folder = *OpenFolder::open(home_.string()),
                       .limit = std::chrono::seconds(1)},
                      {}, {});
   };
   EXPECT_TRUE(followed("while :; do :; done\n").timed_out);
-  const ChildResult waited = followed("sleep 2.5\necho done\n");
+  const ChildResult waited = followed("sleep 1.2\necho done\n");
   EXPECT_FALSE(waited.timed_out);
   EXPECT_EQ(waited.output, "done\n");
 }

@@ -89,5 +89,25 @@ TEST(Coverage, GrowsAlongTheWay) {
   }
 }
 
+/// Each turn of a robot that circles wider and wider covers little but what is covered already.
+TEST(GrowingCoverage, OfCirclesThatOverlapIsThatOfTheWholeWay) {
+  const Region area = region_of({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, {});
+  GrowingCoverage growing(0.3, area);
+  std::vector<Vec2> way{{0.4, 0.0}};
+  for (int section = 1; section <= 40; ++section) {  // of a quarter of a turn
+    std::vector<Vec2> driven{way.back()};
+    for (int i = 1; i <= 6; ++i) {
+      const double turns = 0.25 * (section - 1 + i / 6.0);
+      driven.push_back((0.4 + 0.02 * turns) * direction(2.0 * pi * turns));
+    }
+    way.insert(way.end(), driven.begin() + 1, driven.end());
+    const CoverageSums sums = growing.add(driven);
+    if (section % 20 != 0) continue;
+    const Coverage whole = coverage_of(way, 0.3, area);
+    EXPECT_NEAR(sums.covered_m2, whole.covered_m2, 1e-3) << section;
+    EXPECT_NEAR(sums.overlap_m2, whole.overlap_m2, 0.02) << section;
+  }
+}
+
 }  // namespace
 }  // namespace outrider

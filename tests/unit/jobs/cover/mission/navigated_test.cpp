@@ -52,7 +52,7 @@ struct CoverCase {
 CoverCase make_case(int k) {
   Rng rng(static_cast<std::uint64_t>(k) + 100);
   CoverCase one{area(rng), {}, {}, {}};
-  one.plan = *find_cover_method("quickest")->plan(*kept_inside(one.problem), {}, {});
+  one.plan = *find_cover_method("quickest")->plan(*kept_inside(one.problem), testing::any_order(), {});
   one.posts = posts_in(one.problem, one.plan.track.start.position, rng);
   for (const Post& post : one.posts)
     one.things += fmt::format("{:.3f},{:.3f},{:.3f} ", post.at.x, post.at.y, post.radius_m);
@@ -61,8 +61,8 @@ CoverCase make_case(int k) {
 
 Outcome<NavigatedCover> drive(const CoverCase& one, const NavigationOptions& navigation) {
   Log log;
-  return drive_with_navigator(one.problem, *find_cover_method("quickest"), {}, one.plan, navigation,
-                              one.things, 1, log, {}, [](const PieceDrive&) {});
+  return drive_with_navigator(one.problem, *find_cover_method("quickest"), testing::any_order(), one.plan,
+                              navigation, one.things, 1, log, {}, [](const PieceDrive&) {});
 }
 
 /// The distance of a point from the nearest leg of the way.
@@ -74,7 +74,7 @@ double to_way_m(Vec2 p, const std::vector<Vec2>& way) {
 }
 
 TEST(NavigatedCover, CoversWhatItCanReachAmongThingsThatItWasNotToldOf) {
-  for (int k = 0; k < testing::cases(2); ++k) {
+  for (int k = 0; k < testing::cases(1); ++k) {
     SCOPED_TRACE(k);
     const CoverCase one = make_case(k);
     const auto done = drive(one, CoverScenario::default_navigation());
@@ -132,7 +132,7 @@ TEST(NavigatedCover, DoesNotCallCompleteWhatIsBehindAWall) {
   one.problem.boundary = {{0, 0}, {6, 0}, {6, 3}, {0, 3}};
   one.problem.holes.clear();
   one.problem.start = Pose2{{1.0, 1.5}, 0.0};
-  one.plan = *find_cover_method("quickest")->plan(*kept_inside(one.problem), {}, {});
+  one.plan = *find_cover_method("quickest")->plan(*kept_inside(one.problem), testing::any_order(), {});
   one.things = "3,1.5,0.2,3.0";
   const auto done = drive(one, CoverScenario::default_navigation());
   ASSERT_TRUE(done);

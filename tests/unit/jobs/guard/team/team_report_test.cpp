@@ -67,7 +67,8 @@ TEST(JudgedTeam, IsNotDoneWithATargetThatFailed) {
 /// Whoever stops a run gets what was done so far, and a status that says so.
 TEST(GuardWithTeam, StopsWhereItIsAsked) {
   GuardJob job;
-  ASSERT_TRUE(read_scenario(job, test::scenarios + "yard/two_robots.yaml"));
+  ASSERT_TRUE(read_scenario(job, test::scenarios + "driveby/driveby.yaml"));
+  job.scenario.robots = 2;
   job.scenario.options = testing::quick();
   ASSERT_TRUE(job.load());
   std::stop_source stop;
