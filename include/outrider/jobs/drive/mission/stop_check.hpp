@@ -2,7 +2,8 @@
 //
 // The belief alone cannot tell: it is wrong if somebody has moved the robot. So a stop is reached only if
 //   1. the robot has stood for `settle_s` without an image that contradicts the belief,
-//   2. since then the tags of at least `settle_sightings` images were accepted, the last of them just now,
+//   2. since then the tags of at least `settle_sightings` images, taken at rest, were accepted, the last of
+//      them just now,
 //   3. the newest of these images alone, and the mean of the last few, agree with the belief,
 //   4. the tags in the newest image are where they were in the images before, to within the noise of their
 //      corners: a push that is too small to contradict the belief still moves them,
