@@ -195,7 +195,10 @@ void LiveMap::mark_lone(Vec2 place, double time_s) {
     is_confirmed = true;
     confirm(beside);
   });
-  if (is_confirmed) return mark(place, time_s, weight_of_reading, false);
+  if (is_confirmed) {
+    mark(place, time_s, weight_of_reading, false);
+    return;
+  }
   if (cells_[cell] != 0) return;
   marks_.push_back({place, time_s, time_s, weight_of_lone, false, false, false, true});
   cells_[cell] = static_cast<std::uint32_t>(marks_.size());
@@ -270,8 +273,8 @@ void LiveMap::keep_open(const Footprint& footprint, const Pose2& pose) {
 
 void LiveMap::forget(double time_s) {
   erase_marks([&](const Mark& mark) {
-    const double kept_s = mark.touched ? options_.touch_s : mark.lone ? lone_s : options_.forget_s;
-    if (mark.mapped || time_s - mark.seen_s <= kept_s) return false;
+    const double seen_for_s = mark.lone ? lone_s : options_.forget_s;
+    if (mark.mapped || time_s - mark.seen_s <= (mark.touched ? options_.touch_s : seen_for_s)) return false;
     leave_behind(mark);
     return true;
   });

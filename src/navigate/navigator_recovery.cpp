@@ -24,7 +24,10 @@ constexpr double touch_back_s = 0.6;  // for which it backs off from what it has
 /// Notes what the bumper says. A robot that touches something backs off from there at once.
 void Navigator::note_bumper(const Observation& seen) {
   const Pose2 here = pose();
-  if (!seen.touching) return map_.keep_open(setup_.footprint, here);
+  if (!seen.touching) {
+    map_.keep_open(setup_.footprint, here);
+    return;
+  }
   const double bearing_rad = seen.touch_rad.value_or(twist_.ahead_mps < 0.0 ? pi : 0.0);
   const double away_m = setup_.footprint.outer_m() + touch_ahead_m;
   map_.note_touch(here * (away_m * direction(bearing_rad)), time_s_);

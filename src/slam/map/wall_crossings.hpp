@@ -11,9 +11,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "outrider/geometry/pose.hpp"
+#include "outrider/slam/map/map_check.hpp"
 #include "outrider/world/grid.hpp"
 
 namespace outrider {

@@ -46,6 +46,7 @@ class Played {
  private:
   void plan_anew(std::size_t count) {
     std::vector<PendingTarget> pending;
+    pending.reserve(count);
     for (std::size_t i = 0; i < count; ++i) pending.push_back(everybody_[inside_[i]]);
     const Sequence best = plan_.next(pending, now_, !planned_);
     hits_.clear();

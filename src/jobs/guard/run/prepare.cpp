@@ -128,13 +128,14 @@ Outcome<std::shared_ptr<const YardPlan>> planned_yard(GuardScenario& scenario, R
 
 /// Sets the policy and the objective: those of the options, or the makespan if nobody comes but some survive.
 /// Then the expected time is estimated.
-Status choose_policy(PreparedGuard& guard, const Budget& budget, const Notes& notes) {
+Status choose_policy(PreparedGuard& guard, const ArrivalYard& yard, const StopTable& stops,
+                     const Budget& budget, const Notes& notes) {
   const ArrivalOptions& options = guard.scenario.arrivals;
   auto policy = find_replan_policy(options.policy);
   if (!policy) return pass_on(policy);
   auto objective = find_objective(options.objective);
   if (!objective) return pass_on(objective);
-  RollingPlan& plan = guard.arrivals.emplace(RollingPlan{*guard.yard, *guard.stops, std::move(*policy)});
+  RollingPlan& plan = guard.arrivals.emplace(RollingPlan{yard, stops, std::move(*policy)});
   plan.group = static_cast<std::size_t>(options.group);
   plan.objective = options.any() ? *objective : ArrivalObjective::makespan;
   plan.beam = static_cast<std::size_t>(options.beam);
@@ -152,12 +153,13 @@ Status choose_policy(PreparedGuard& guard, const Budget& budget, const Notes& no
 Status prepare_arrivals(PreparedGuard& guard, const Budget& budget, const Notes& notes) {
   const GuardScenario& scenario = guard.scenario;
   auto intruders = scenario.arrivals.any() ? scenario.intruders : settled_intruders(scenario.problem);
-  guard.yard = arrival_yard(scenario.problem, guard.plan->firing_map, std::move(intruders));
+  const ArrivalYard& yard =
+      guard.yard.emplace(arrival_yard(scenario.problem, guard.plan->firing_map, std::move(intruders)));
   auto stops = precompute_stops(scenario.problem, guard.plan->firing_map, *guard.plan->tour,
                                 static_cast<std::size_t>(scenario.arrivals.stops), budget);
   if (!stops) return pass_on(stops);
-  guard.stops = std::move(*stops);
-  if (auto ok = choose_policy(guard, budget, notes); !ok) return ok;
+  const StopTable& table = guard.stops.emplace(std::move(*stops));
+  if (auto ok = choose_policy(guard, yard, table, budget, notes); !ok) return ok;
   guard.mission.emplace(*guard.arrivals);
   return {};
 }
