@@ -45,8 +45,10 @@ void ExploreMission::give_up_goal(const std::string& why) {
   if (!touched_new) ++stuck_here_;
   const Vec2 here = where_->pose().position;
   add_event(touching_ ? "touch" : "stuck", fmt::format("at ({:.2f}, {:.2f}): {}", here.x, here.y, why));
-  if (stuck_here_ > task_.rules.most_stuck)
-    return end("stuck", fmt::format("it got stuck {} times in a row", stuck_here_));
+  if (stuck_here_ > task_.rules.most_stuck) {
+    end("stuck", fmt::format("it got stuck {} times in a row", stuck_here_));
+    return;
+  }
   if (!touching_) {
     if (gaps_.in_narrow() && gaps_.note_stuck(*where_, frontiers_.ground()))
       too_narrow();
@@ -94,16 +96,16 @@ void ExploreMission::too_narrow() {
 
 /// Returns the order to go on along the path: to its end, or to a place on it a little ahead. The order
 /// before stands as long as that is so of it.
-GoTo ExploreMission::next_order() const {
+GoTo ExploreMission::next_order(const PathProgress& path) const {
   constexpr double ahead_m = 2.0, again_m = 0.8, within_m = 0.3, same_m = 0.07;
-  const std::vector<Vec2> ahead = points_ahead(*path_, ahead_m);
-  const Vec2 end = path_->points.back();
+  const std::vector<Vec2> ahead = points_ahead(path, ahead_m);
+  const Vec2 end = path.points.back();
   const auto is_same = [&](Vec2 place) {
     return order_ && distance(place, order_->place) < same_m &&
            distance(place, where_->pose().position) > again_m;
   };
   if (std::ranges::any_of(ahead, is_same)) return *order_;
-  if (remaining_m(*path_) > ahead_m) return {ahead.back(), within_m};
+  if (remaining_m(path) > ahead_m) return {ahead.back(), within_m};
   const bool goes_there = order_ && distance(end, order_->place) < arrived_m() && order_->within_m < within_m;
   return goes_there ? *order_ : GoTo{end, arrived_m()};
 }
@@ -131,7 +133,7 @@ Order ExploreMission::drive() {
     return *through_;
   }
   through_.reset();
-  order_ = next_order();
+  order_ = next_order(*path_);
   return *order_;
 }
 

@@ -132,7 +132,7 @@ class ExploreMission {
   void too_narrow();
   void end_if_no_nearer_to_home();
   void look_close();
-  [[nodiscard]] GoTo next_order() const;
+  [[nodiscard]] GoTo next_order(const PathProgress& path) const;
   Order drive();
 
   /// The way home.
