@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <span>
 
 #include "files/yaml.hpp"
 #include "outrider/io/files/files.hpp"
@@ -28,7 +29,12 @@ std::function<void()> way_back(const std::vector<OptionGroup>& groups) {
 std::string did_you_mean(const std::string& unknown, const std::vector<std::string>& known) {
   const std::string nearest = nearest_name(unknown.substr(0, 64), known);
   if (!nearest.empty()) return fmt::format("did you mean '{}'?", nearest);
-  return known.empty() ? "there are none here" : fmt::format("known are {}", fmt::join(known, ", "));
+  if (known.empty()) return "there are none here";
+  constexpr std::size_t most = 200;  // characters of names
+  std::size_t told = 0, length = 0;
+  while (told < known.size() && length + known[told].size() <= most) length += known[told++].size() + 2;
+  const std::string names = fmt::format("known are {}", fmt::join(std::span(known).first(told), ", "));
+  return told == known.size() ? names : fmt::format("{} and {} more", names, known.size() - told);
 }
 
 /// Returns the reason why a node cannot be a value of the option, or an empty text. assign() checks the rest.

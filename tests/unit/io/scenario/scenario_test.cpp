@@ -1,5 +1,6 @@
 #include "outrider/io/scenario/scenario.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -62,6 +63,19 @@ TEST(Scenario, FaultsNameLineKeyAndRemedy) {
   EXPECT_EQ(scenario_fault("seed: 1\nseed: 2\n"), "s.yaml:2: the key 'seed' is given twice; leave one");
   EXPECT_EQ(scenario_fault("robot:\n  radius: 11\n"),
             "s.yaml:2: robot.radius: '11' is not valid; expected a number from 0.01 to 10 m");
+}
+
+TEST(Scenario, ALongListOfKnownKeysIsCut) {
+  std::vector<std::int64_t> values(60);
+  OptionGroup group{"", "The job.", {}};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    group.options.push_back({fmt::format("alternative_{}", i), "", 0, 1e9, "a number", &values[i]});
+  const auto status = scenario_from_text("quux: 1\n", "s", {group});
+  ASSERT_FALSE(status);
+  const std::string sentence = to_string(status.error());
+  EXPECT_LT(sentence.size(), 300U) << sentence;
+  EXPECT_NE(sentence.find("alternative_0, alternative_1, "), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find(" more"), std::string::npos) << sentence;
 }
 
 TEST(Scenario, RefusesWrongTypesAndValues) {
