@@ -123,7 +123,7 @@ class ScanLocaliser final : public RobotLocaliser {
   bool has_news_ = false;
   MapUpdate changed_;
   Pose2 world_T_odometry_;  ///< as the navigator knows it
-  bool moved_ = false;      ///< poses were corrected by much since it knows
+  bool moved_ = false;      ///< the map was corrected since take()
   bool settles_soon_ = false;
   std::optional<double> settled_m_;  ///< driven_m at the last optimisation
 };
