@@ -3,6 +3,8 @@
 namespace outrider::tour {
 namespace {
 
+constexpr double same_s = 1e-12;  // times that differ by no more are the same
+
 State state_before(const Instance& instance, const Route& route, std::uint32_t position) {
   return position == 0 ? start_of(instance) : route.after[position - 1];
 }
@@ -13,7 +15,8 @@ void consider(const Instance& instance, const Route& route, std::uint32_t positi
   if (cost / divisor < best.score) best = {cost, cost / divisor, position, node};
 }
 
-/// Visits that begin at the positions [first, end), and the start if that is 0.
+/// Visits that begin at the positions [first, end), and the start if that is 0. Within a visit a service adds
+/// its duration at least, since the time to aim is a metric: once that is reached the others are not looked at.
 void insert_in_visits(const Instance& instance, const Route& route, std::uint32_t goal, std::uint32_t first,
                       std::uint32_t end, Insertion& best) {
   if (const std::uint32_t node = instance.node(0, goal); first == 0 && node != none) {
@@ -22,9 +25,9 @@ void insert_in_visits(const Instance& instance, const Route& route, std::uint32_
   for (std::uint32_t begin = first; begin < std::min(end, route.size()); begin = route.visit_end[begin] + 1) {
     const std::uint32_t node = instance.node(route.after[begin].stop, goal);
     if (node == none) continue;
-    for (std::uint32_t position = begin; position <= route.visit_end[begin] + 1; ++position) {
-      consider(instance, route, position, node, 1.0, best);
-    }
+    const double least = instance.nodes[node].duration + same_s;
+    for (std::uint32_t at = begin; at <= route.visit_end[begin] + 1 && best.score > least; ++at)
+      consider(instance, route, at, node, 1.0, best);
   }
 }
 

@@ -157,7 +157,7 @@ void ScanLocaliser::finish() {
 
 std::string ScanLocaliser::doubt_of_range_finder() {
   if (scans_ < asked_at_) return {};
-  asked_at_ *= 2;
+  asked_at_ += asked_at_ / 4;
   return range_finder_doubt(slam_);
 }
 
