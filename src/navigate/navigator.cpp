@@ -235,6 +235,7 @@ Twist2 Navigator::go(const GoTo& order) {
   const MotionState state = state_of(order, near_);
   if (recovery_ == Recovery::turn || recovery_ == Recovery::back_off) return recovery_twist(state);
   if (!at_place_) return rule_->choose(state);
+  if (order.within_rad >= pi) return {};
   const Twist2 turn = turn_to(state.pose, *order.heading_rad);
   return can_brake(state, turn, setup_.motion.margin_m) ? turn : Twist2{};
 }

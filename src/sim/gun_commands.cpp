@@ -1,5 +1,5 @@
 // The commands of a SimulatedRobot with a body that drives to waypoints: drive, aim, shoot, wait, fill its
-// stores. The body is a WaypointBody or a RigidBody.
+// stores. The body is a WaypointBody, a NavigatedBody or a RigidBody.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,6 +23,15 @@ void measure(const WaypointBody& body, SimRecord& record) {
   record.post_contacts = body.hindrance().post_contacts();
 }
 void measure(RigidBody& body, SimRecord& record) { record.rigid = body.record(); }
+void measure(const NavigatedBody& body, SimRecord& record) {
+  const TwistBody& wheels = body.wheels();
+  record.navigated = {wheels.contacts(), wheels.walked_into(), body.recoveries(), body.belief_error_m()};
+}
+
+/// Returns the heading that the robot believes to have.
+double heading_of_body(const WaypointBody& body) { return body.pose().heading_rad; }
+double heading_of_body(const RigidBody& body) { return body.pose().heading_rad; }
+double heading_of_body(const NavigatedBody& body) { return body.believed_pose().heading_rad; }
 
 }  // namespace
 
@@ -52,6 +61,7 @@ void SimulatedRobot::act_on(Body& body, const Command& command) {
   log_now();
 }
 template void SimulatedRobot::act_on(WaypointBody& body, const Command& command);
+template void SimulatedRobot::act_on(NavigatedBody& body, const Command& command);
 template void SimulatedRobot::act_on(RigidBody& body, const Command& command);
 
 /// Logs what has happened until now. Returns the log, or null if there is none.
@@ -108,6 +118,7 @@ void SimulatedRobot::begin(Body& body) {
   sample();
 }
 template void SimulatedRobot::begin(WaypointBody& body);
+template void SimulatedRobot::begin(NavigatedBody& body);
 template void SimulatedRobot::begin(RigidBody& body);
 
 /// Lets the gun turn to where it has to point next: for the shot after those done, or on arrival.
@@ -191,11 +202,37 @@ void SimulatedRobot::follow(Body& body, const FollowWaypoints& command) {
   if (Log* const log = log_now()) log_plan(*log, body.time_s(), {});
 }
 
+/// The navigator finds the way, and nothing is shot in passing.
+void SimulatedRobot::follow(NavigatedBody& body, const FollowWaypoints& command) {
+  if (command.waypoints.size() < 2) return;
+  const Vec2 place = command.waypoints.back();
+  if (Log* const log = log_now()) log_plan(*log, body.time_s(), command.waypoints);
+  tell(body.time_s(), "drive", fmt::format("drives to ({:.2f}, {:.2f})", place.x, place.y));
+  turn_gun(body, command.waypoints, command, 0);
+  body.begin_way();
+  double sampled_s = body.time_s();
+  body.drive_to(place, [&] {
+    if (body.time_s() - sampled_s >= sample_period_s) {
+      sampled_s = body.time_s();
+      sample();
+    }
+    return !command.until_arrival || !devices_.targets || !devices_.targets->somebody_entered(body.time_s());
+  });
+  if (!body.why_stopped().empty()) {
+    tell(body.time_s(), "stopped",
+         fmt::format("stops at ({:.2f}, {:.2f}): {}", body.pose().position.x, body.pose().position.y,
+                     body.why_stopped()));
+  }
+  gun_motion_.reset();
+  sample();
+  if (Log* const log = log_now()) log_plan(*log, body.time_s(), {});
+}
+
 template <class Body>
 void SimulatedRobot::aim(Body& body, const AimGun& command) {
   SimulatedGun& gun = *devices_.gun;
   const SimulatedGun::Turn turn =
-      gun.turn_towards(command.yaw_rad, command.pitch_rad, stance(), body.pose().heading_rad);
+      gun.turn_towards(command.yaw_rad, command.pitch_rad, stance(), heading_of_body(body));
   sample();
   const double begin = body.time_s();
   // Each joint moves at its own rate, so the path bends once, where the faster one arrives.
@@ -237,7 +274,8 @@ void SimulatedRobot::tell_impact(double time_s, bool hit, const std::string& nam
 }
 
 /// The flight is known as soon as the ball has left.
-bool SimulatedRobot::throw_ball(const WaypointBody& from, const Fire& command, const Platform& platform) {
+template <class Body>
+bool SimulatedRobot::throw_ball(const Body& from, const Fire& command, const Platform& platform) {
   SimulatedGun& gun = *devices_.gun;
   auto& targets = devices_.targets;
   const std::size_t stand_in = targets ? targets->stand_in(command.target) : command.target;

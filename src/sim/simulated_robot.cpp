@@ -17,6 +17,10 @@ void sense_body(TwistBody& body, Observation& seen) {
 void sense_body(const WheelBody&, Observation&) {}
 void sense_body(const PieceBody& body, Observation& seen) { seen.odometry = body.pose(); }
 void sense_body(const WaypointBody& body, Observation& seen) { seen.odometry = body.pose(); }
+void sense_body(const NavigatedBody& body, Observation& seen) {
+  seen.odometry = body.believed_pose();
+  seen.gave_up = !body.why_stopped().empty();
+}
 void sense_body(const RigidBody& body, Observation& seen) { seen.odometry = body.pose(); }
 
 }  // namespace
@@ -33,6 +37,11 @@ SimulatedRobot::SimulatedRobot(Log& log, WaypointBody body, SimulatedDevices dev
 SimulatedRobot::SimulatedRobot(Log& log, RigidBody body, SimulatedDevices devices)
     : body_(std::move(body)), devices_(std::move(devices)), log_(&log) {
   begin(std::get<RigidBody>(body_));
+}
+
+SimulatedRobot::SimulatedRobot(Log& log, NavigatedBody body, SimulatedDevices devices)
+    : body_(std::move(body)), devices_(std::move(devices)), log_(&log) {
+  begin(std::get<NavigatedBody>(body_));
 }
 
 double SimulatedRobot::time_s() const {
@@ -77,6 +86,7 @@ Command SimulatedRobot::in_true_time(Command command) const {
 void SimulatedRobot::act(const Command& given) {
   const Command command = in_true_time(given);
   if (auto* body = std::get_if<WaypointBody>(&body_)) return act_on(*body, command);
+  if (auto* body = std::get_if<NavigatedBody>(&body_)) return act_on(*body, command);
   if (auto* body = std::get_if<RigidBody>(&body_)) return act_on(*body, command);
   const double until_s = std::visit([&](auto& body) { return body.begin(command); }, body_);
   auto& camera = devices_.camera;

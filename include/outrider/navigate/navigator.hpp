@@ -41,7 +41,7 @@
 namespace outrider {
 
 /// Drive to a place, by any way that is safe and fast. Without a heading, to pass by there; with one, to
-/// stand there with it.
+/// stand there with it, or with any if `within_rad` is pi.
 struct GoTo {
   Vec2 place;
   double within_m = 0.1;

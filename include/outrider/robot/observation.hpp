@@ -84,6 +84,7 @@ struct Observation {
   std::optional<Pose2> motion = {};          ///< previous_T_robot, for logs with incremental odometry
   bool touching = false;                     ///< the bumper was pressed since the previous observation
   std::optional<double> touch_rad = {};      ///< bearing of the newest contact, if the bumper tells it
+  bool gave_up = false;                      ///< it gave up the drive before: no way leads there
   std::optional<LaserScan> scan = {};        ///< scan taken since the previous observation
   std::optional<LogStep> landmarks = {};     ///< motion and landmarks seen since the previous observation
   std::optional<TagImage> image = {};        ///< newest image, even if an earlier observation had it already

@@ -1,6 +1,7 @@
 // SimRecord: measurements of what a simulated robot does, beside its log.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,9 +18,18 @@ struct RigidRecord {
   std::vector<std::string> misses = {};  ///< by target: how the last shot missed; empty before the first miss
 };
 
+/// Additional measurements of a robot that its navigator takes to places.
+struct NavigatedRecord {
+  std::int64_t contacts = 0;
+  std::int64_t walked_into = 0;  ///< how often somebody walked into the robot, which stood
+  std::int64_t recoveries = 0;
+  double belief_error_m = 0.0;  ///< largest distance between where it was and where it believed to be
+};
+
 /// The record of a simulated robot so far.
 struct SimRecord {
   std::optional<RigidRecord> rigid = {};  ///< set if rigid bodies are simulated
+  std::optional<NavigatedRecord> navigated = {};
   double driven_m = 0.0;
   double turned_rad = 0.0;
   std::size_t shots = 0;

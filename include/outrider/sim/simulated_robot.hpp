@@ -14,6 +14,7 @@
 #include <variant>
 
 #include "outrider/robot/robot.hpp"
+#include "outrider/sim/bodies/navigated_body.hpp"
 #include "outrider/sim/bodies/piece_body.hpp"
 #include "outrider/sim/bodies/twist_body.hpp"
 #include "outrider/sim/bodies/waypoint_body.hpp"
@@ -29,7 +30,7 @@
 
 namespace outrider {
 
-using SimulatedBody = std::variant<TwistBody, WheelBody, PieceBody, WaypointBody, RigidBody>;
+using SimulatedBody = std::variant<TwistBody, WheelBody, PieceBody, WaypointBody, NavigatedBody, RigidBody>;
 
 /// The devices of a robot; each of them is optional.
 struct SimulatedDevices {
@@ -47,6 +48,7 @@ class SimulatedRobot final : public Robot {
   /// Makes a robot that logs its motion, its shots, its stores and what happens. The log must outlive it.
   SimulatedRobot(Log& log, WaypointBody body, SimulatedDevices devices = {});
   SimulatedRobot(Log& log, RigidBody body, SimulatedDevices devices);
+  SimulatedRobot(Log& log, NavigatedBody body, SimulatedDevices devices);
 
   Observation sense() override;
   void act(const Command& given) override;
@@ -56,6 +58,10 @@ class SimulatedRobot final : public Robot {
   /// Returns the body. `Body` must be its class.
   template <class Body>
   [[nodiscard]] const Body& body() const {
+    return std::get<Body>(body_);
+  }
+  template <class Body>
+  [[nodiscard]] Body& body() {
     return std::get<Body>(body_);
   }
   [[nodiscard]] const SimulatedDevices& devices() const { return devices_; }
@@ -82,6 +88,7 @@ class SimulatedRobot final : public Robot {
   void act_on(Body& body, const Command& command);
   template <class Body>
   void follow(Body& body, const FollowWaypoints& command);
+  void follow(NavigatedBody& body, const FollowWaypoints& command);
   template <class Body>
   void drive_straight(Body& body, const std::vector<Vec2>& waypoints, std::size_t leg,
                       const FollowWaypoints& command);
@@ -98,7 +105,8 @@ class SimulatedRobot final : public Robot {
                 std::size_t shots_done);
   template <class Body>
   bool shoot(Body& body, const Fire& command, const Platform& platform);
-  bool throw_ball(const WaypointBody& from, const Fire& command, const Platform& platform);
+  template <class Body>
+  bool throw_ball(const Body& from, const Fire& command, const Platform& platform);
   FiredShot note_fired(const Fire& command, const Platform& platform, const Flight& flight, double muzzle_mps,
                        const std::string& name);
   void tell_impact(double time_s, bool hit, const std::string& name, const std::string& miss);

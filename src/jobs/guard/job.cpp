@@ -43,7 +43,8 @@ Status explore_and_guard(const GuardScenario& scenario, Run& run, const RunWatch
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   if (auto ok = steps.next("exploring the yard"); !ok) return ok;
   ScoutTask task;
-  task.sensors = scenario.sensors;
+  task.sensors.laser = scenario.navigation.laser;
+  task.sensors.wheels = scenario.navigation.wheels;
   task.options = scenario.scout;
   auto yard = scout(scenario.problem, task, seed, run.log, steps.inner());
   if (!yard) return pass_on(yard);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "outrider/core/text.hpp"
@@ -120,12 +121,24 @@ Status set_post_place(GuardScenario& scenario) {
   return check_post_place(scenario.problem.world, *place, way.blocked_at_s);
 }
 
-/// The simulator by its name, and what of the rest combines.
-Status check_combination(const GuardScenario& scenario) {
+/// Checks the simulator, and that what stands or walks in the way is asked for with a navigator only.
+Status check_sim(const GuardScenario& scenario) {
+  if (scenario.sim == "navigator") return check(scenario.navigation.laser);
   if (scenario.sim != "kinematic" && scenario.sim != "physics") {
-    return bad_input(fmt::format("'{}' is not valid; expected kinematic or physics", excerpt(scenario.sim)),
-                     "sim");
+    return bad_input(
+        fmt::format("'{}' is not valid; expected kinematic, navigator or physics", excerpt(scenario.sim)),
+        "sim");
   }
+  const bool walk_ins = scenario.navigation.faults.any();
+  if (scenario.things.empty() && !walk_ins) return {};
+  return bad_input(
+      "drives that are carried out as planned go around nothing; give sim: navigator, or leave it out",
+      walk_ins ? "walk_ins" : "things");
+}
+
+/// Checks the names, and that what is asked for combines.
+Status check_combination(const GuardScenario& scenario) {
+  if (auto ok = check_sim(scenario); !ok) return ok;
   if (scenario.wander.any() && scenario.problem.targets.empty()) {
     return bad_input("intruders that walk about need at least one target; list one", "targets");
   }
@@ -140,11 +153,18 @@ Status need(const std::string& value, const std::string& key, const std::string&
 
 }  // namespace
 
+NavigationOptions GuardScenario::default_navigation() {
+  NavigationOptions options;
+  options.navigator.localiser = "exact";
+  options.navigator.most_recoveries = 4;  // there are other places to shoot from
+  return options;
+}
+
 std::vector<OptionGroup> describe(GuardScenario& scenario) {
   GuardProblem& problem = scenario.problem;
   std::vector<Option> robot = describe(problem.robot);
   robot.push_back(describe_file(scenario.robot_file, "file"));
-  return {
+  std::vector<OptionGroup> groups = {
       {"",
        "the mission",
        {file_option("world", "SDF file of the yard", &scenario.world),
@@ -174,7 +194,14 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
          "targets",
          &scenario.bounds},
         {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed},
-        {"sim", "", 0, 0, "what carries the plan out: kinematic, or physics (rigid bodies)", &scenario.sim},
+        {"sim", "", 0, 0,
+         "what carries the plan out: kinematic (as planned), navigator (around what stands there), or "
+         "physics "
+         "(rigid bodies)",
+         &scenario.sim},
+        {"things", "", 0, 0,
+         "with sim: navigator: x,y,length,width of boxes and x,y,radius of posts that are on no map, m",
+         &scenario.things},
         {"targets_block", "", 0, 0, "targets stop the robot and the shots at other targets",
          &problem.targets_block},
         {"tries", "", 1, 100, "shots at a target before it has failed", &problem.tries},
@@ -194,9 +221,9 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
       {"arrivals", "intruders that keep coming", describe(scenario.arrivals)},
       {"wander", "intruders that walk about", describe(scenario.wander)},
       {"scout", "a yard that is not known", describe(scenario.scout)},
-      {"laser", "the range finder of a robot that scouts", describe(scenario.sensors.laser)},
-      {"wheels", "the wheels that it counts while it scouts", describe(scenario.sensors.wheels)},
   };
+  std::ranges::move(describe(scenario.navigation), std::back_inserter(groups));
+  return groups;
 }
 
 Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {

@@ -30,7 +30,7 @@ Outcome<std::shared_ptr<const GuardSimYard>> GuardSimYard::make(const GuardScena
   auto map = build_firing_map(scenario.problem, scenario.options, {}, RegionSearch::none);
   if (!map) return pass_on(map);
   return std::make_shared<const GuardSimYard>(
-      GuardSimYard{scenario.problem, std::move(*map), scenario.sensors.wheels, scenario.faults});
+      GuardSimYard{scenario.problem, std::move(*map), scenario.navigation.wheels, scenario.faults});
 }
 
 GuardSimNode::GuardSimNode(std::shared_ptr<const GuardSimYard> yard, const RobotSimOptions& options)

@@ -24,6 +24,7 @@ enum class Capability : std::uint8_t {
   air,        ///< drag and wind
   unknown,    ///< an unknown yard, which is explored first
   rigid,      ///< rigid-body simulation of robot and balls
+  navigated,  ///< a robot that its navigator takes to places, around what no map has
   blocking,   ///< targets that block robot and shots
   faults,     ///< faults of the robot that the mission is not told
   held_up,    ///< drives that end before their goal, because the robot is moved, blocked or stuck

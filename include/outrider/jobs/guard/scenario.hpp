@@ -11,8 +11,8 @@
 #include "outrider/jobs/guard/run/scout.hpp"
 #include "outrider/jobs/guard/yard/arrivals.hpp"
 #include "outrider/jobs/guard/yard/wander.hpp"
-#include "outrider/sim/faults/explorer_sim_params.hpp"
 #include "outrider/sim/faults/guard_sim_params.hpp"
+#include "outrider/sim/navigation.hpp"
 
 namespace outrider {
 
@@ -32,7 +32,8 @@ struct GuardScenario {
   std::string robot_starts;         ///< of the robots after the first: x,y,heading; ... (inputs.hpp)
   std::string bounds;               ///< low x, low y, high x, high y; empty: bounding box of the walls
   std::int64_t seed = 1;            ///< seed of all random numbers
-  std::string sim = "kinematic";    ///< simulator: "kinematic" or "physics"
+  std::string sim = "kinematic";    ///< simulator: "kinematic", "navigator" or "physics"
+  std::string things;               ///< boxes and posts that no map has (io/scenario/things.hpp)
   RobotFileOptions robot_file;      ///< no link
   GuardProblem problem;             ///< robot, gun and errors; world and targets are set by load_problem()
   std::vector<Pose2>
@@ -45,11 +46,13 @@ struct GuardScenario {
   std::vector<double> preferences;  ///< weight of each target, from `wander` when loaded
   std::vector<Track> history;       ///< recorded tracks, from `wander` when loaded
   ScoutOptions scout;
-  ExplorerSimParams sensors;  ///< laser and wheels of a robot that explores an unknown yard
+  NavigationOptions navigation = default_navigation();  ///< laser and wheels serve an unknown yard, too
   GuardSimParams faults;      ///< faults of the robot, which the mission does not know
   std::string blocked_place;  ///< x, y in m, of the post of `faults`; empty: on the way of the robot
   bool regions = false;       ///< log from where each target can be hit
 
+  /// Returns the options of a robot that knows where it is.
+  static NavigationOptions default_navigation();
   /// Returns true if all targets are there from the start, stand still and leave when they are hit.
   [[nodiscard]] bool has_still_targets() const {
     return !arrivals.any() && !arrivals.may_survive() && !wander.any();
@@ -57,7 +60,7 @@ struct GuardScenario {
 };
 
 /// Returns the options: top-level keys first, then the sections robot, gun, air, errors, supplies, plan,
-/// faults, arrivals, wander, scout, laser and wheels.
+/// faults, arrivals, wander, scout, laser, wheels, walk_ins, navigator, live_map and motion.
 std::vector<OptionGroup> describe(GuardScenario& scenario);
 
 /// Reads the world and the targets into `scenario.problem`. Returns one sentence for each repair to the

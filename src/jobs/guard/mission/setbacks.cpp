@@ -56,7 +56,7 @@ AfterDrive TaskBoard::after_drive(const Observation& seen) {
   cut.in_place = same_place ? cut.in_place + 1 : 1;
   cut.place = here;
   take_back_unfired(seen.time_s, true);
-  if (++cut.all > most_of_all || cut.here == most_here || cut.in_place > most_in_place) {
+  if (++cut.all > most_of_all || cut.here == most_here || cut.in_place > most_in_place || seen.gave_up) {
     cut.here = 0;
     StopTask& task = queue_.front();  // whom no drive has hit is shot at from here
     task.targets.insert(task.targets.end(), task.passing.begin(), task.passing.end());

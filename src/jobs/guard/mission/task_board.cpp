@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "outrider/ballistics/stance.hpp"
+#include "outrider/core/units.hpp"
 #include "outrider/jobs/guard/plan/stops.hpp"
 
 namespace outrider {
@@ -15,6 +16,22 @@ namespace {
 std::optional<Vec2> another_place(const GuardProblem& problem, const FiringMap& firing_map,
                                   std::size_t target, Vec2 here) {
   return nearest_place(firing_map, sure_cells(problem, firing_map, target), here, problem.errors.position_m);
+}
+
+/// Returns the nearest place from which a target that was missed can be hit by other flights: what is in the
+/// way of one, and is on no map, stops those beside it. If there is none, returns the nearest of all.
+std::optional<Vec2> place_aside(const GuardProblem& problem, const FiringMap& firing_map, std::size_t target,
+                                Vec2 missed_from) {
+  constexpr double aside_rad = radians(20.0);
+  const Vec2 base = xy(problem.targets[target].base);
+  const std::vector<std::size_t> all = sure_cells(problem, firing_map, target);
+  std::vector<std::size_t> aside = all;
+  std::erase_if(aside, [&](std::size_t cell) {
+    const double off_rad =
+        wrap_angle(heading_of(firing_map.place(cell) - base) - heading_of(missed_from - base));
+    return std::abs(off_rad) < aside_rad;
+  });
+  return nearest_place(firing_map, aside.empty() ? all : aside, missed_from, problem.errors.position_m);
 }
 
 /// Returns the time that a hit takes on average with up to `tries` such shots after a drive, s.
@@ -119,7 +136,9 @@ void TaskBoard::plan_second_pass() {
     record.tries = 0;
     if (record.status == TargetStatus::failed) {
       const Vec2 here = record.pose.position;
-      const Vec2 place = another_place(*problem_, *firing_map_, at, here).value_or(here);
+      const auto other = record.shots > 0 ? place_aside(*problem_, *firing_map_, at, here)
+                                          : another_place(*problem_, *firing_map_, at, here);
+      const Vec2 place = other.value_or(here);
       if (!leaves_out(t, place)) queue_.push_back({place, {t}});
     } else if (record.status == TargetStatus::unreachable && firing_map_->rules.margin_m > 0.0) {
       const Exhausted tried = exhaust(bold, firing_map_->space(at), problem_->targets[at], firing_map_->frame,

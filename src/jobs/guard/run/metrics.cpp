@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -151,6 +152,23 @@ std::string why_unanswered(const EndedMission& ended) {
                      unanswered == 1 ? "" : "s");
 }
 
+Metrics navigated_metrics(const NavigatedRecord& record) {
+  return {{"contacts", static_cast<double>(record.contacts)},
+          {"walked_into", static_cast<double>(record.walked_into)},
+          {"recoveries", static_cast<double>(record.recoveries)},
+          {"belief_error_m", record.belief_error_m}};
+}
+
+/// Takes out what holds of robots only that drive as planned: turn in place, then straight.
+void leave_out_bounds(Metrics& metrics) {
+  constexpr std::array of_plans = {"expected_s",    "lower_bound_s",    "gap",
+                                   "anywhere_gap",  "tour_proven",      "anywhere_lower_bound_s",
+                                   "stops_offered", "makespan_bound_s", "intruder_seconds_bound"};
+  std::erase_if(metrics, [&](const auto& metric) {
+    return std::ranges::find(of_plans, metric.first) != of_plans.end();
+  });
+}
+
 /// Returns the targets that are called reached and that no ball hit.
 double falsely_reached(const EndedMission& ended) {
   double count = 0.0;
@@ -255,12 +273,15 @@ Report judge(const EndedMission& ended, const Metrics& known, std::string_view m
     report.metrics.insert(report.metrics.end(), more.begin(), more.end());
   };
   add(known);
-  if (ended.on_the_move) add(passing_metrics(ended.log));
+  if (ended.on_the_move && !ended.record.navigated) add(passing_metrics(ended.log));
   if (ended.record.rigid) add(rigid_metrics(*ended.record.rigid));
-  if (ended.has_faults) {
+  if (ended.record.navigated) add(navigated_metrics(*ended.record.navigated));
+  if (ended.has_faults || ended.record.navigated) {
     add({{"false_reached", falsely_reached(ended)},
-         {"cut_drives", as_number(events_of(ended.log, "stopped").size())},
-         {"contacts", as_number(ended.record.contacts)},
+         {"cut_drives", as_number(events_of(ended.log, "stopped").size())}});
+  }
+  if (ended.has_faults && !ended.record.navigated) {
+    add({{"contacts", as_number(ended.record.contacts)},
          {"post_contacts", as_number(ended.record.post_contacts)}});
   }
   report.tables = {target_table()};
@@ -270,6 +291,10 @@ Report judge(const EndedMission& ended, const Metrics& known, std::string_view m
   const std::string dry = ran_dry(ended.log);
   report.status = dry.empty() ? verdict.status : "not_done";
   report.reason = dry.empty() ? verdict.reason + why_stranded(ended.log) : dry;
+  if (ended.record.navigated && ended.record.navigated->contacts > 0) {
+    report.status = "not_done";
+    report.reason = "something was touched" + (report.reason.empty() ? "" : "; " + report.reason);
+  }
   if (report.status == "done") return report;
   report.reason += why_unanswered(ended);
   if (ended.board != nullptr) report.reason += why_held_up(ended.board->cut());
@@ -291,6 +316,7 @@ Report judge(const GuardRun& run, const GuardMission& mission, const SimRecord& 
   } else {
     known = tour_metrics(*mission.tour(), ended);
   }
+  if (record.navigated) leave_out_bounds(known);
   if (problem.supplies.any()) {
     for (auto& metric : supply_metrics(log, problem.supplies, mission.stores()))
       known.push_back(std::move(metric));

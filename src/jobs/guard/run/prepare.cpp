@@ -11,6 +11,7 @@
 #include "outrider/jobs/guard/plan/supply_plan.hpp"
 #include "outrider/jobs/guard/team/team_plan.hpp"
 #include "outrider/log/append.hpp"
+#include "plan/plan_clock.hpp"
 #include "run/guard_log.hpp"
 
 namespace outrider {
@@ -66,18 +67,27 @@ Outcome<YardPlan> survey(GuardScenario& scenario, const Budget& budget) {
   return yard;
 }
 
-/// Plans for targets that stand still. Plans that change later (missions, stations) use shots from rest.
+/// Plans for targets that stand still. Plans that change later (missions, stations) use shots from rest, and
+/// so do those of a navigator, whose drives are not planned to the moment.
 Outcome<GuardPlan> plan_tour(const GuardScenario& scenario, const FiringMap& firing_map, const Budget& budget,
                              const DraftObserver& observe) {
   auto planner = find_guard_planner(scenario.options.planner);
   if (!planner) return pass_on(planner);
   const GuardProblem& problem = scenario.problem;
   const bool changes = !scenario.has_still_targets();
+  const bool navigated = scenario.sim == "navigator";
   GuardOptions drafting = scenario.options;
-  if (changes || problem.supplies.any()) drafting.shoot_on_the_move = false;
+  if (changes || navigated || problem.supplies.any()) drafting.shoot_on_the_move = false;
   auto plan = planner->plan(problem, firing_map, drafting, budget, observe);
   if (!plan) return plan;
-  if (!changes) return supply_plan(problem, firing_map, std::move(*plan), scenario.options, budget);
+  if (!changes) {
+    const GuardOptions& filling = navigated ? drafting : scenario.options;
+    plan = supply_plan(problem, firing_map, std::move(*plan), filling, budget);
+    if (!plan || !navigated) return plan;
+    plan->on_the_move = scenario.options.shoot_on_the_move;
+    plan->cost_s = mission_time(problem, firing_map, *plan);
+    return plan;
+  }
   plan->on_the_move = scenario.options.shoot_on_the_move;
   return plan;
 }

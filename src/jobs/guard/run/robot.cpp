@@ -1,23 +1,95 @@
 #include "outrider/jobs/guard/run/robot.hpp"
 
+#include <fmt/format.h>
+
+#include <memory>
 #include <utility>
 
+#include "outrider/io/scenario/things.hpp"
+#include "outrider/world/occupancy.hpp"
+
 namespace outrider {
+namespace {
+
+constexpr double least_within_m = 0.02;  // of a place, where a robot on wheels arrives
+constexpr double cell_m = 0.05;
+constexpr std::size_t most_cells = 4'000'000;
+
+/// Returns the ground as a map of cells, occupied where an obstacle or the edge is within half a cell of the
+/// middle.
+KnownMap map_of(const CollisionMap& ground) {
+  double resolution_m = cell_m;
+  GridFrame frame = covering(ground.bounds(), resolution_m);
+  for (; frame.size() > most_cells; frame = covering(ground.bounds(), resolution_m)) resolution_m *= 1.25;
+  KnownMap map{Grid<std::uint8_t>(frame, free_cell)};
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    if (ground.clearance(frame.centre(frame.cell(i)), resolution_m) < 0.5 * resolution_m)
+      map.occupancy.cells[i] = occupied_cell;
+  }
+  return map;
+}
+
+/// Returns the gun, the stores and the detector.
+SimulatedDevices devices_of(const GuardProblem& problem, const GunScene& scene, const Rng& rng,
+                            std::uint64_t seed, TargetSimParams targets, const StoreLevels& levels,
+                            const GuardSimParams& faults) {
+  SimulatedDevices devices;
+  devices.gun.emplace(scene, true_errors(problem.errors, faults), rng.child("gun"), rng.child("timing"),
+                      faults.gun);
+  if (problem.supplies.any()) devices.stores.emplace(problem.supplies, levels);
+  devices.targets.emplace(problem.targets, std::move(targets), seed);
+  return devices;
+}
+
+}  // namespace
 
 SimulatedRobot simulated_guard(const GuardProblem& problem, const FiringMap& firing_map, Log& log,
                                std::uint64_t seed, TargetSimParams targets, const StoreLevels& levels,
                                const GuardSimParams& faults) {
   const Rng rng(seed);
-  const ExecutionErrors errors = true_errors(problem.errors, faults);
-  SimulatedDevices devices;
-  devices.gun.emplace(GunScene{firing_map.rules, firing_map.spaces, problem.targets}, errors,
-                      rng.child("gun"), rng.child("timing"), faults.gun);
-  if (problem.supplies.any()) devices.stores.emplace(problem.supplies, levels);
-  devices.targets.emplace(problem.targets, std::move(targets), seed);
+  const GunScene scene{firing_map.rules, firing_map.spaces, problem.targets};
   return SimulatedRobot(log,
                         WaypointBody(problem.robot, {firing_map.ground, firing_map.rules}, problem.start,
-                                     errors, rng.child("arrival"), faults.way),
-                        std::move(devices));
+                                     true_errors(problem.errors, faults), rng.child("arrival"), faults.way),
+                        devices_of(problem, scene, rng, seed, std::move(targets), levels, faults));
+}
+
+Outcome<NavigatedYard> navigated_yard(const GuardProblem& truth, const std::string& things) {
+  NavigatedYard yard{truth, {}};
+  const RobotModel& robot = truth.robot;
+  if (auto ok = add_things(things, robot.height_m, yard.problem.world); !ok) return pass_on(ok);
+  yard.spaces = flight_spaces(yard.problem);
+  const Vec2 start = truth.start.position;
+  if (CollisionMap::of(yard.problem.world, robot.height_m).segment_free({start, start}, robot.radius_m))
+    return yard;
+  return bad_input(fmt::format("they leave the robot no room where it starts, at ({:.2f}, {:.2f}); move one, "
+                               "or give another start",
+                               start.x, start.y),
+                   "things");
+}
+
+Outcome<SimulatedRobot> navigated_guard(const NavigatedYard& yard, const FiringMap& known,
+                                        const NavigationOptions& navigation, Log& log, std::uint64_t seed,
+                                        TargetSimParams targets, const StoreLevels& levels,
+                                        const GuardSimParams& faults) {
+  const GuardProblem& problem = yard.problem;
+  const Footprint footprint = Footprint::disk(problem.robot.radius_m);
+  NavigatorSetup setup = setup_of(navigation, problem.robot, footprint);
+  setup.known = map_of(known.ground);
+  auto navigator = Navigator::make(std::move(setup), problem.start);
+  if (!navigator) return pass_on(navigator);
+  const Rng rng(seed);
+  const ExplorerSimParams sensors = devices_of(navigation, footprint);
+  auto world = std::make_unique<const World>(driving_world(problem));
+  TwistBody wheels(*world, problem.start, problem.robot, sensors.wheels, rng.child("wheels"), sensors.faults,
+                   rng.child("walk-ins"));
+  SimulatedLaser laser(*world, sensors.laser, rng.child("laser"), sensors.faults);
+  const GunScene scene{known.rules, yard.spaces, problem.targets};
+  return SimulatedRobot(
+      log,
+      NavigatedBody(std::move(world), std::move(wheels), std::move(laser), std::move(*navigator),
+                    std::max(least_within_m, problem.errors.position_m)),
+      devices_of(problem, scene, rng, seed, std::move(targets), levels, faults));
 }
 
 RigidScene rigid_scene(const GuardProblem& problem) {

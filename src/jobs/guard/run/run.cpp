@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "outrider/job/map_log.hpp"
+#include "outrider/job/scene.hpp"
+#include "outrider/job/sensor_log.hpp"
 #include "outrider/log/append.hpp"
 #include "run/guard_log.hpp"
 #include "team/team_report.hpp"
@@ -125,6 +128,32 @@ Outcome<Report> simulate_bodies(const GuardRun& run, Log& log, const RunWatch& w
   return report;
 }
 
+/// Logs what the robot sees on its way: its scans, and what is marked on its live map once a second.
+NavigatedBody::Look looking(Log& log) {
+  return [&log, next_map_s = 0.0](const Observation& seen, const Situation& now,
+                                  const Navigator& navigator) mutable {
+    constexpr double map_every_s = 1.0, instant_s = 1e-9;
+    if (seen.scan) log_scan(log, now.time_s, *seen.scan);
+    if (now.time_s < next_map_s) return;
+    next_map_s = now.time_s + map_every_s - instant_s;
+    log_map(log, occupancy_of(navigator.map()), 0.0, now.time_s);
+  };
+}
+
+Outcome<Report> simulate_navigated(const GuardRun& run, Log& log, const RunWatch& watch) {
+  const GuardScenario& scenario = run.guard.scenario;
+  const auto yard = navigated_yard(true_problem(run), scenario.things);
+  if (!yard) return pass_on(yard);
+  auto robot = navigated_guard(*yard, run.guard.mission->board().firing_map(), scenario.navigation, log,
+                               seed_of(run.guard), target_params(run),
+                               run.truth ? run.truth->levels : StoreLevels{}, scenario.faults);
+  if (!robot) return pass_on(robot);
+  log_solids(log, yard->problem.world, yard->problem.robot.height_m);
+  log_mount(log, "laser", scenario.navigation.laser.robot_T_laser, scenario.navigation.laser.height_m);
+  robot->body<NavigatedBody>().watch(looking(log), watch.stop);
+  return simulate(run, *run.guard.mission, *robot, log, watch);
+}
+
 constexpr double longest_walk_s = 7200.0;  // walkers stay at their last place then
 
 Report run_team(const PreparedGuard& guard, Log& log, const RunWatch& watch) {
@@ -151,6 +180,7 @@ Outcome<Report> run_guard(GuardRun run, Log& log, const RunWatch& watch) {
   }
   log_yard(log, true_problem(run), guard.scenario);
   if (guard.scenario.sim == "physics") return simulate_bodies(run, log, watch);
+  if (guard.scenario.sim == "navigator") return simulate_navigated(run, log, watch);
   SimulatedRobot robot = simulated_guard(
       true_problem(run), run.truth ? run.truth->firing_map : board.firing_map(), log, seed_of(guard),
       target_params(run), run.truth ? run.truth->levels : StoreLevels{}, guard.scenario.faults);

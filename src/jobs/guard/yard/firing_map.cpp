@@ -240,19 +240,6 @@ void find_reachable(FiringMap& firing_map, Vec2 start, double radius_m, const st
   }
 }
 
-std::vector<FlightSpace> flight_spaces(const GuardProblem& problem) {
-  if (!problem.targets_block) return {FlightSpace(problem.world.solids)};
-  std::vector<FlightSpace> spaces;
-  for (std::size_t i = 0; i < problem.targets.size(); ++i) {
-    std::vector<Solid> solids = problem.world.solids;
-    for (std::size_t j = 0; j < problem.targets.size(); ++j) {
-      if (j != i) solids.push_back(solid_of(problem.targets[j]));
-    }
-    spaces.emplace_back(std::move(solids));
-  }
-  return spaces;
-}
-
 /// Refuses to try everything where that would take days.
 Status check_flights(const FiringMap& firing_map, const Target& target, double aim_step_m) {
   constexpr double most_flights = 1e13;
@@ -299,6 +286,21 @@ void try_all(FiringMap& firing_map, const Target& target, std::size_t t, const s
   firing_map.no_shots[t].exhausted = std::move(tried);
 }
 
+}  // namespace
+
+std::vector<FlightSpace> flight_spaces(const GuardProblem& problem) {
+  if (!problem.targets_block) return {FlightSpace(problem.world.solids)};
+  std::vector<FlightSpace> spaces;
+  for (std::size_t i = 0; i < problem.targets.size(); ++i) {
+    std::vector<Solid> solids = problem.world.solids;
+    for (std::size_t j = 0; j < problem.targets.size(); ++j) {
+      if (j != i) solids.push_back(solid_of(problem.targets[j]));
+    }
+    spaces.emplace_back(std::move(solids));
+  }
+  return spaces;
+}
+
 World driving_world(const GuardProblem& problem) {
   World world = problem.world;
   if (problem.targets_block) {
@@ -306,8 +308,6 @@ World driving_world(const GuardProblem& problem) {
   }
   return world;
 }
-
-}  // namespace
 
 Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOptions& options,
                                     const Budget& budget, RegionSearch search) {

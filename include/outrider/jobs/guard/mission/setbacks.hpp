@@ -3,7 +3,8 @@
 // CutDrives: the robot measures where it is. If a drive ended elsewhere it drives on from there. If it then
 // does not get away from the same place, it takes something to stand right ahead and drives around that; if
 // that does not help either, it waits for 10 s, tries once more, and goes on to what it can do from where it
-// is. After 12 such drives from one place it tries each further drive once.
+// is. After 12 such drives from one place it tries each further drive once. A robot that looked for other
+// ways itself and gave up goes on at once.
 //
 // GunSilence: tells a gun that does not shoot from shots that miss. Nothing comes of a shot of a jammed gun
 // or an empty tank. One shot without a result is tried again, and so is a target; but a gun of which nothing

@@ -61,6 +61,11 @@ struct FiringMap {
   }
 };
 
+/// Return what stands in the way of balls (one space for all targets, or one for each if they block), and of
+/// the robot.
+std::vector<FlightSpace> flight_spaces(const GuardProblem& problem);
+World driving_world(const GuardProblem& problem);
+
 /// How far the search for places to shoot from goes.
 enum class RegionSearch : std::uint8_t {
   exhaustive,    ///< for a target without one, exhaust() tries everything that the resolution allows
