@@ -102,7 +102,6 @@ const std::vector<Clash>& clashes() {
       {rigid, team, "the physics engine holds one robot"},
       {rigid, navigated, "a robot is driven in one way"},
       {terrain, navigated, "its range finder and its wheels are for a level floor"},
-      {navigated, held_up, "things, walk_ins and the wheels hold it up"},
       {navigated, team, "the times at which robots keep apart are those of planned drives"},
       {unknown, rigid, "the rigid robot has no range finder"},
       {unknown, blocking, "targets that block would be walls on the map"},

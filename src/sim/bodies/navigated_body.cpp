@@ -14,12 +14,13 @@ constexpr double instant_s = 1e-9;  ///< times closer than this are one
 }  // namespace
 
 NavigatedBody::NavigatedBody(std::unique_ptr<const World> world, TwistBody body, SimulatedLaser laser,
-                             Navigator navigator, double within_m)
+                             Navigator navigator, double within_m, const Kidnapping& kidnapping)
     : world_(std::move(world)),
       body_(std::move(body)),
       laser_(std::move(laser)),
       navigator_(std::move(navigator)),
-      within_m_(within_m) {
+      within_m_(within_m),
+      kidnapping_(kidnapping) {
   perceive();
 }
 
@@ -43,6 +44,10 @@ void NavigatedBody::perceive() {
 void NavigatedBody::carry_out(const Order& order, double until_s) {
   const double end_s = std::min(until_s, body_.begin(navigator_.act(order)));
   body_.run_until(end_s);
+  if (!kidnapped_ && time_s() >= kidnapping_.at_s) {
+    kidnapped_ = was_put_ = true;
+    body_.put(compose(pose(), {{0.0, kidnapping_.by_m}, kidnapping_.by_rad}));
+  }
   recoveries_ = std::max(recoveries_, navigator_.recoveries());
   perceive();
 }

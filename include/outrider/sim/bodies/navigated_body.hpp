@@ -10,10 +10,12 @@
 #include <memory>
 #include <stop_token>
 #include <string>
+#include <utility>
 
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/navigate/navigator.hpp"
 #include "outrider/sim/bodies/twist_body.hpp"
+#include "outrider/sim/faults/kidnapping.hpp"
 #include "outrider/sim/sensors/simulated_laser.hpp"
 
 namespace outrider {
@@ -25,7 +27,7 @@ class NavigatedBody {
 
   /// It stands at the start. A drive has arrived `within_m` of its goal.
   NavigatedBody(std::unique_ptr<const World> world, TwistBody body, SimulatedLaser laser, Navigator navigator,
-                double within_m);
+                double within_m, const Kidnapping& kidnapping = {});
 
   /// Lets a watcher see each period, and ends drives that it stops.
   void watch(Look look, std::stop_token stop);
@@ -49,8 +51,10 @@ class NavigatedBody {
   [[nodiscard]] const TwistBody& wheels() const { return body_; }
   [[nodiscard]] Stance stance_on(Vec2, Vec2, double) const { return {}; }  ///< the floor is level
 
-  // Nothing is put elsewhere, and commands take no time before they are carried out.
-  bool suffer() { return false; }
+  /// Returns true if somebody has put the robot elsewhere since it was asked before.
+  bool suffer() { return std::exchange(was_put_, false); }
+
+  // Commands take no time before they are carried out.
   double begin(const Command&) const { return time_s(); }
   void run_until(double) {}
   [[nodiscard]] Twist2 twist() const { return body_.twist(); }
@@ -64,6 +68,8 @@ class NavigatedBody {
   SimulatedLaser laser_;
   Navigator navigator_;
   double within_m_;
+  Kidnapping kidnapping_;
+  bool kidnapped_ = false, was_put_ = false;
   Situation now_;
   std::string why_stopped_;
   double belief_error_m_ = 0.0;

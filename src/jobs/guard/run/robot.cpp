@@ -41,6 +41,18 @@ SimulatedDevices devices_of(const GuardProblem& problem, const GunScene& scene, 
   return devices;
 }
 
+/// Returns what goes wrong with the wheels, and who walks there, with what holds the robot up.
+ExplorerFaults with_hindrance(ExplorerFaults faults, const WayFaults& way) {
+  faults.stuck_from_s = way.stuck_from_s;
+  faults.stuck_for_s = way.stuck_for_s;
+  if (way.blocked_at_s > faults.walk_ins.blocked_at_s) return faults;
+  faults.walk_ins.blocked_at_s = way.blocked_at_s;
+  faults.walk_ins.blocked_for_s = way.blocked_for_s;
+  faults.walk_ins.blocked_radius_m = way.blocked_radius_m;
+  faults.walk_ins.blocked_place = way.blocked_place;
+  return faults;
+}
+
 }  // namespace
 
 SimulatedRobot simulated_guard(const GuardProblem& problem, const FiringMap& firing_map, Log& log,
@@ -80,15 +92,16 @@ Outcome<SimulatedRobot> navigated_guard(const NavigatedYard& yard, const FiringM
   if (!navigator) return pass_on(navigator);
   const Rng rng(seed);
   const ExplorerSimParams sensors = devices_of(navigation, footprint);
+  const ExplorerFaults hindered = with_hindrance(sensors.faults, faults.way);
   auto world = std::make_unique<const World>(driving_world(problem));
-  TwistBody wheels(*world, problem.start, problem.robot, sensors.wheels, rng.child("wheels"), sensors.faults,
+  TwistBody wheels(*world, problem.start, problem.robot, sensors.wheels, rng.child("wheels"), hindered,
                    rng.child("walk-ins"));
-  SimulatedLaser laser(*world, sensors.laser, rng.child("laser"), sensors.faults);
+  SimulatedLaser laser(*world, sensors.laser, rng.child("laser"), hindered);
   const GunScene scene{known.rules, yard.spaces, problem.targets};
   return SimulatedRobot(
       log,
       NavigatedBody(std::move(world), std::move(wheels), std::move(laser), std::move(*navigator),
-                    std::max(least_within_m, problem.errors.position_m)),
+                    std::max(least_within_m, problem.errors.position_m), faults.way.kidnapping),
       devices_of(problem, scene, rng, seed, std::move(targets), levels, faults));
 }
 
