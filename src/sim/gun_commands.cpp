@@ -51,11 +51,7 @@ void SimulatedRobot::act_on(Body& body, const Command& command) {
                       },
                       [](const auto&) {}},
              command);
-  if (body.suffer()) {
-    tell(body.time_s(), "kidnapped",
-         fmt::format("is put to ({:.2f}, {:.2f})", body.pose().position.x, body.pose().position.y));
-    sample();
-  }
+  note_put(body);
   note_landed();
   gauge(body);
   log_now();
@@ -68,6 +64,15 @@ template void SimulatedRobot::act_on(RigidBody& body, const Command& command);
 Log* SimulatedRobot::log_now() {
   if (log_ != nullptr) queue_.flush(*log_, time_s());
   return log_;
+}
+
+/// Tells that somebody has put the robot elsewhere, if so.
+template <class Body>
+void SimulatedRobot::note_put(Body& body) {
+  if (!body.suffer()) return;
+  tell(body.time_s(), "kidnapped",
+       fmt::format("is put to ({:.2f}, {:.2f})", body.pose().position.x, body.pose().position.y));
+  sample();
 }
 
 /// Notes an event. Of waits that follow one another only the first is told.
@@ -212,6 +217,7 @@ void SimulatedRobot::follow(NavigatedBody& body, const FollowWaypoints& command)
   body.begin_way();
   double sampled_s = body.time_s();
   body.drive_to(place, [&] {
+    note_put(body);
     if (body.time_s() - sampled_s >= sample_period_s) {
       sampled_s = body.time_s();
       sample();

@@ -99,6 +99,8 @@ class SimulatedRobot final : public Robot {
   template <class Body>
   void wait(Body& body, const Wait& command);
   template <class Body>
+  void note_put(Body& body);
+  template <class Body>
   void fill(Body& body, const Fill& command);
   template <class Body>
   void turn_gun(const Body& body, const std::vector<Vec2>& waypoints, const FollowWaypoints& command,

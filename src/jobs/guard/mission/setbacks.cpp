@@ -9,6 +9,9 @@ namespace {
 
 constexpr double held_up_s = 10.0;  ///< for which a robot waits that does not get away
 constexpr double same_place_m = 0.1;
+constexpr double around_m = 1.0;            ///< in which a robot that gives up drives stays
+constexpr std::int64_t drives_in_vain = 4;  ///< given up there, after which it stays
+constexpr double stays_s = 60.0;
 constexpr double off_m = 0.1;        ///< beyond twice the largest error of a drive
 constexpr double obstacle_m = 0.25;  ///< radius of what is taken to stand in the way
 constexpr double beyond_m = 0.01;
@@ -51,11 +54,13 @@ AfterDrive TaskBoard::after_drive(const Observation& seen) {
     cut.here = cut.in_place = 0;
     return AfterDrive::go_on;
   }
-  const bool same_place = cut.in_place > 0 && distance(here, cut.place) <= same_place_m;
+  const double place_m = seen.gave_up ? around_m : same_place_m;
+  const bool same_place = cut.in_place > 0 && distance(here, cut.place) <= place_m;
   cut.here = same_place ? cut.here + 1 : 1;
   cut.in_place = same_place ? cut.in_place + 1 : 1;
   cut.place = here;
   take_back_unfired(seen.time_s, true);
+  if (seen.gave_up && cut.in_place >= drives_in_vain) cut.stays_until_s = seen.time_s + stays_s;
   if (++cut.all > most_of_all || cut.here == most_here || cut.in_place > most_in_place || seen.gave_up) {
     cut.here = 0;
     StopTask& task = queue_.front();  // whom no drive has hit is shot at from here

@@ -170,6 +170,11 @@ std::optional<Command> TaskBoard::wait_for_planner(double time_s, const Fault& f
 /// Off to the place of the present task, shooting in passing; nothing when the robot stands there.
 std::optional<Command> TaskBoard::set_off(const Observation& seen) {
   const Vec2 place = queue_.front().place;
+  if (seen.time_s < cut_.stays_until_s) {
+    arrived_ = true;
+    last_place_ = seen.odometry.position;
+    return std::nullopt;
+  }
   auto way = way_between(seen.odometry, place);
   if (!way) return wait_for_planner(seen.time_s, way.error());
   planless_s_.reset();

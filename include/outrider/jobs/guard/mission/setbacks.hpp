@@ -4,7 +4,8 @@
 // does not get away from the same place, it takes something to stand right ahead and drives around that; if
 // that does not help either, it waits for 10 s, tries once more, and goes on to what it can do from where it
 // is. After 12 such drives from one place it tries each further drive once. A robot that looked for other
-// ways itself and gave up goes on at once.
+// ways itself and gave up goes on at once; after four such drives within 1 m it stays for a minute, does what
+// it can from there, and then tries one more.
 //
 // GunSilence: tells a gun that does not shoot from shots that miss. Nothing comes of a shot of a jammed gun
 // or an empty tank. One shot without a result is tried again, and so is a target; but a gun of which nothing
@@ -33,6 +34,7 @@ struct CutDrives {
   std::int64_t here = 0;        ///< how many of the last of them ended at the same place
   std::int64_t in_place = 0;    ///< the same, also over what it has gone on to
   Vec2 place;                   ///< that place
+  double stays_until_s = 0.0;   ///< until then it does not drive
   std::vector<Vec2> obstacles;  ///< what the robot takes to stand in its way: their middles
 };
 
