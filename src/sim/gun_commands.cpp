@@ -25,7 +25,8 @@ void measure(const WaypointBody& body, SimRecord& record) {
 void measure(RigidBody& body, SimRecord& record) { record.rigid = body.record(); }
 void measure(const NavigatedBody& body, SimRecord& record) {
   const TwistBody& wheels = body.wheels();
-  record.navigated = {wheels.contacts(), wheels.walked_into(), body.recoveries(), body.belief_error_m()};
+  record.navigated = {wheels.contacts(), wheels.walked_into(), body.recoveries(),
+                      wheels.walk_ins().blocked_s().value_or(-1.0), body.belief_error_m()};
 }
 
 /// Returns the heading that the robot believes to have.

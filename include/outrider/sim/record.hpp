@@ -23,6 +23,7 @@ struct NavigatedRecord {
   std::int64_t contacts = 0;
   std::int64_t walked_into = 0;  ///< how often somebody walked into the robot, which stood
   std::int64_t recoveries = 0;
+  double blocked_s = -1.0;      ///< when a post was put in its way; negative: none was
   double belief_error_m = 0.0;  ///< largest distance between where it was and where it believed to be
 };
 

@@ -14,8 +14,6 @@ constexpr std::string_view still_bodies =
     "the physics engine holds targets that stand still and leave when hit";
 constexpr std::string_view who_is_inside = "what stands in the way would change with who is inside";
 constexpr std::string_view shared_once = "the targets are shared out once, before anybody drives";
-constexpr std::string_view drives_arrive =
-    "who comes, survives or moves is waited for where a drive ends as planned";
 constexpr std::string_view untold = "no topic tells where intruders are";
 constexpr std::string_view of_one_robot = "it is made for one robot";
 constexpr std::string_view unseen = "while the yard is explored nobody may come, move or be missed";
@@ -92,11 +90,7 @@ const std::vector<Clash>& clashes() {
       {terrain, team, "the times at which robots keep apart are for level ground"},
       {air, rigid, "the physics engine knows no drag"},
       {rigid, faults, "faults are simulated in the kinematic robot only"},
-      {arrivals, held_up, drives_arrive},
-      {survivors, held_up, drives_arrive},
-      {walkers, held_up, drives_arrive},
       {terrain, held_up, "the places where it is held up are for level ground"},
-      {supplies, held_up, "the way to a station is planned to the last joule"},
       {rigid, held_up, "faults are simulated in the kinematic robot only"},
       {held_up, team, "nobody tells the others who is held up"},
       {rigid, team, "the physics engine holds one robot"},

@@ -24,6 +24,7 @@ struct GuardProblem {
   Air air;
   ExecutionErrors errors;
   Supplies supplies;
+  bool fires_driving = true;   ///< the robot can fire while it drives
   bool targets_block = false;  ///< targets are obstacles for the robot and for shots at other targets
   std::int64_t tries = 3;      ///< number of missed shots after which a target has failed
   double give_up_s = 60.0;     ///< a target is not tried again if a hit takes longer on average; 0: never

@@ -94,7 +94,7 @@ std::vector<std::size_t> TaskBoard::wanted_in_passing() {
   const StopTask& task = queue_.front();
   std::vector<std::size_t> wanted = task.passing;
   std::erase_if(lost_, [&](std::size_t record) { return !has_stop(queue_, record); });
-  if (!on_the_move_ || task.call) return wanted;
+  if (!on_the_move_ || !problem_->fires_driving || task.call) return wanted;
   for (const auto* records : {&by_the_way_, &lost_}) {
     for (const std::size_t record : *records) {
       const auto stands_there = [&](std::size_t other) { return target_of(other) == target_of(record); };
@@ -152,7 +152,7 @@ void TaskBoard::note_flying(const Observation& seen, bool again) {
     }
     if (result == nullptr && ball.unsure) {
       --record.shots;
-      stop_for(ball.target);
+      if (again) stop_for(ball.target);
       continue;
     }
     if (result == nullptr) ++record.unanswered;

@@ -34,7 +34,7 @@ void TaskBoard::take_back_unfired(double time_s, bool again) {
   std::erase_if(flying_, [&](FlyingBall& ball) {
     if (!ball.in_passing) return false;
     const bool unfired = ball.leaves_s > time_s;
-    ball.unsure = again && ball.leaves_s > time_s - unsure_s;
+    ball.unsure = ball.leaves_s > time_s - unsure_s;
     if (unfired) --records_[ball.target].shots;
     if (unfired && again) queue_.front().passing.push_back(ball.target);
     return unfired;

@@ -156,6 +156,7 @@ Metrics navigated_metrics(const NavigatedRecord& record) {
   return {{"contacts", static_cast<double>(record.contacts)},
           {"walked_into", static_cast<double>(record.walked_into)},
           {"recoveries", static_cast<double>(record.recoveries)},
+          {"blocked_s", record.blocked_s},
           {"belief_error_m", record.belief_error_m}};
 }
 

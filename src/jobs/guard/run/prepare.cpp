@@ -75,7 +75,7 @@ Outcome<GuardPlan> plan_tour(const GuardScenario& scenario, const FiringMap& fir
   if (!planner) return pass_on(planner);
   const GuardProblem& problem = scenario.problem;
   const bool changes = !scenario.has_still_targets();
-  const bool navigated = scenario.sim == "navigator";
+  const bool navigated = !problem.fires_driving;
   GuardOptions drafting = scenario.options;
   if (changes || navigated || problem.supplies.any()) drafting.shoot_on_the_move = false;
   auto plan = planner->plan(problem, firing_map, drafting, budget, observe);
@@ -200,6 +200,7 @@ Status prepare_mission(PreparedGuard& guard, const Budget& budget, const Notes& 
 
 Outcome<std::unique_ptr<PreparedGuard>> prepare_guard(GuardScenario scenario, RunSteps& steps,
                                                       const RunWatch& watch, Log& log, double time_s) {
+  scenario.problem.fires_driving = scenario.sim != "navigator";
   auto guard = std::make_unique<PreparedGuard>(PreparedGuard{std::move(scenario)});
   const Notes notes{log, time_s};
   auto plan = planned_yard(guard->scenario, steps, watch, notes);

@@ -41,7 +41,8 @@ struct GuardRun {
 ///   arrival_error_mean_m, arrival_error_max_m, flight_error_max_m,
 ///   shots_as_foreseen, bumps                                                        rigid bodies
 ///   false_reached, cut_drives, contacts, post_contacts                              faults
-///   contacts, walked_into, recoveries, belief_error_m, false_reached, cut_drives    sim: navigator
+///   contacts, walked_into, recoveries, blocked_s, belief_error_m,
+///   false_reached, cut_drives                                                       sim: navigator
 /// intruder_seconds is the sum of the times inside of all intruders that can be hit; an intruder that is not
 /// hit counts until the end. makespan_s is the time of the last hit, or the end if one of them was not hit.
 /// The bounds are those of arrival_bound.hpp. false_reached counts the
