@@ -195,9 +195,7 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
          &scenario.bounds},
         {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed},
         {"sim", "", 0, 0,
-         "what carries the plan out: kinematic (as planned), navigator (around what stands there), or "
-         "physics "
-         "(rigid bodies)",
+         "what carries the plan out: kinematic (as planned), navigator (around what stands there) or physics",
          &scenario.sim},
         {"things", "", 0, 0,
          "with sim: navigator: x,y,length,width of boxes and x,y,radius of posts that are on no map, m",

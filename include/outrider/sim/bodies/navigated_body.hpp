@@ -22,7 +22,7 @@ namespace outrider {
 
 class NavigatedBody {
  public:
-  /// What a period of the navigator began with.
+  /// Receives the observation with which a period of the navigator begins, and the situation.
   using Look = std::function<void(const Observation&, const Situation&, const Navigator&)>;
 
   /// It stands at the start. A drive has arrived `within_m` of its goal.
