@@ -133,6 +133,7 @@ std::optional<double> ArrivingTargets::to_wait_for(const TaskBoard& board, const
 }
 
 void ArrivingTargets::note(TaskBoard& board, const Observation& seen) {
+  board.note_cut_drive(seen);
   board.note_shots(seen);
   const ArrivalYard& yard = plan_->yard;
   for (const TargetArrival& arrival : seen.targets->arrivals) {

@@ -46,11 +46,19 @@ void TaskBoard::interrupt_drive(double time_s) {
   take_back_unfired(time_s, false);
 }
 
+bool TaskBoard::ended_elsewhere(const Observation& seen) const {
+  return distance(seen.odometry.position, last_place_) > 2.0 * problem_->errors.position_m + off_m;
+}
+
+void TaskBoard::note_cut_drive(const Observation& seen) {
+  if (ended_elsewhere(seen)) take_back_unfired(seen.time_s, false);
+}
+
 AfterDrive TaskBoard::after_drive(const Observation& seen) {
   CutDrives& cut = cut_;
   cut.driving = false;
   const Vec2 here = seen.odometry.position;
-  if (distance(here, last_place_) <= 2.0 * problem_->errors.position_m + off_m) {
+  if (!ended_elsewhere(seen)) {
     cut.here = cut.in_place = 0;
     return AfterDrive::go_on;
   }

@@ -149,6 +149,8 @@ class TaskBoard {
   void survive(std::size_t record, std::size_t target);
   /// A drive has ended before its goal on purpose: its later shots are not fired.
   void interrupt_drive(double time_s);
+  /// Notes that a drive has ended, perhaps elsewhere: its later shots are not fired.
+  void note_cut_drive(const Observation& seen);
   /// The drive that was commanded may end anywhere without a fault.
   void let_drive_end() { cut_.driving = false; }
   /// Notes a solved shot at a target from a pose.
@@ -178,6 +180,7 @@ class TaskBoard {
 
   // setbacks.cpp: drives that end before their goal
   void take_back_unfired(double time_s, bool again);
+  [[nodiscard]] bool ended_elsewhere(const Observation& seen) const;
   AfterDrive after_drive(const Observation& seen);
   std::optional<Command> wait_if_held_up(const Observation& seen);
 
