@@ -14,8 +14,9 @@ constexpr double wait_s = 1.0;         // for what stands on the track to go
 constexpr double edge_room_m = 0.005;  // from the edges of the ground, along the track
 // So much of the track is left out where no way leads back or the robot does not get on; then twice that.
 constexpr double first_skip_m = 0.3;
-constexpr double back_m = 0.15;         // beside the track, from where it is steered back
-constexpr std::int64_t most_tries = 4;  // recoveries on the way back to a place
+constexpr double back_m = 0.15;            // beside the track, from where it is steered back
+constexpr double back_rad = radians(8.0);  // the same of a robot that steers
+constexpr std::int64_t most_tries = 4;     // recoveries on the way back to a place
 
 }  // namespace
 
@@ -26,7 +27,9 @@ Progress Navigator::progress() const {
 }
 
 GoTo Navigator::order_to(const TrackPlace& place) const {
-  return {follower_->pose_at(place).position, back_m};
+  const Pose2 to = follower_->pose_at(place);
+  if (!setup_.robot.steers()) return {to.position, back_m};
+  return {to.position, back_m, to.heading_rad, back_rad};
 }
 
 /// Begins to follow another track.
@@ -84,7 +87,16 @@ Twist2 Navigator::along_track(const Follow& order, TrackFollower& follower) {
   const auto is_safe = [&](const Twist2& twist) {
     return can_brake(state, twist, std::min(edge_room_m, margin_m)) && can_brake(among_seen, twist, margin_m);
   };
-  if (const auto heading_rad = follower.heading_to_turn_to(here)) {
+  auto heading_rad = follower.heading_to_turn_to(here);
+  if (heading_rad && setup_.robot.steers()) {
+    follower.go_on(here);  // it steers to the track, if it about looks along it
+    heading_rad = follower.heading_to_turn_to(here);
+    if (heading_rad) {
+      comes_back_ = follower.at();
+      return {};
+    }
+  }
+  if (heading_rad) {
     const Twist2 turn = turn_to(here, *heading_rad);
     return is_safe(turn) ? turn : Twist2{};
   }
@@ -94,7 +106,7 @@ Twist2 Navigator::along_track(const Follow& order, TrackFollower& follower) {
   const double free_m = follower.free_m(is_free, look_m);
   const double room_m = free_m < look_m ? std::max(0.0, free_m - stop_short_m) : look_m;
   limits_.speed_mps = std::min(limits_.speed_mps, order.most_mps);
-  Twist2 twist = follower.twist(here, limits_, setup_.options.period_s, room_m);
+  Twist2 twist = drivable(follower.twist(here, limits_, setup_.options.period_s, room_m), setup_.robot);
   for (int i = 0; i < 3 && !is_safe(twist); ++i) twist = 0.5 * twist;
   return is_safe(twist) ? twist : Twist2{};
 }

@@ -76,8 +76,7 @@ MapField::MapField(const KnownMap& map) {
 
 void MapField::keep_to(const Zones& zones, double most_m) { zones_ = zones.cells(frame_, most_m); }
 
-void MapField::compute(const LiveMap& live, const Footprint& footprint, const RobotModel& robot,
-                       const GoalQuery& query, bool remembered) {
+GoalGround MapField::ground(const LiveMap& live, bool remembered) const {
   GoalGround ground{frame_, live.places(), &closed_, &zones_};
   const Box2 window = live.frame().bounds();
   for (const Vec2 wall : *walls_) {
@@ -86,7 +85,12 @@ void MapField::compute(const LiveMap& live, const Footprint& footprint, const Ro
   if (remembered) {
     for (const Mark& mark : live.behind()) ground.obstacles.push_back(mark.place);
   }
-  field_.compute(ground, footprint, robot, query, {});
+  return ground;
+}
+
+void MapField::compute(const LiveMap& live, const Footprint& footprint, const RobotModel& robot,
+                       const GoalQuery& query, bool remembered) {
+  field_.compute(ground(live, remembered), footprint, robot, query, {});
 }
 
 }  // namespace outrider

@@ -227,6 +227,7 @@ Twist2 Navigator::go(const GoTo& order) {
   const bool goes_on = (!order_ || *order_ != order) && begin(order);
   if (progress_.state != Progress::State::underway || is_blind()) return {};
   follow_zones();
+  if (setup_.robot.steers()) return go_in_curves(order);
   plan(order);
   if (goes_on && left_s_) least_left_s_ = best_left_s_ = *left_s_;
   if (in_zone_) return leave_zone(state_of(order, near_));
@@ -250,6 +251,8 @@ bool Navigator::begin(const GoTo& order) {
   planned_s_.reset();
   planned_far_s_.reset();
   at_place_ = false;
+  curves_.reset();
+  no_curves_.clear();
   left_s_.reset();
   least_left_s_ = best_left_s_ = std::numeric_limits<double>::infinity();
   if (!goes_on) {

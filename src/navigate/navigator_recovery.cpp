@@ -49,7 +49,7 @@ Twist2 Navigator::back_from_touch() {
 /// Notes whether the robot gets nearer in time, in the end by turning, and recovers if it does not.
 /// Recoveries are in a row until it is nearer than ever, so an order ends.
 void Navigator::note_progress(const GoTo& order) {
-  if (order.heading_rad) {
+  if (order.heading_rad && !setup_.robot.steers()) {
     const double off_rad = std::abs(wrap_angle(*order.heading_rad - pose().heading_rad));
     const double turn_left_s = off_rad / setup_.robot.turn_rate_radps;
     if (at_place_) {
@@ -79,6 +79,10 @@ void Navigator::note_progress(const GoTo& order) {
 void Navigator::recover(const GoTo& order) {
   if (recoveries_ >= setup_.options.most_recoveries) {
     const Vec2 to = order.place;
+    if (!no_curves_.empty()) {
+      progress_ = {Progress::State::blocked, {}, no_curves_};
+      return;
+    }
     progress_ = {Progress::State::blocked, left_s_,
                  left_s_ ? fmt::format("no progress towards ({:.2f}, {:.2f}) after {} recoveries", to.x, to.y,
                                        recoveries_)
@@ -91,6 +95,9 @@ void Navigator::recover(const GoTo& order) {
   recovery_ = way;
   recovers_until_s_ = time_s_ + takes_s;
   if (way == Recovery::forget) map_.forget_but(time_s_, lately_s);
+  curves_.reset();
+  no_curves_.clear();
+  arc_.reset();
 }
 
 /// Returns the twist of a way out: a turn to where the way leads, or straight back; none if it is not safe.

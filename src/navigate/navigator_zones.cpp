@@ -96,8 +96,9 @@ Twist2 Navigator::leave_zone(const MotionState& state) {
   if (backwards) off_rad = wrap_angle(off_rad + pi);
   Twist2 twist{0.0, 0.0,
                std::clamp(2.0 * off_rad, -state.robot.turn_rate_radps, state.robot.turn_rate_radps)};
-  if (std::abs(off_rad) < aligned_rad)
+  if (std::abs(off_rad) < aligned_rad || state.robot.steers())
     twist.ahead_mps = (backwards ? -1.0 : 1.0) * std::min(leaving_mps, state.robot.speed_mps);
+  twist = drivable(twist, state.robot);
   if (can_brake(state, twist, setup_.motion.margin_m)) return twist;
   exit_.reset();  // what stands there now is gone around
   return {};

@@ -1,4 +1,4 @@
-// RobotModel: a disk robot that turns in place, then drives straight.
+// RobotModel: a disk robot that turns in place, or steers like a car.
 #pragma once
 
 #include <vector>
@@ -20,9 +20,12 @@ struct RobotModel {
   double turn_rate_radps = 0.8;           ///< maximum turn rate
   double turn_acceleration_radps2 = 6.0;  ///< maximum angular acceleration
   double max_slope_rad = radians(20.0);   ///< steepest ground on which it drives or stands
+  double turning_radius_m = 0.0;          ///< least radius of a curve, as of a car; 0: it turns in place
 
   [[nodiscard]] Limits straight() const { return {speed_mps, acceleration_mps2}; }
   [[nodiscard]] Limits turning() const { return {turn_rate_radps, turn_acceleration_radps2}; }
+  /// Returns true if it drives curves only.
+  [[nodiscard]] bool steers() const { return turning_radius_m > 0.0; }
 };
 
 std::vector<Option> describe(RobotModel& robot);

@@ -26,7 +26,10 @@ class MapField {
 
   /// Keeps to zones from now on.
   void keep_to(const Zones& zones, double most_m);
-  /// Computes the times to a goal, around what was seen outside the window too if it is `remembered`.
+  /// Returns the ground of the map, around what was seen outside the window too if it is `remembered`. It is
+  /// valid as long as this object.
+  [[nodiscard]] GoalGround ground(const LiveMap& live, bool remembered) const;
+  /// Computes the times to a goal on that ground.
   void compute(const LiveMap& live, const Footprint& footprint, const RobotModel& robot,
                const GoalQuery& query, bool remembered);
   /// Returns the time from a place to the goal, s; nothing if no way is known.

@@ -11,10 +11,11 @@
 // after it was carried away.
 // act() plans anew when the map has changed (goal_field.hpp), finds the next motion (local_motion.hpp) and
 // recovers when nothing goes on: it forgets what it has not seen lately, turns to where the way leads, backs
-// off, and after all of that several times in vain gives up with a reason. Every
-// answer is a DriveTwist for one period. It never commands a motion from which the robot could not brake
-// before what is marked, nor one into a keep-out zone (zones.hpp); a robot that was carried into one drives
-// straight out of it, and does nothing else.
+// off, and after all of that several times in vain gives up with a reason. A robot that steers like a car
+// drives a curved way (curved_way.hpp), which is planned again when something stands on it, and arcs to get
+// out. Every answer is a DriveTwist for one period. It never commands a motion from which the robot could not
+// brake before what is marked, nor one into a keep-out zone (zones.hpp); a robot that was carried into one
+// drives straight out of it, and does nothing else.
 //
 // Deterministic: a pure function of the observations and orders so far. Thread rule: one at a time.
 #pragma once
@@ -37,6 +38,7 @@
 #include "outrider/navigate/zones.hpp"
 #include "outrider/robot/command.hpp"
 #include "outrider/robot/observation.hpp"
+#include "outrider/search/workspace.hpp"
 
 namespace outrider {
 
@@ -123,7 +125,8 @@ class Navigator {
   void note_touched(const std::vector<Vec2>& places);
 
   [[nodiscard]] const LiveMap& map() const { return map_; }
-  [[nodiscard]] const GoalField& field() const { return field_; }
+  /// Returns the way that is planned from here to the place of a GoTo, at most about that long.
+  [[nodiscard]] std::vector<Vec2> way(double most_m) const;
   /// Returns what moves around the robot.
   [[nodiscard]] const std::vector<MovingThing>& moving() const { return moving_; }
   /// Returns true if the robot knows where it is; until then its poses have no meaning.
@@ -157,6 +160,12 @@ class Navigator {
   Twist2 go(const GoTo& order);
   Twist2 look_for_itself();
   void look_around();
+  // curves/navigator_curves.cpp
+  Twist2 go_in_curves(const GoTo& order);
+  [[nodiscard]] bool needs_curves(const MotionState& state) const;
+  void plan_curves(const GoTo& order);
+  [[nodiscard]] Twist2 along_curves(const MotionState& state);
+  [[nodiscard]] Twist2 arc_away(const MotionState& state);
   // follow_track.cpp
   Twist2 follow(const Follow& order);
   TrackFollower& begin_track(const Follow& order);
@@ -237,6 +246,12 @@ class Navigator {
   TrackPlace came_in_;                    // where it came back to the track
   Pose2 stood_;                           // on the track, until it moved from there
   double on_track_s_ = 0.0;               // when it last moved there
+  std::optional<TrackFollower> curves_;   // of a robot that steers, to the place of the GoTo
+  std::string no_curves_;                 // why there are none
+  double curves_s_ = 0.0;                 // when they were planned
+  std::uint64_t curves_changes_ = 0;
+  std::optional<Twist2> arc_;  // away from where it stands, as a recovery
+  Workspace workspace_;
   Progress progress_;
 };
 

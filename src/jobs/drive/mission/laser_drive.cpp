@@ -36,6 +36,7 @@ NavigatorSetup setup_of(const DriveTask& task, double height_m, const LaserDrive
   robot.acceleration_mps2 = task.follow.acceleration_mps2;
   robot.turn_rate_radps = task.follow.turn_rate_radps;
   robot.turn_acceleration_radps2 = task.follow.turn_acceleration_radps2;
+  robot.turning_radius_m = options.turning_radius_m;
   NavigatorSetup setup = setup_of(options, robot, footprint);
   setup.known = task.known;
   if (sees_tags(options)) setup.tags = TagsInSight{task.tags, robot_camera(task.eye), task.localise};
@@ -155,7 +156,7 @@ class LaserDrive {
     log_odometry(log_, now.time_s, seen.odometry);
     if (!navigator_.is_located()) return;
     log_belief(log_, now.time_s, now.pose, now.covariance, false);
-    if (answered_) log_plan(log_, now.time_s, navigator_.field().way(now.pose.position, most_way_m));
+    if (answered_) log_plan(log_, now.time_s, navigator_.way(most_way_m));
   }
 
   [[nodiscard]] Table table() const {
@@ -231,6 +232,9 @@ std::vector<OptionGroup> describe(LaserDriveOptions& options) {
        "corners x,y of the robot in m, counter-clockwise, with blanks between, or a radius; empty: "
        "its disk",
        &options.footprint},
+      {"turning_radius", "m", 0.0, 100.0,
+       "of the tightest curve that the robot can drive, as of a car; 0: it turns in place",
+       &options.turning_radius_m},
       {"within", "m", 0.01, 10.0, "distance from a waypoint within which it is reached", &options.within_m},
       {"within_heading", "deg", 0.1, 180.0, "the same of the heading at a stop", &options.within_rad},
       {"start_unknown", "", 0, 0, "the robot is not told where on its map it starts",

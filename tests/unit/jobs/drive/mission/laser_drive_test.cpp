@@ -77,6 +77,30 @@ TEST(LaserDrive, SaysWhatItCouldNotReach) {
   EXPECT_EQ(metric(report, "contacts"), 0.0);
 }
 
+TEST(LaserDrive, ACarStopsWithItsHeadings) {
+  LaserDriveOptions how = options();
+  how.turning_radius_m = 0.5;
+  Log log;
+  const Report report = driven(hall(), how, log);
+  EXPECT_EQ(report.status, "done") << report.reason;
+  EXPECT_EQ(metric(report, "contacts"), 0.0);
+  EXPECT_EQ(metric(report, "false_arrivals"), 0.0);
+}
+
+TEST(LaserDrive, ACarSaysThatItsRadiusIsTooLarge) {
+  DriveTask task = hall();
+  task.waypoints = {{{{4, 1.5}, pi}}};
+  LaserDriveOptions how = options();
+  how.turning_radius_m = 60.0;
+  how.navigator.most_recoveries = 2;
+  Log log;
+  const Report report = driven(task, how, log);
+  EXPECT_EQ(report.status, "not_done");
+  EXPECT_NE(report.reason.find("was found with a turning radius of 60 m"), std::string::npos)
+      << report.reason;
+  EXPECT_EQ(metric(report, "contacts"), 0.0);
+}
+
 TEST(LaserDrive, DoesNotClaimPlacesWhereItIsNot) {
   LaserDriveOptions how = options();
   how.navigator.localiser = "odometry";

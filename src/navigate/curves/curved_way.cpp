@@ -1,0 +1,169 @@
+#include "outrider/navigate/curved_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "navigate_grid.hpp"
+#include "outrider/path/pieces.hpp"
+#include "outrider/path/steering/hybrid_a_star.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double wider_part = 1.1;  // of the tightest curve, for those of the way
+constexpr double cusp_m = 0.6;      // price of a change of direction
+constexpr double backward_price = 1.3;
+constexpr double long_part = 1.2;      // a longer footprint is covered by three disks
+constexpr double rounding_part = 0.8;  // of a cell, by which a path comes nearer than their middles
+constexpr double around_ends_m = 1.0;  // where a way may have less room
+constexpr double curve_weight = 1.5;   // of the estimate
+constexpr double pose_cell_m = 0.1;    // of a search, at most
+constexpr std::uint64_t curve_expansions = 20'000;  // of a search
+constexpr int goal_directions = 8;                  // in which a free place beside the goal is sought
+
+/// The disks that cover a footprint, in a row along its axis.
+struct Cover {
+  double radius_m = 0.0;
+  double front_m = 0.0, rear_m = 0.0;  ///< middle of the first and of the last disk
+
+  explicit Cover(const Footprint& footprint) : radius_m(footprint.outer_m()) {
+    double front = 0.0, rear = 0.0, beside = 0.0;
+    const double rim = footprint.shape().radius_m;
+    for (const Vec2 corner : footprint.shape().core) {
+      front = std::max(front, corner.x + rim);
+      rear = std::max(rear, rim - corner.x);
+      beside = std::max(beside, std::abs(corner.y) + rim);
+    }
+    const double part = (front + rear) / 6.0;
+    if (front + rear < long_part * 2.0 * beside || std::min(front, rear) < part) return;
+    radius_m = std::hypot(part, beside);
+    front_m = front - part;
+    rear_m = rear - part;
+  }
+};
+
+/// Returns the least distance from a footprint to obstacles, m, at most `most`.
+double gap_at(const std::vector<Vec2>& obstacles, const Footprint& footprint, const Pose2& pose,
+              double most) {
+  for (const Vec2 place : obstacles) {
+    if (distance(place, pose.position) < footprint.outer_m() + most)
+      most = std::min(most, footprint.gap_m(pose.to_local(place)));
+  }
+  return most;
+}
+
+/// Returns a place at the goal, or within the tolerance, where the robot has the least room; nothing if there
+/// is none.
+std::optional<Vec2> free_goal(const GoalGround& ground, const Footprint& footprint, const CurveQuery& query) {
+  for (const double part : {0.0, 0.4, 0.8}) {
+    for (int i = 0; i < (part == 0.0 ? 1 : goal_directions); ++i) {
+      const Vec2 place = query.goal + part * query.within_m * direction(2.0 * pi * i / goal_directions);
+      const double gap_m =
+          query.heading_rad
+              ? gap_at(ground.obstacles, footprint, {place, *query.heading_rad}, query.margin_m)
+              : gap_at(ground.obstacles, Footprint::disk(footprint.inner_m()), {place, 0.0}, query.margin_m);
+      if (gap_m >= query.margin_m) return place;
+    }
+  }
+  return {};
+}
+
+/// Blocks the cells on which the middle of a disk has less room than `room_m`, or less than at the ends near
+/// those.
+Grid<std::uint8_t> blocked_cells(const GoalGround& ground, const std::vector<float>& distance_m,
+                                 const Cover& cover, double room_m,
+                                 const std::vector<std::pair<Vec2, double>>& ends) {
+  Grid<std::uint8_t> blocked(ground.frame);
+  for (std::size_t i = 0; i < blocked.cells.size(); ++i) {
+    double least_m = room_m;
+    const Vec2 middle = ground.frame.centre(ground.frame.cell(i));
+    for (const auto& [end, end_room_m] : ends) {
+      if (distance(middle, end) < around_ends_m) least_m = std::min(least_m, end_room_m);
+    }
+    const bool closed = ground.closed != nullptr && (*ground.closed)[i] != 0;
+    blocked.cells[i] = closed || static_cast<double>(distance_m[i]) < cover.radius_m + least_m ? 1 : 0;
+  }
+  return blocked;
+}
+
+HybridAStarOptions options_of(const RobotModel& robot, const Cover& cover) {
+  HybridAStarOptions options;
+  options.steering.turning_radius_m = wider_part * robot.turning_radius_m;
+  options.steering.cusp_price_m = cusp_m;
+  options.steering.backward_price = backward_price;
+  options.steering.front_m = cover.front_m;
+  options.steering.rear_m = cover.rear_m;
+  options.cell_m = std::min(0.2 * robot.turning_radius_m, pose_cell_m);
+  options.weight = curve_weight;
+  return options;
+}
+
+/// Returns the way of a robot that goes along pieces from their end to their begin, looking the other way.
+TrackPieces backwards_in_time(const TrackPieces& pieces) {
+  TrackPieces way;
+  std::ranges::transform(pieces.rbegin(), pieces.rend(), std::back_inserter(way), reversed);
+  return way;
+}
+
+}  // namespace
+
+Outcome<TrackPieces> plan_curved_way(const GoalGround& ground, const Footprint& footprint,
+                                     const RobotModel& robot, const CurveQuery& query, Workspace& workspace) {
+  const auto goal = free_goal(ground, footprint, query);
+  if (!goal) return fault(FaultCode::goal_blocked, "something stands at the goal");
+  const Cover cover(footprint);
+  const double rounding_m = rounding_part * ground.frame.resolution_m;
+  const double tight_m = query.margin_m + rounding_m, wide_m = std::max(tight_m, query.wide_m);
+  std::vector<float> distance_m;
+  spread_distances(ground.frame, ground.obstacles, cover.radius_m + wide_m + rounding_m, distance_m);
+  if (ground.zones != nullptr && !ground.zones->room_m.empty()) {
+    for (std::size_t i = 0; i < distance_m.size(); ++i)
+      distance_m[i] = std::min(distance_m[i], ground.zones->room_m[i]);
+  }
+  // The disks reach beyond a long footprint by a little, and ways begin where the robot stands.
+  const auto room_at = [&](Vec2 place, double heading_rad) {
+    double least_m = std::numeric_limits<double>::infinity();
+    for (const double ahead_m : {-cover.rear_m, 0.0, cover.front_m}) {
+      const Cell cell = ground.frame.cell_at(place + ahead_m * direction(heading_rad));
+      if (ground.frame.contains(cell))
+        least_m = std::min(least_m, static_cast<double>(distance_m[ground.frame.index(cell)]));
+    }
+    return least_m - cover.radius_m - rounding_m;
+  };
+  const double start_m = room_at(query.start.position, query.start.heading_rad);
+  const double goal_m = query.heading_rad ? room_at(*goal, *query.heading_rad) : wide_m;
+  // A search gets out of a narrow place sooner than into it, so it begins at the narrower end.
+  const bool from_goal = goal_m < start_m;
+  const auto looks = [&](double heading_rad) { return from_goal ? heading_rad + pi : heading_rad; };
+  Problem problem;
+  problem.start = query.start.position;
+  problem.goal = *goal;
+  problem.start_heading_rad = looks(query.start.heading_rad);
+  if (query.heading_rad) problem.goal_heading_rad = looks(*query.heading_rad);
+  HybridAStarOptions options = options_of(robot, cover);
+  if (from_goal) {
+    std::swap(problem.start, problem.goal);
+    std::swap(problem.start_heading_rad, problem.goal_heading_rad);
+    std::swap(options.steering.front_m, options.steering.rear_m);
+  }
+  Budget budget;
+  budget.expansions = curve_expansions;
+  Outcome<TrackPieces> answer;
+  for (const double room_m : {wide_m, tight_m}) {
+    auto grid = GridMap::of(blocked_cells(ground, distance_m, cover, room_m,
+                                          {{query.start.position, std::min(tight_m, start_m)},
+                                           {*goal, std::min(tight_m, goal_m)}}),
+                            GridModel::cells);
+    if (!grid) return pass_on(grid);
+    problem.grid = std::make_shared<const GridMap>(std::move(*grid));
+    auto plan = hybrid_a_star(problem, options, budget, workspace);
+    if (plan) return from_goal ? backwards_in_time(plan->pieces) : std::move(plan->pieces);
+    answer = pass_on(plan);
+  }
+  return answer;
+}
+
+}  // namespace outrider
