@@ -133,7 +133,7 @@ std::optional<double> ArrivingTargets::to_wait_for(const TaskBoard& board, const
 }
 
 void ArrivingTargets::note(TaskBoard& board, const Observation& seen) {
-  board.note_cut_drive(seen);
+  board.note_drive(seen);
   board.note_shots(seen);
   const ArrivalYard& yard = plan_->yard;
   for (const TargetArrival& arrival : seen.targets->arrivals) {
@@ -174,7 +174,6 @@ std::optional<Command> ArrivingTargets::propose(TaskBoard& board, const Observat
     if (auto command = board.next_command(seen)) {
       if (auto* follow = std::get_if<FollowWaypoints>(&*command)) {
         follow->until_arrival = plan_->policy.interrupts;
-        if (plan_->policy.interrupts) board.let_drive_end();
       }
       return command;
     }

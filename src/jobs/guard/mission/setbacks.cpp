@@ -50,8 +50,31 @@ bool TaskBoard::ended_elsewhere(const Observation& seen) const {
   return distance(seen.odometry.position, last_place_) > 2.0 * problem_->errors.position_m + off_m;
 }
 
-void TaskBoard::note_cut_drive(const Observation& seen) {
-  if (ended_elsewhere(seen)) take_back_unfired(seen.time_s, false);
+/// Counts a drive that ended elsewhere, and those before it that ended there, too.
+void TaskBoard::count_cut(const Observation& seen) {
+  CutDrives& cut = cut_;
+  const Vec2 here = seen.odometry.position;
+  const double place_m = seen.gave_up ? around_m : same_place_m;
+  const bool same_place = cut.in_place > 0 && distance(here, cut.place) <= place_m;
+  cut.here = same_place ? cut.here + 1 : 1;
+  cut.in_place = same_place ? cut.in_place + 1 : 1;
+  cut.place = here;
+  ++cut.all;
+  if (seen.gave_up && cut.in_place >= drives_in_vain) cut.stays_until_s = seen.time_s + stays_s;
+}
+
+void TaskBoard::note_drive(const Observation& seen) {
+  CutDrives& cut = cut_;
+  if (!std::exchange(cut.driving, false)) return;
+  if (!ended_elsewhere(seen)) {
+    cut.here = cut.in_place = 0;
+    return;
+  }
+  take_back_unfired(seen.time_s, false);
+  if (!seen.targets->arrivals.empty()) return;  // it may have ended for them
+  count_cut(seen);
+  if (cut.in_place > most_in_place) cut.stays_until_s = seen.time_s + stays_s;
+  arrived_ = false;
 }
 
 AfterDrive TaskBoard::after_drive(const Observation& seen) {
@@ -62,14 +85,9 @@ AfterDrive TaskBoard::after_drive(const Observation& seen) {
     cut.here = cut.in_place = 0;
     return AfterDrive::go_on;
   }
-  const double place_m = seen.gave_up ? around_m : same_place_m;
-  const bool same_place = cut.in_place > 0 && distance(here, cut.place) <= place_m;
-  cut.here = same_place ? cut.here + 1 : 1;
-  cut.in_place = same_place ? cut.in_place + 1 : 1;
-  cut.place = here;
+  count_cut(seen);
   take_back_unfired(seen.time_s, true);
-  if (seen.gave_up && cut.in_place >= drives_in_vain) cut.stays_until_s = seen.time_s + stays_s;
-  if (++cut.all > most_of_all || cut.here == most_here || cut.in_place > most_in_place || seen.gave_up) {
+  if (cut.all > most_of_all || cut.here == most_here || cut.in_place > most_in_place || seen.gave_up) {
     cut.here = 0;
     StopTask& task = queue_.front();  // whom no drive has hit is shot at from here
     task.targets.insert(task.targets.end(), task.passing.begin(), task.passing.end());

@@ -171,6 +171,9 @@ std::optional<Command> TaskBoard::wait_for_planner(double time_s, const Fault& f
 std::optional<Command> TaskBoard::set_off(const Observation& seen) {
   const Vec2 place = queue_.front().place;
   if (seen.time_s < cut_.stays_until_s) {
+    StopTask& task = queue_.front();
+    task.targets.insert(task.targets.end(), task.passing.begin(), task.passing.end());
+    task.passing.clear();
     arrived_ = true;
     last_place_ = seen.odometry.position;
     return std::nullopt;

@@ -149,10 +149,9 @@ class TaskBoard {
   void survive(std::size_t record, std::size_t target);
   /// A drive has ended before its goal on purpose: its later shots are not fired.
   void interrupt_drive(double time_s);
-  /// Notes that a drive has ended, perhaps elsewhere: its later shots are not fired.
-  void note_cut_drive(const Observation& seen);
-  /// The drive that was commanded may end anywhere without a fault.
-  void let_drive_end() { cut_.driving = false; }
+  /// Notes where the last drive has ended. If that is elsewhere, its later shots are not fired, and it is
+  /// driven again, unless that was tried too often. A drive may end for intruders who enter.
+  void note_drive(const Observation& seen);
   /// Notes a solved shot at a target from a pose.
   void aim_at(std::size_t record, const PlannedShot& shot, const Pose2& pose);
   /// Notes that a ball was fired.
@@ -180,6 +179,7 @@ class TaskBoard {
 
   // setbacks.cpp: drives that end before their goal
   void take_back_unfired(double time_s, bool again);
+  void count_cut(const Observation& seen);
   [[nodiscard]] bool ended_elsewhere(const Observation& seen) const;
   AfterDrive after_drive(const Observation& seen);
   std::optional<Command> wait_if_held_up(const Observation& seen);

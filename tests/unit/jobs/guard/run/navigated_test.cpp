@@ -112,6 +112,24 @@ TEST(NavigatedGuard, PassesPeopleAndIsTheSameTwice) {
   EXPECT_EQ(test::bytes_of_run(run), test::bytes_of_run(guarded(scenario)));
 }
 
+/// A robot that does not get away shoots at whom it can from where it is, and says what held it up.
+TEST(NavigatedGuard, AndAnyOtherEndsWhereItsWheelsStickWhileIntrudersCome) {
+  for (const char* sim : {"navigator", "kinematic"}) {
+    GuardScenario scenario = street("");
+    scenario.sim = sim;
+    scenario.arrivals.count = 8;
+    scenario.intruders =
+        draw_arrivals(scenario.problem, {{"gate", {20.0, 3.0}}}, scenario.arrivals, 1).value();
+    scenario.faults.way.stuck_from_s = 4.0;
+    const outrider::Run run = guarded(scenario);
+    EXPECT_EQ(run.report.status, "not_done") << sim;
+    EXPECT_EQ(metric(run.report, "reached"), static_cast<double>(hits(run))) << sim;
+    EXPECT_NE(run.report.reason.find("ended elsewhere than planned"), std::string::npos) << run.report.reason;
+    EXPECT_EQ(run.report.reason.find("the gun"), std::string::npos) << run.report.reason;
+    EXPECT_LT(metric(run.report, "mission_s"), 600.0) << sim;
+  }
+}
+
 TEST(NavigatedGuard, RefusesThingsWhereTheRobotStarts) {
   GuardJob job;
   job.scenario = street("0.2,0,1,1");
