@@ -36,7 +36,7 @@ class Physics(ToolTest):
         self.assertEqual(self.log_of("a").latest("/run").sim, "")
 
     def test_what_it_is_refused_for(self):
-        self.refused(*self.guard("--sim", "magic"), says=["sim", "'magic'", "kinematic or physics"])
+        self.refused(*self.guard("--sim", "magic"), says=["sim", "'magic'", "kinematic, navigator or physics"])
         self.carried_out()
         for flags in [("--air-drag", "0.02"), ("--arrivals-leave", "0.5"), ("--supplies-tank", "5")]:
             self.refused(*self.guard("--sim", "physics", *flags), says=["sim", "rigid bodies", "do not go together"])

@@ -128,11 +128,13 @@ Outcome<Report> simulate_bodies(const GuardRun& run, Log& log, const RunWatch& w
   return report;
 }
 
-/// Logs what the robot sees on its way: its scans, and what is marked on its live map once a second.
-NavigatedBody::Look looking(Log& log) {
-  return [&log, next_map_s = 0.0](const Observation& seen, const Situation& now,
-                                  const Navigator& navigator) mutable {
+/// Logs what the robot sees on its way: its scans, and what is marked on its live map once a second. What
+/// waits to be logged before that comes first.
+NavigatedBody::Look looking(Log& log, LogQueue& queue) {
+  return [&log, &queue, next_map_s = 0.0](const Observation& seen, const Situation& now,
+                                          const Navigator& navigator) mutable {
     constexpr double map_every_s = 1.0, instant_s = 1e-9;
+    queue.flush(log, now.time_s);
     if (seen.scan) log_scan(log, now.time_s, *seen.scan);
     if (now.time_s < next_map_s) return;
     next_map_s = now.time_s + map_every_s - instant_s;
@@ -150,7 +152,7 @@ Outcome<Report> simulate_navigated(const GuardRun& run, Log& log, const RunWatch
   if (!robot) return pass_on(robot);
   log_solids(log, yard->problem.world, yard->problem.robot.height_m);
   log_mount(log, "laser", scenario.navigation.laser.robot_T_laser, scenario.navigation.laser.height_m);
-  robot->body<NavigatedBody>().watch(looking(log), watch.stop);
+  robot->body<NavigatedBody>().watch(looking(log, robot->queue()), watch.stop);
   return simulate(run, *run.guard.mission, *robot, log, watch);
 }
 
