@@ -259,7 +259,8 @@ Outcome<Report> run_laser_drive(const DriveTask& task, double height_m, const La
   const NavigatorSetup setup = setup_of(task, height_m, options, *footprint);
   auto navigator = Navigator::make(setup, options.start_unknown ? std::nullopt : std::optional(task.start));
   if (!navigator) return pass_on(navigator);
-  log_scene(log, run_info("drive", seed, task.world, setup.robot.radius_m), task.world, height_m);
+  // Its picture is the disk that fits into it: the least that cannot be driven through.
+  log_scene(log, run_info("drive", seed, task.world, footprint->inner_m()), task.world, height_m);
   log_mount(log, "laser", options.laser.robot_T_laser, options.laser.height_m);
   if (sees_tags(options)) log_tags(log, task);
   log_zones(log, task.zones);
