@@ -229,6 +229,7 @@ std::size_t MovingTargets::best_stop(const TaskBoard& board, const Observation& 
 
 void MovingTargets::note(TaskBoard& board, const Observation& seen) {
   note_seen(seen);
+  board.note_drive(seen);
   board.note_shots(seen, false);
 }
 
@@ -263,11 +264,15 @@ std::optional<Command> MovingTargets::propose(TaskBoard& board, const Observatio
   }
   // A target that is missed may be hit from here.
   const std::size_t stop = board.any_in_air() ? stop_ : best_stop(board, seen, rng.child("stop"));
-  if (stop != stop_) {
+  if (board.is_elsewhere(seen)) {
+    stop_ = stop;
+    if (auto drive = board.drive_again(plan.stops.stops[stop], seen)) return drive;
+  } else if (stop != stop_) {
     auto way = plan.stops.routes.waypoints(stop_, stop);
     if (way.size() > 1) {
       way.front() = seen.odometry.position;
       stop_ = stop;
+      board.begin_drive(way.back());
       return FollowWaypoints{std::move(way)};
     }
   }

@@ -46,7 +46,7 @@ void TaskBoard::interrupt_drive(double time_s) {
   take_back_unfired(time_s, false);
 }
 
-bool TaskBoard::ended_elsewhere(const Observation& seen) const {
+bool TaskBoard::is_elsewhere(const Observation& seen) const {
   return distance(seen.odometry.position, last_place_) > 2.0 * problem_->errors.position_m + off_m;
 }
 
@@ -63,10 +63,30 @@ void TaskBoard::count_cut(const Observation& seen) {
   if (seen.gave_up && cut.in_place >= drives_in_vain) cut.stays_until_s = seen.time_s + stays_s;
 }
 
+/// Takes something to stand right ahead.
+void TaskBoard::take_for_obstacle(const Pose2& here) {
+  const double ahead_m = obstacle_gap_m(*problem_) + beyond_m;
+  cut_.obstacles.push_back(here.position + ahead_m * direction(here.heading_rad));
+}
+
+void TaskBoard::begin_drive(Vec2 place) {
+  last_place_ = place;
+  cut_.driving = true;
+}
+
+std::optional<Command> TaskBoard::drive_again(Vec2 place, const Observation& seen) {
+  if (seen.time_s < cut_.stays_until_s) return std::nullopt;
+  auto way = way_between(seen.odometry, place);
+  if (!way) return wait_for_planner(seen.time_s, way.error());
+  planless_s_.reset();
+  begin_drive(place);
+  return FollowWaypoints{std::move(*way)};
+}
+
 void TaskBoard::note_drive(const Observation& seen) {
   CutDrives& cut = cut_;
   if (!std::exchange(cut.driving, false)) return;
-  if (!ended_elsewhere(seen)) {
+  if (!is_elsewhere(seen)) {
     cut.here = cut.in_place = 0;
     return;
   }
@@ -74,14 +94,14 @@ void TaskBoard::note_drive(const Observation& seen) {
   if (!seen.targets->arrivals.empty()) return;  // it may have ended for them
   count_cut(seen);
   if (cut.in_place > most_in_place) cut.stays_until_s = seen.time_s + stays_s;
+  if (cut.here == drives_around) take_for_obstacle(seen.odometry);
   arrived_ = false;
 }
 
 AfterDrive TaskBoard::after_drive(const Observation& seen) {
   CutDrives& cut = cut_;
   cut.driving = false;
-  const Vec2 here = seen.odometry.position;
-  if (!ended_elsewhere(seen)) {
+  if (!is_elsewhere(seen)) {
     cut.here = cut.in_place = 0;
     return AfterDrive::go_on;
   }
@@ -94,10 +114,7 @@ AfterDrive TaskBoard::after_drive(const Observation& seen) {
     task.passing.clear();
     return AfterDrive::go_on;
   }
-  if (cut.here == drives_around) {
-    const double ahead_m = obstacle_gap_m(*problem_) + beyond_m;
-    cut.obstacles.push_back(here + ahead_m * direction(seen.odometry.heading_rad));
-  }
+  if (cut.here == drives_around) take_for_obstacle(seen.odometry);
   return cut.here == waits ? AfterDrive::wait : AfterDrive::drive_again;
 }
 

@@ -152,6 +152,13 @@ class TaskBoard {
   /// Notes where the last drive has ended. If that is elsewhere, its later shots are not fired, and it is
   /// driven again, unless that was tried too often. A drive may end for intruders who enter.
   void note_drive(const Observation& seen);
+  /// Returns true if the robot is not where the last drive was to end.
+  [[nodiscard]] bool is_elsewhere(const Observation& seen) const;
+  /// Notes that the robot is sent to a place by a way of the caller.
+  void begin_drive(Vec2 place);
+  /// Returns the drive to a place from where the robot is, around what has held it up; nothing while it stays
+  /// because drives were in vain.
+  std::optional<Command> drive_again(Vec2 place, const Observation& seen);
   /// Notes a solved shot at a target from a pose.
   void aim_at(std::size_t record, const PlannedShot& shot, const Pose2& pose);
   /// Notes that a ball was fired.
@@ -180,7 +187,7 @@ class TaskBoard {
   // setbacks.cpp: drives that end before their goal
   void take_back_unfired(double time_s, bool again);
   void count_cut(const Observation& seen);
-  [[nodiscard]] bool ended_elsewhere(const Observation& seen) const;
+  void take_for_obstacle(const Pose2& here);
   AfterDrive after_drive(const Observation& seen);
   std::optional<Command> wait_if_held_up(const Observation& seen);
 

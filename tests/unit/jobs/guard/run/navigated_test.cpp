@@ -130,6 +130,23 @@ TEST(NavigatedGuard, AndAnyOtherEndsWhereItsWheelsStickWhileIntrudersCome) {
   }
 }
 
+TEST(NavigatedGuard, AndAnyOtherDrivesOnToIntrudersWhoWalkWhenItsWheelsTurnAgain) {
+  for (const char* sim : {"navigator", "kinematic"}) {
+    GuardScenario scenario = street("");
+    scenario.sim = sim;
+    scenario.wander.speed_mps = 0.4;
+    scenario.wander.rest_s = 3.0;
+    scenario.wander.chance = 0.3;
+    scenario.preferences = {1.0, 1.0, 1.0};
+    scenario.faults.way.stuck_from_s = 6.0;
+    scenario.faults.way.stuck_for_s = 4.0;
+    const outrider::Run run = guarded(scenario);
+    EXPECT_EQ(run.report.status, "done") << sim << ": " << run.report.reason;
+    EXPECT_GT(metric(run.report, "driven_m"), 3.0) << sim;
+    EXPECT_LT(metric(run.report, "mission_s"), 300.0) << sim;
+  }
+}
+
 TEST(NavigatedGuard, RefusesThingsWhereTheRobotStarts) {
   GuardJob job;
   job.scenario = street("0.2,0,1,1");
