@@ -16,7 +16,8 @@ void consider(const Instance& instance, const Route& route, std::uint32_t positi
 }
 
 /// Visits that begin at the positions [first, end), and the start if that is 0. Within a visit a service adds
-/// its duration at least, since the time to aim is a metric: once that is reached the others are not looked at.
+/// its duration at least, since the time to aim is a metric: once that is reached the others are not looked
+/// at.
 void insert_in_visits(const Instance& instance, const Route& route, std::uint32_t goal, std::uint32_t first,
                       std::uint32_t end, Insertion& best) {
   if (const std::uint32_t node = instance.node(0, goal); first == 0 && node != none) {
