@@ -27,6 +27,7 @@ Progress Navigator::progress() const {
 }
 
 GoTo Navigator::order_to(const TrackPlace& place) const {
+  if (!follower_) return {pose().position, back_m};
   const Pose2 to = follower_->pose_at(place);
   if (!setup_.robot.steers()) return {to.position, back_m};
   return {to.position, back_m, to.heading_rad, back_rad};

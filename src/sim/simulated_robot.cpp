@@ -86,7 +86,10 @@ Command SimulatedRobot::in_true_time(Command command) const {
 void SimulatedRobot::act(const Command& given) {
   const Command command = in_true_time(given);
   if (auto* body = std::get_if<WaypointBody>(&body_)) return act_on(*body, command);
-  if (auto* body = std::get_if<NavigatedBody>(&body_)) return act_on(*body, command);
+  if (auto* body = std::get_if<NavigatedBody>(&body_)) {
+    act_on(*body, command);
+    return;
+  }
   if (auto* body = std::get_if<RigidBody>(&body_)) return act_on(*body, command);
   const double until_s = std::visit([&](auto& body) { return body.begin(command); }, body_);
   auto& camera = devices_.camera;

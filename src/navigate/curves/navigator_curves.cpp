@@ -44,13 +44,20 @@ void add_moving(const std::vector<MovingThing>& moving, std::vector<Vec2>& point
   }
 }
 
+std::string why_no_curves(Vec2 place, const RobotModel& robot, const Fault& fault) {
+  const bool is_tight = fault.code == FaultCode::budget_exhausted;
+  return fmt::format(
+      "no way to ({:.2f}, {:.2f}) around what stands there{}", place.x, place.y,
+      is_tight ? fmt::format(" was found with a turning radius of {:g} m", robot.turning_radius_m) : "");
+}
+
 }  // namespace
 
 std::vector<Vec2> Navigator::way(double most_m) const {
   if (!curves_) return field_.way(pose().position, most_m);
   std::vector<Vec2> points = {pose().position};
-  for (double way_m = 0.0; way_m < most_m; way_m += shown_m) {
-    const auto place = curves_->ahead_of(curves_->at(), way_m);
+  for (int i = 0; i * shown_m < most_m; ++i) {
+    const auto place = curves_->ahead_of(curves_->at(), i * shown_m);
     points.push_back(curves_->pose_at(place.value_or(TrackPlace{curves_->track()->size(), 0.0})).position);
     if (!place) break;
   }
@@ -138,11 +145,7 @@ void Navigator::plan_curves(const GoTo& order) {
       workspace_);
   no_curves_.clear();
   if (!way) {
-    const bool is_tight = way.error().code == FaultCode::budget_exhausted;
-    no_curves_ = fmt::format(
-        "no way to ({:.2f}, {:.2f}) around what stands there{}", order.place.x, order.place.y,
-        is_tight ? fmt::format(" was found with a turning radius of {:g} m", setup_.robot.turning_radius_m)
-                 : "");
+    no_curves_ = why_no_curves(order.place, setup_.robot, way.error());
     return;
   }
   if (way->empty()) return;
@@ -158,6 +161,7 @@ void Navigator::plan_curves(const GoTo& order) {
 
 /// Returns the next twist along the way, from which the robot can brake; slowly, or none, where it cannot.
 Twist2 Navigator::along_curves(const MotionState& state) {
+  if (!curves_) return {};
   const double speed_mps = std::abs(twist_.ahead_mps);
   const double look_m = speed_mps * speed_mps / setup_.robot.acceleration_mps2 + curves_beyond_m;
   const double least_m =

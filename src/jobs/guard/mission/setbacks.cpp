@@ -91,7 +91,7 @@ void TaskBoard::note_drive(const Observation& seen) {
     return;
   }
   take_back_unfired(seen.time_s, false);
-  if (!seen.targets->arrivals.empty()) return;  // it may have ended for them
+  if (seen.targets && !seen.targets->arrivals.empty()) return;  // it may have ended for them
   count_cut(seen);
   if (cut.in_place > most_in_place) cut.stays_until_s = seen.time_s + stays_s;
   if (cut.here == drives_around) take_for_obstacle(seen.odometry);

@@ -142,18 +142,19 @@ NavigatedBody::Look looking(Log& log, LogQueue& queue) {
   };
 }
 
-Outcome<Report> simulate_navigated(const GuardRun& run, Log& log, const RunWatch& watch) {
+Outcome<Report> simulate_navigated(const GuardRun& run, const GuardMission& mission, Log& log,
+                                   const RunWatch& watch) {
   const GuardScenario& scenario = run.guard.scenario;
   const auto yard = navigated_yard(true_problem(run), scenario.things);
   if (!yard) return pass_on(yard);
-  auto robot = navigated_guard(*yard, run.guard.mission->board().firing_map(), scenario.navigation, log,
+  auto robot = navigated_guard(*yard, mission.board().firing_map(), scenario.navigation, log,
                                seed_of(run.guard), target_params(run),
-                               run.truth ? run.truth->levels : StoreLevels{}, scenario.faults);
+                               run.truth != nullptr ? run.truth->levels : StoreLevels{}, scenario.faults);
   if (!robot) return pass_on(robot);
   log_solids(log, yard->problem.world, yard->problem.robot.height_m);
   log_mount(log, "laser", scenario.navigation.laser.robot_T_laser, scenario.navigation.laser.height_m);
   robot->body<NavigatedBody>().watch(looking(log, robot->queue()), watch.stop);
-  return simulate(run, *run.guard.mission, *robot, log, watch);
+  return simulate(run, mission, *robot, log, watch);
 }
 
 constexpr double longest_walk_s = 7200.0;  // walkers stay at their last place then
@@ -182,7 +183,7 @@ Outcome<Report> run_guard(GuardRun run, Log& log, const RunWatch& watch) {
   }
   log_yard(log, true_problem(run), guard.scenario);
   if (guard.scenario.sim == "physics") return simulate_bodies(run, log, watch);
-  if (guard.scenario.sim == "navigator") return simulate_navigated(run, log, watch);
+  if (guard.scenario.sim == "navigator") return simulate_navigated(run, *guard.mission, log, watch);
   SimulatedRobot robot = simulated_guard(
       true_problem(run), run.truth ? run.truth->firing_map : board.firing_map(), log, seed_of(guard),
       target_params(run), run.truth ? run.truth->levels : StoreLevels{}, guard.scenario.faults);
