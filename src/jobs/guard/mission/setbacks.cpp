@@ -69,6 +69,33 @@ void TaskBoard::take_for_obstacle(const Pose2& here) {
   cut_.obstacles.push_back(here.position + ahead_m * direction(here.heading_rad));
 }
 
+/// Lets the targets that no drive has hit be shot at from the stop.
+void TaskBoard::stop_for_passed() {
+  StopTask& task = queue_.front();
+  task.targets.insert(task.targets.end(), task.passing.begin(), task.passing.end());
+  task.passing.clear();
+}
+
+/// Returns true if the robot does the present task from where it is, since its drives are in vain.
+bool TaskBoard::stays_here(const Observation& seen) {
+  if (seen.time_s >= cut_.stays_until_s) return false;
+  stop_for_passed();
+  arrived_ = true;
+  last_place_ = seen.odometry.position;
+  return true;
+}
+
+/// Waits for the planner to have a budget again; nothing: it has waited for long enough, and gives up.
+std::optional<Command> TaskBoard::wait_for_planner(double time_s, const Fault& fault) {
+  constexpr double patience_s = 30.0, again_s = 1.0;
+  const double since_s = planless_s_.value_or(time_s);
+  planless_s_ = since_s;
+  if (time_s - since_s < patience_s) return Wait{time_s + again_s};
+  given_up_ = fmt::format("no way can be planned since {:.1f} s: {}", since_s, fault.sentence);
+  fail_waiting(given_up_, time_s);
+  return std::nullopt;
+}
+
 void TaskBoard::begin_drive(Vec2 place) {
   last_place_ = place;
   cut_.driving = true;
@@ -109,9 +136,7 @@ AfterDrive TaskBoard::after_drive(const Observation& seen) {
   take_back_unfired(seen.time_s, true);
   if (cut.all > most_of_all || cut.here == most_here || cut.in_place > most_in_place || seen.gave_up) {
     cut.here = 0;
-    StopTask& task = queue_.front();  // whom no drive has hit is shot at from here
-    task.targets.insert(task.targets.end(), task.passing.begin(), task.passing.end());
-    task.passing.clear();
+    stop_for_passed();
     return AfterDrive::go_on;
   }
   if (cut.here == drives_around) take_for_obstacle(seen.odometry);

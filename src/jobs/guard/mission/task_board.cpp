@@ -156,28 +156,10 @@ Fill TaskBoard::fill() {
   return {call};
 }
 
-/// Waits for the planner to have a budget again; nothing: it has waited for long enough, and gives up.
-std::optional<Command> TaskBoard::wait_for_planner(double time_s, const Fault& fault) {
-  constexpr double patience_s = 30.0, again_s = 1.0;
-  const double since_s = planless_s_.value_or(time_s);
-  planless_s_ = since_s;
-  if (time_s - since_s < patience_s) return Wait{time_s + again_s};
-  given_up_ = fmt::format("no way can be planned since {:.1f} s: {}", since_s, fault.sentence);
-  fail_waiting(given_up_, time_s);
-  return std::nullopt;
-}
-
 /// Off to the place of the present task, shooting in passing; nothing when the robot stands there.
 std::optional<Command> TaskBoard::set_off(const Observation& seen) {
   const Vec2 place = queue_.front().place;
-  if (seen.time_s < cut_.stays_until_s) {
-    StopTask& task = queue_.front();
-    task.targets.insert(task.targets.end(), task.passing.begin(), task.passing.end());
-    task.passing.clear();
-    arrived_ = true;
-    last_place_ = seen.odometry.position;
-    return std::nullopt;
-  }
+  if (stays_here(seen)) return std::nullopt;
   auto way = way_between(seen.odometry, place);
   if (!way) return wait_for_planner(seen.time_s, way.error());
   planless_s_.reset();

@@ -188,6 +188,8 @@ class TaskBoard {
   void take_back_unfired(double time_s, bool again);
   void count_cut(const Observation& seen);
   void take_for_obstacle(const Pose2& here);
+  void stop_for_passed();
+  bool stays_here(const Observation& seen);
   AfterDrive after_drive(const Observation& seen);
   std::optional<Command> wait_if_held_up(const Observation& seen);
 
