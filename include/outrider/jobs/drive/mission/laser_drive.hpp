@@ -18,7 +18,7 @@ namespace outrider {
 /// Options of a drive by laser.
 struct LaserDriveOptions : NavigationOptions {
   std::string footprint;             ///< corners or radius (parse_footprint()); empty: the disk of the robot
-  double turning_radius_m = 0.0;     ///< of a robot that steers like a car; 0: it turns in place
+  double turning_radius_m = 0.0;     ///< least radius of a curve, as of a car; 0: it turns in place
   double within_m = 0.15;            ///< distance from a waypoint at which the robot has arrived
   double within_rad = radians(5.0);  ///< the same of the heading at a stop
   bool start_unknown = false;        ///< the robot is not told where on its map it starts

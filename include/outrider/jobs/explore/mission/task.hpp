@@ -46,7 +46,7 @@ struct ExploreTask {
   RobotModel robot = burger();                  ///< size and speeds
   LaserSlamOptions slam = near_sighted_slam();  ///< of SLAM
   ExploreOptions explore;                       ///< of the decisions
-  NavigatorOptions navigator = patient();       ///< of the navigator
+  NavigatorOptions navigator = patient();       ///< the options of its navigator
   LiveMapOptions live_map = near_sighted_map();
   LocalMotionOptions motion = careful_motion();
   ExploreRules rules;  ///< limits

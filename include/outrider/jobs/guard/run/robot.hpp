@@ -18,7 +18,7 @@ SimulatedRobot simulated_guard(const GuardProblem& problem, const FiringMap& fir
 /// The yard of a robot that its navigator drives, with the things that no map has.
 struct NavigatedYard {
   GuardProblem problem;
-  std::vector<FlightSpace> spaces;  ///< of the flights
+  std::vector<FlightSpace> spaces;  ///< the obstacles of flights
 };
 /// Faults: bad_input for things that are none, or that leave the robot no room where it starts.
 Outcome<NavigatedYard> navigated_yard(const GuardProblem& truth, const std::string& things);
