@@ -276,7 +276,9 @@ std::optional<Command> MovingTargets::propose(TaskBoard& board, const Observatio
       return FollowWaypoints{std::move(way)};
     }
   }
-  return Wait{(std::floor(seen.time_s / plan.options.look_s) + 1.0) * plan.options.look_s};
+  // The next look is later, although the time of one may be rounded to less than its multiple.
+  constexpr double instant_s = 1e-9;
+  return Wait{(std::floor((seen.time_s + instant_s) / plan.options.look_s) + 1.0) * plan.options.look_s};
 }
 
 }  // namespace outrider

@@ -244,6 +244,34 @@ TEST(MovingTargets, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
   EXPECT_GT(shots, 0);
 }
 
+/// The next look is later than now, however the times of looks are rounded: 43 looks of 0.05 s are less
+/// than 2.15 s.
+TEST(MovingTargets, WaitsForALaterLook) {
+  const GuardProblem problem = yard_with_walls(false);
+  const auto firing_map = build_firing_map(problem, walkers_options());
+  WanderOptions wander;
+  wander.look_s = 0.05;
+  const auto plan = plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander),
+                                walkers_options(), wander);
+  ASSERT_TRUE(plan.has_value());
+  GuardMission mission(*plan);
+  Observation seen;
+  seen.odometry = problem.start;
+  seen.targets.emplace();
+  int waits = 0;
+  for (int look = 1; look <= 2000; ++look) {
+    seen.time_s = look * wander.look_s;
+    const auto command = mission.step(seen);
+    ASSERT_TRUE(command.has_value());
+    const auto* const wait = std::get_if<Wait>(&*command);
+    if (wait == nullptr) continue;
+    ++waits;
+    EXPECT_GT(wait->until_s, seen.time_s);
+    EXPECT_LT(wait->until_s, seen.time_s + 1.5 * wander.look_s);
+  }
+  EXPECT_GT(waits, 1000);
+}
+
 /// One who never moves is hit as a still one is: by the best shot from where the robot stands.
 TEST(MovingTargets, OfThoseWhoStayIsTheStillYard) {
   GuardProblem problem = yard_with_walls(false);
