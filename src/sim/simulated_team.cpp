@@ -58,7 +58,7 @@ Observation SimulatedTeam::sense() {
 /// Returns the observation after the first second, with the sighting that is due, if there is one.
 GridObservation SimulatedTeam::faulty_view() {
   GridObservation grid{robots_, {}};
-  grid.blocked = blocked_;
+  grid.closed = found_closed_;
   grid.caught = robots_[on_duty_] == target_[static_cast<std::size_t>(time_s_)];
   if (!coming_.empty() && coming_.front().due_s <= time_s_) {
     grid.target = {coming_.front().cell};
@@ -117,7 +117,7 @@ void SimulatedTeam::put_elsewhere(std::size_t robot) {
 /// Makes the step as far as the faults let it.
 void SimulatedTeam::move(const StepToCell& step) {
   const Cell from = robots_[step.robot];
-  blocked_ = false;
+  found_closed_.clear();
   if (step.cell == from) return;
   if (within(time_s_, faults_.stuck_from_s, faults_.stuck_for_s)) {
     ++counts_.stuck_s;
@@ -125,7 +125,7 @@ void SimulatedTeam::move(const StepToCell& step) {
     ++counts_.into_walls;
   } else if (is_closed(step.cell)) {
     ++counts_.blocked;
-    blocked_ = true;
+    found_closed_ = {step.cell};
   } else {
     robots_[step.robot] = step.cell;
   }

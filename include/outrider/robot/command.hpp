@@ -75,6 +75,7 @@ struct Fill {
 struct StepToCell {
   std::size_t robot = 0;
   Cell cell;
+  Cell then = cell;  ///< where it goes in the second after, so that robots on wheels need not stop
 };
 
 using Command =

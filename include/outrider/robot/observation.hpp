@@ -72,7 +72,8 @@ struct GridObservation {
   std::vector<Cell> target;
   /// Second of the first of these cells. Unset: they follow those of the observations before.
   std::optional<int> target_from_s = {};
-  bool blocked = false;  ///< the robot could not enter the cell to which it was sent: it is closed
+  std::vector<Cell> closed = {};  ///< cells that were found closed since the previous observation
+  std::vector<Cell> opened = {};  ///< those that were found open again
   /// True if a robot is in the cell of the target; set if the robots feel it. Unset: the path of the target
   /// decides.
   std::optional<bool> caught = {};

@@ -68,7 +68,7 @@ class SimulatedTeam final : public Robot {
   std::optional<Cell> closed_;    // middle of the closed cells
   double closed_s_ = 0.0;         // when they closed
   std::size_t on_duty_ = 0;
-  bool blocked_ = false;  // the last step was not made, because the cell is closed
+  std::vector<Cell> found_closed_;  // the cell of the last step, if it could not be entered
   TeamFaultCounts counts_;
 };
 

@@ -21,11 +21,25 @@ double peak_mib() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
+/// Returns true if no robot went farther than a cell in a second.
+bool is_by_steps(const PursuitState& state) {
+  return std::ranges::all_of(state.paths, [](const std::vector<Cell>& path) {
+    return std::ranges::adjacent_find(path, [](Cell a, Cell b) {
+             return std::abs(a.x - b.x) > 1 || std::abs(a.y - b.y) > 1;
+           }) == path.end();
+  });
+}
+
 /// The bound that somebody who knew the whole future could prove, where the run proved none itself.
 void look_back(PursuitRun& run, const PursuitTask& task, const Budget& budget) {
   if (run.faults && run.faults->kidnapped) return;  // it may have been put nearer
+  if (!is_by_steps(run.state)) {
+    run.lower_bound = 0;
+    run.earliest_catch_s = -1;
+    return;
+  }
   const bool certain = task.rules.known_s >= task.problem.last_s();
-  if (certain && !task.rules.ask) return;
+  if (certain && !task.rules.ask && run.lower_bound > 0) return;
   run.lower_bound = 0;
   for (const Cell robot : task.robots) {
     PursuitProblem problem = task.problem;
@@ -57,12 +71,21 @@ Status PursueJob::run(Run& run, const RunWatch& watch) {
   RunSteps steps(watch, 2);
   if (auto ok = steps.next("planning and going"); !ok) return ok;
   const std::string name = std::filesystem::path(scenario.map).filename().string();
-  WallWatch laps;
+  const PursuitProblem& problem = task->problem;
+  const auto seed = static_cast<std::uint64_t>(scenario.seed);
   task->rules.budget.stop = watch.stop;
-  PursuitLog log(run.log, task->problem, name);
-  auto pursued = pursue(
-      task->problem, task->robots, task->rules, laps, [&](const PursuitRun& so_far) { log.note(so_far); },
-      scenario.faults, static_cast<std::uint64_t>(scenario.seed));
+  std::optional<NavigatedPursuer> robot;
+  if (scenario.sim == "navigator") {
+    auto made = NavigatedPursuer::make(problem, scenario.pursuer, task->rules.known_s, seed);
+    if (!made) return pass_on(made);
+    robot = std::move(*made);
+  }
+  PursuitLog log(run.log, problem, name, robot ? scenario.pursuer.robot.radius_m : 0.0);
+  if (robot) robot->log_to(run.log, watch.stop);
+  WallWatch laps;
+  const auto look = [&](const PursuitRun& so_far) { log.note(so_far); };
+  auto pursued = robot ? pursue(problem, task->rules, *robot, laps, look)
+                       : pursue(problem, task->robots, task->rules, laps, look, scenario.faults, seed);
   constexpr double never = std::numeric_limits<double>::quiet_NaN();
   if (!pursued) {
     if (!is_proven_impossible(pursued.error())) return pass_on(pursued);
@@ -76,7 +99,8 @@ Status PursueJob::run(Run& run, const RunWatch& watch) {
   if (!stopped) (void)steps.next("looking back with the whole future known");
   if (!stopped) look_back(*pursued, *task, watch.budget());
   log.note(*pursued);
-  run.report = pursuit_report(task->problem, *pursued, name);
+  run.report = robot ? pursuit_report(problem, *pursued, robot->body(), name)
+                     : pursuit_report(problem, *pursued, name);
   run.report.machine_times = {
       {"first_feasible_s", first_s}, {"planning_s", pursued->planning_s}, {"peak_mib", peak_mib()}};
   if (stopped) mark_cancelled(run.report, run.log, static_cast<double>(pursued->state.time_s));

@@ -39,6 +39,7 @@ void PursuitMission::take_in(const GridObservation& grid) {
   see_target(grid);
   if (run.state.robots.empty()) {
     run.state = begin_pursuit(grid.robots);
+    close(grid);
     return;
   }
   const auto now_s = static_cast<std::size_t>(run.state.time_s) + 1;
@@ -48,7 +49,7 @@ void PursuitMission::take_in(const GridObservation& grid) {
   pass_second(run.state, *costs_, grid.robots, known ? target_[now_s] : belief_.believed.target[now_s]);
   const Cell here = grid.robots[run.state.duty];
   if (here != sent_to) forget_path();
-  if (grid.blocked) close(sent_to);
+  close(grid);
   if (here != sent_to && here != before) {  // it was put there, perhaps nearer to the target
     run.lower_bound = 0;
     run.earliest_catch_s = -1;
@@ -76,12 +77,14 @@ void PursuitMission::see_target(const GridObservation& grid) {
   target_.insert(target_.end(), grid.target.begin(), grid.target.end());
 }
 
-/// Plans around the cell from now on.
-void PursuitMission::close(Cell cell) {
+/// Plans around the cells that are closed from now on.
+void PursuitMission::close(const GridObservation& grid) {
+  if (grid.closed.empty() && grid.opened.empty()) return;
   CostGrid costs = *belief_.believed.costs;
-  costs[cell] = belief_.believed.threshold;
+  for (const Cell cell : grid.closed) costs[cell] = belief_.believed.threshold;
+  for (const Cell cell : grid.opened) costs[cell] = (*costs_)[cell];
   belief_.believed.costs = std::make_shared<const CostGrid>(std::move(costs));
-  sessions_.clear();
+  forget_path();
 }
 
 /// Forgets which cells were closed. Returns false if none was.
@@ -119,7 +122,8 @@ bool PursuitMission::plan() {
 }
 
 Command PursuitMission::go() const {
-  return StepToCell{run.state.duty, robot_at(run.state, run.state.duty, 1)};
+  const std::size_t duty = run.state.duty;
+  return StepToCell{duty, robot_at(run.state, duty, 1), robot_at(run.state, duty, 2)};
 }
 
 /// Shows the run. The time for that costs nothing.

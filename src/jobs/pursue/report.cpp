@@ -37,7 +37,7 @@ outrider_msgs::CostGrid drawn_map(const PursuitProblem& problem) {
   const GridFrame& frame = problem.costs->frame;
   const int block = (std::max(frame.width, frame.height) + most_cells - 1) / most_cells;
   const int columns = (frame.width + block - 1) / block, rows = (frame.height + block - 1) / block;
-  return {point_of(frame.bounds().low), static_cast<double>(block), static_cast<std::uint32_t>(columns),
+  return {point_of(frame.bounds().low), block * frame.resolution_m, static_cast<std::uint32_t>(columns),
           static_cast<std::uint32_t>(rows), drawn_costs(problem, block, columns, rows)};
 }
 
@@ -88,17 +88,19 @@ std::string pose_topic(std::size_t robot) {
 
 }  // namespace
 
-PursuitLog::PursuitLog(Log& log, const PursuitProblem& problem, const std::string& name)
-    : log_(log), problem_(problem) {
+PursuitLog::PursuitLog(Log& log, const PursuitProblem& problem, const std::string& name,
+                       double robot_radius_m)
+    : log_(log), problem_(problem), robot_logs_(robot_radius_m > 0.0) {
   const Box2 bounds = problem.costs->frame.bounds();
   outrider_msgs::RunInfo info;
   info.job = "pursue";
   info.world = name;
   info.low = point_of(bounds.low);
   info.high = point_of(bounds.high);
+  info.robot_radius = robot_radius_m;
   log.append(topic::run, 0.0, std::move(info));
   log.append(topic::cost_grid, 0.0, drawn_map(problem));
-  log_place(std::string(topic::pose), 0, problem.start);
+  if (!robot_logs_) log_place(std::string(topic::pose), 0, problem.start);
   log_place(std::string(topic::target_pose), 0, problem.target.front());
   log.append(topic::paid, 0.0, outrider_msgs::PaidCost{0.0});
 }
@@ -113,7 +115,7 @@ void PursuitLog::note(const PursuitRun& run) {
   for (; second_ < state.time_s; ++second_) {
     const auto s = static_cast<std::size_t>(second_);
     paid_ += (*problem_.costs)[state.paths[state.duties[s]][s]];
-    for (std::size_t robot = 0; robot < state.paths.size(); ++robot) {
+    for (std::size_t robot = 0; !robot_logs_ && robot < state.paths.size(); ++robot) {
       if (s == 0 && robot > 0) log_place(pose_topic(robot), 0, state.paths[robot][0]);
       log_place(pose_topic(robot), second_ + 1, state.paths[robot][s + 1]);
     }
@@ -156,6 +158,26 @@ Report pursuit_report(const PursuitProblem& problem, const PursuitRun& run, cons
       {"expansions", static_cast<double>(run.expansions)},
   };
   if (run.faults) add_metrics(report.metrics, run, *run.faults, state.caught && !caught);
+  return report;
+}
+
+Report pursuit_report(const PursuitProblem& problem, const PursuitRun& run, const NavigatedBody& robot,
+                      const std::string& name) {
+  Report report = pursuit_report(problem, run, name);
+  const TwistBody& wheels = robot.wheels();
+  const auto add = [&](const std::string& reason) {
+    report.reason += (report.reason.empty() ? "" : "; ") + reason;
+    report.status = "not_done";
+  };
+  if (wheels.contacts() > 0) add("something was touched");
+  if (report.status != "done" && robot.belief_error_m() > problem.costs->frame.resolution_m)
+    add(fmt::format("the robot took itself to be up to {:.1f} m from where it was", robot.belief_error_m()));
+  report.metrics.insert(report.metrics.end(), {{"driven_m", wheels.driven_m()},
+                                               {"turned_rad", wheels.turned_rad()},
+                                               {"contacts", static_cast<double>(wheels.contacts())},
+                                               {"walked_into", static_cast<double>(wheels.walked_into())},
+                                               {"recoveries", static_cast<double>(robot.recoveries())},
+                                               {"belief_error_m", robot.belief_error_m()}});
   return report;
 }
 

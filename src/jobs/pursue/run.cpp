@@ -6,6 +6,19 @@
 #include "outrider/sim/simulated_team.hpp"
 
 namespace outrider {
+namespace {
+
+Outcome<PursuitRun> run(const PursuitProblem& truth, const PursuitRules& rules, Robot& robot,
+                        StopWatch& watch, const std::function<void(const PursuitRun&)>& look) {
+  PursuitMission mission(truth, truth.target.size(), rules, watch, look);
+  run_mission(mission, robot, rules.budget.stop, [&](const Observation&, const Command*) {
+    if (look) look(mission.run);
+  });
+  if (mission.fault) return tl::unexpected<Fault>(std::move(*mission.fault));
+  return std::move(mission.run);
+}
+
+}  // namespace
 
 Outcome<PursuitRun> pursue(const PursuitProblem& truth, const std::vector<Cell>& robots,
                            const PursuitRules& rules, StopWatch& watch,
@@ -16,17 +29,21 @@ Outcome<PursuitRun> pursue(const PursuitProblem& truth, const std::vector<Cell>&
     problem.start = robot;
     if (auto ok = check(problem); !ok) return pass_on(ok);
   }
+  if (!faults.any()) {
+    SimulatedTeam team(robots, truth.target, rules.known_s);
+    return run(truth, rules, team, watch, look);
+  }
   const auto free = [&](Cell cell) { return truth.costs->contains(cell) && !truth.wall(cell); };
-  SimulatedTeam team = faults.any()
-                           ? SimulatedTeam(robots, truth.target, rules.known_s, faults, free, Rng(seed))
-                           : SimulatedTeam(robots, truth.target, rules.known_s);
-  PursuitMission mission(truth, truth.target.size(), rules, watch, look);
-  run_mission(mission, team, rules.budget.stop, [&](const Observation&, const Command*) {
-    if (look) look(mission.run);
-  });
-  if (faults.any()) mission.run.faults = team.counts();
-  if (mission.fault) return tl::unexpected<Fault>(std::move(*mission.fault));
-  return std::move(mission.run);
+  SimulatedTeam team(robots, truth.target, rules.known_s, faults, free, Rng(seed));
+  auto done = run(truth, rules, team, watch, look);
+  if (done) done->faults = team.counts();
+  return done;
+}
+
+Outcome<PursuitRun> pursue(const PursuitProblem& truth, const PursuitRules& rules, NavigatedPursuer& robot,
+                           StopWatch& watch, const std::function<void(const PursuitRun&)>& look) {
+  if (auto ok = check(truth); !ok) return pass_on(ok);
+  return run(truth, rules, robot, watch, look);
 }
 
 std::vector<Cell> place_team(const PursuitProblem& problem, std::size_t count) {

@@ -26,6 +26,27 @@ Status check_names(const PursuitScenario& scenario) {
   return {};
 }
 
+/// What does not go together with the robot that is simulated.
+Status check_sim(const PursuitScenario& scenario) {
+  const NavigationOptions& navigation = scenario.pursuer.navigation;
+  if (scenario.sim != "navigator") {
+    const char* asked = !scenario.pursuer.things.empty() ? "things"
+                        : navigation.faults.any()        ? "walk_ins"
+                                                         : nullptr;
+    if (asked == nullptr) return {};
+    return bad_input("robots that step from cell to cell meet nothing; give sim: navigator, or leave it out",
+                     asked);
+  }
+  if (scenario.pursuers > 1)
+    return bad_input("one robot is driven by a navigator; give one pursuer, or sim: ideal", "pursuers");
+  if (scenario.faults.any())
+    return bad_input(
+        "these are faults of steps from cell to cell; give those of wheels, laser and walk_ins, or sim: "
+        "ideal",
+        "faults");
+  return check(navigation.laser);
+}
+
 /// The cells of the robots after the first.
 Outcome<std::vector<Cell>> other_starts(const PursuitScenario& scenario, const PursuitProblem& problem) {
   const GridFrame& frame = problem.costs->frame;
@@ -90,7 +111,17 @@ std::vector<OptionGroup> describe(PursuitScenario& scenario) {
         {"starts", "", 0, 0, "x,y of each robot but the first, with blanks between; empty: spread out",
          &scenario.starts},
         {"call", "s", 0.01, 1.9, "of a planning call on the wall clock", &scenario.call_s},
-        {"seed", "", 0, 1e15, "seed of what faults draw; nothing else is random", &scenario.seed}}}};
+        {"seed", "", 0, 1e15, "seed of what faults and sensors draw; nothing else is random", &scenario.seed},
+        choice_option(
+            "sim",
+            "ideal: robots step from cell to cell; navigator: one robot on wheels with a range finder "
+            "drives there, around what stands in its way",
+            &scenario.sim, {"ideal", "navigator"}),
+        {"cell", "m", 0.05, 1000, "side of a cell, for sim: navigator", &scenario.pursuer.cell_m},
+        {"things", "", 0, 0,
+         "on no map: boxes x,y,length,width and posts x,y,radius in m, with blanks between; for sim: "
+         "navigator",
+         &scenario.pursuer.things}}}};
   for (std::size_t i = 0; i < scenario.planners.size(); ++i) {
     const std::string name(pursuit_planners()[i].name);
     if (!scenario.planners[i].options.empty()) {
@@ -98,6 +129,8 @@ std::vector<OptionGroup> describe(PursuitScenario& scenario) {
     }
   }
   groups.push_back({"faults", "what goes wrong without the robots being told", describe(scenario.faults)});
+  groups.push_back({"robot", "the robot on wheels", describe(scenario.pursuer.robot)});
+  for (OptionGroup& group : describe(scenario.pursuer.navigation)) groups.push_back(std::move(group));
   return groups;
 }
 
@@ -116,12 +149,18 @@ Outcome<PursuitRules> rules_of(const PursuitScenario& scenario) {
 
 Outcome<PursuitTask> load_task(const PursuitScenario& scenario) {
   if (auto ok = check_names(scenario); !ok) return pass_on(ok);
+  if (auto ok = check_sim(scenario); !ok) return pass_on(ok);
   auto rules = rules_of(scenario);
   if (!rules) return pass_on(rules);
   auto problem = load_pursuit_map(scenario.map);
   if (!problem) return pass_on(problem);
   auto robots = robots_of(scenario, *problem);
   if (!robots) return pass_on(robots);
+  if (scenario.sim == "navigator") {
+    CostGrid in_metres = *problem->costs;
+    in_metres.frame.resolution_m = scenario.pursuer.cell_m;
+    problem->costs = std::make_shared<const CostGrid>(std::move(in_metres));
+  }
   return PursuitTask{std::move(*problem), std::move(*robots), std::move(*rules)};
 }
 

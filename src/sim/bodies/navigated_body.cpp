@@ -65,8 +65,8 @@ void NavigatedBody::drive_to(Vec2 place, const std::function<bool()>& goes_on) {
   } while (goes_on() && !stop_.stop_requested());
 }
 
-void NavigatedBody::wait_until(double time_s) {
-  while (this->time_s() < time_s - instant_s && !stop_.stop_requested()) carry_out(Hold{}, time_s);
+void NavigatedBody::go(const Order& order, double until_s) {
+  while (time_s() < until_s - instant_s && !stop_.stop_requested()) carry_out(order, until_s);
 }
 
 }  // namespace outrider

@@ -89,7 +89,7 @@ TEST(SimulatedTeamFaults, AStuckRobotStaysAndAClosedCellIsFelt) {
   SimulatedTeam team = corridor_team(stuck);
   team.act(StepToCell{0, {1, 0}});
   EXPECT_EQ(team.sense().grid->robots.front(), (Cell{0, 0}));
-  EXPECT_FALSE(team.sense().grid->blocked);
+  EXPECT_TRUE(team.sense().grid->closed.empty());
   team.act(StepToCell{0, {1, 0}});
   EXPECT_EQ(team.sense().grid->robots.front(), (Cell{1, 0}));
   EXPECT_EQ(team.counts().stuck_s, 1);
@@ -102,7 +102,7 @@ TEST(SimulatedTeamFaults, AStuckRobotStaysAndAClosedCellIsFelt) {
   (void)after_a_second(other);
   (void)after_a_second(other);
   other.act(StepToCell{0, {1, 0}});
-  EXPECT_TRUE(other.sense().grid->blocked);
+  EXPECT_EQ(other.sense().grid->closed.size(), 1U);
   EXPECT_EQ(other.sense().grid->robots.front(), (Cell{0, 0}));
   EXPECT_EQ(other.counts().blocked, 1);
 }

@@ -118,7 +118,7 @@ class PursuitMission {
 
   void take_in(const GridObservation& grid);
   void see_target(const GridObservation& grid);
-  void close(Cell cell);
+  void close(const GridObservation& grid);
   bool reopen();
   void forget_path();
   [[nodiscard]] bool is_over() const;

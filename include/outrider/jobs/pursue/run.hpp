@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "outrider/jobs/pursue/mission.hpp"
+#include "outrider/jobs/pursue/navigated.hpp"
 
 namespace outrider {
 
@@ -17,6 +18,10 @@ Outcome<PursuitRun> pursue(const PursuitProblem& truth, const std::vector<Cell>&
                            const PursuitRules& rules, StopWatch& watch,
                            const std::function<void(const PursuitRun&)>& look = {},
                            const TeamFaults& faults = {}, std::uint64_t seed = 1);
+
+/// The same by a robot that its navigator drives.
+Outcome<PursuitRun> pursue(const PursuitProblem& truth, const PursuitRules& rules, NavigatedPursuer& robot,
+                           StopWatch& watch, const std::function<void(const PursuitRun&)>& look = {});
 
 /// Returns start cells for a team. The first is the given start. Each next one is the free cell with the
 /// largest Chebyshev distance from all cells before it; among equals the one of the lowest row, then column.

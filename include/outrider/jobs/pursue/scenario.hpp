@@ -22,6 +22,8 @@ struct PursuitScenario {
   double call_s = 1.5;    ///< duration of a call of the anytime search on the wall clock
   std::int64_t seed = 1;  ///< of what faults draw
   TeamFaults faults;      ///< the mission is not told
+  std::string sim = "ideal";  ///< steps from cell to cell, or navigator: a robot on wheels that drives there
+  PursuerOptions pursuer;     ///< this robot
   std::vector<ConfiguredPursuitPlanner> planners = configured_planners();  ///< in the order of the catalogue
 
   /// Returns all planners with their default options.
@@ -29,7 +31,7 @@ struct PursuitScenario {
 };
 
 /// Describes the options: the top-level keys, then a section for each planner that has options, under its
-/// name, and the section faults.
+/// name, the section faults, and those of a robot on wheels.
 std::vector<OptionGroup> describe(PursuitScenario& scenario);
 
 /// Everything that a run needs.

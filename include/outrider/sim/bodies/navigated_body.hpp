@@ -35,13 +35,17 @@ class NavigatedBody {
   void begin_way() { why_stopped_.clear(); }
   /// Drives to a place, and stands there in the end; `goes_on` is asked after each period.
   void drive_to(Vec2 place, const std::function<bool()>& goes_on);
-  void wait_until(double time_s);
+  void wait_until(double time_s) { go(Hold{}, time_s); }
+  /// Carries an order out until that time.
+  void go(const Order& order, double until_s);
   /// Returns why the last drive ended before its goal; empty if it did not.
   [[nodiscard]] const std::string& why_stopped() const { return why_stopped_; }
 
   [[nodiscard]] double time_s() const { return body_.time_s(); }
   [[nodiscard]] const Pose2& pose() const { return body_.pose(); }        ///< true world_T_robot
   [[nodiscard]] const Pose2& believed_pose() const { return now_.pose; }  ///< as localised
+  [[nodiscard]] const World& world() const { return *world_; }
+  [[nodiscard]] const LiveMap& map() const { return navigator_.map(); }
   [[nodiscard]] double driven_m() const { return body_.driven_m(); }
   [[nodiscard]] double turned_rad() const { return body_.turned_rad(); }
   /// Returns how far from its goal it may be when it believes to have arrived.
