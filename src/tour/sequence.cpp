@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <unordered_set>
+#include <utility>
 
 #include "outrider/core/units.hpp"
 
@@ -12,6 +14,7 @@ namespace outrider {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double rounding_s = 1e-6;
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
 /// A sequence by its last hit.
@@ -72,15 +75,32 @@ HitNode extended(const Asked& asked, const HitNode& before, std::size_t stop, st
   return node;
 }
 
-/// The pending that each stop serves, with the service.
-using Offers = std::vector<std::vector<std::pair<std::size_t, const Service*>>>;
+/// One of the pending that a stop serves. Of those of one goal, the one that settles first is hit first,
+/// which is never worse: `before` are the bits of these.
+struct Offer {
+  std::size_t who = 0;
+  const Service* service = nullptr;
+  std::uint64_t before = 0;
+};
+using Offers = std::vector<std::vector<Offer>>;
+
+std::uint64_t before(const std::vector<PendingTarget>& pending, std::size_t who) {
+  const auto turn = [&](std::size_t one) { return std::pair(pending[one].settles_s, one); };
+  std::uint64_t others = 0;
+  for (std::size_t other = 0; other < pending.size(); ++other) {
+    if (pending[other].goal == pending[who].goal && turn(other) < turn(who))
+      others |= std::uint64_t{1} << other;
+  }
+  return others;
+}
 
 Offers offers_of(const Asked& asked) {
   Offers offers(asked.table.services.size());
   for (std::size_t stop = 0; stop < offers.size(); ++stop) {
     for (const Service& service : asked.table.services[stop]) {
       for (std::size_t who = 0; who < asked.pending.size(); ++who) {
-        if (asked.pending[who].goal == service.goal) offers[stop].emplace_back(who, &service);
+        if (asked.pending[who].goal == service.goal)
+          offers[stop].push_back({who, &service, before(asked.pending, who)});
       }
     }
   }
@@ -94,34 +114,66 @@ double rank_of(const Asked& asked, const HitNode& node) {
   return node.sum_s + static_cast<double>(left) * node.time_s;
 }
 
-/// One hit more for each of the sequences; the best `beam`, no two with the same key.
+/// Returns what no hit from that stop after the sequence can rank below: as if only the drive took time.
+double least_rank(const Asked& asked, const HitNode& before, std::size_t stop) {
+  HitNode there = before;
+  if (before.stop == nowhere) {
+    there.time_s += asked.from.drives[stop].time_s;
+  } else if (before.stop != stop) {
+    there.time_s += asked.table.drives[before.stop * asked.table.services.size() + stop].time_s;
+  }
+  return rank_of(asked, there);
+}
+
+bool better(const HitNode& a, const HitNode& b) {
+  return std::tuple(a.rank, a.time_s, a.key(), a.parent) < std::tuple(b.rank, b.time_s, b.key(), b.parent);
+}
+
+/// Leaves the best `beam`, no two with the same key, in their order.
+void keep_best(std::vector<HitNode>& nodes, std::size_t beam) {
+  const auto hash = [](const std::tuple<std::uint64_t, std::size_t, std::size_t>& key) {
+    constexpr std::uint64_t odd = 0x9E3779B97F4A7C15ULL;
+    return ((std::get<0>(key) * odd + std::get<1>(key)) * odd + std::get<2>(key)) * odd;
+  };
+  std::vector<const HitNode*> order;
+  order.reserve(nodes.size());
+  for (const HitNode& node : nodes) order.push_back(&node);
+  std::sort(order.begin(), order.end(), [](const HitNode* a, const HitNode* b) { return better(*a, *b); });
+  std::unordered_set<std::tuple<std::uint64_t, std::size_t, std::size_t>, decltype(hash)> seen(
+      std::min(beam, nodes.size()), hash);
+  std::vector<HitNode> best;
+  for (const HitNode* const node : order) {
+    if (best.size() == beam) break;
+    if (seen.insert(node->key()).second) best.push_back(*node);
+  }
+  nodes = std::move(best);
+}
+
+/// One hit more for each of the sequences; the best `beam`, no two with the same key. Not many more than
+/// these are held meanwhile, since what is worse than `beam` others is not among the best.
 std::vector<HitNode> next_layer(const Asked& asked, const Offers& offers, const std::vector<HitNode>& layer,
                                 std::size_t beam) {
+  const std::size_t most_held = 4 * beam + 1024;
   std::vector<HitNode> next;
-  for (std::size_t i = 0; i < layer.size(); ++i) {
+  double worst = inf;
+  for (std::size_t i = 0; i < layer.size() && layer[i].rank <= worst + rounding_s; ++i) {
     for (std::size_t stop = 0; stop < offers.size(); ++stop) {
-      for (const auto& [who, service] : offers[stop]) {
-        if ((layer[i].hit >> who & 1U) != 0) continue;
+      if (offers[stop].empty() || least_rank(asked, layer[i], stop) > worst + rounding_s) continue;
+      for (const auto& [who, service, others] : offers[stop]) {
+        if ((layer[i].hit >> who & 1U) != 0 || (others & ~layer[i].hit) != 0) continue;
         HitNode node = extended(asked, layer[i], stop, who, *service);
         if (!std::isfinite(node.time_s)) continue;
         node.rank = rank_of(asked, node);
+        if (node.rank > worst) continue;
         node.parent = i;
         next.push_back(node);
+        if (next.size() < most_held) continue;
+        keep_best(next, beam);
+        if (next.size() == beam) worst = next.back().rank;
       }
     }
   }
-  const auto better = [](const HitNode& a, const HitNode& b) {
-    return std::tuple(a.rank, a.time_s, a.key(), a.parent) < std::tuple(b.rank, b.time_s, b.key(), b.parent);
-  };
-  std::sort(next.begin(), next.end(), [&](const HitNode& a, const HitNode& b) {
-    return a.key() != b.key() ? a.key() < b.key() : better(a, b);
-  });
-  next.erase(std::unique(next.begin(), next.end(),
-                         [](const HitNode& a, const HitNode& b) { return a.key() == b.key(); }),
-             next.end());
-  const auto kept = static_cast<std::ptrdiff_t>(std::min(beam, next.size()));
-  std::partial_sort(next.begin(), next.begin() + kept, next.end(), better);
-  next.resize(static_cast<std::size_t>(kept));
+  keep_best(next, beam);
   return next;
 }
 

@@ -99,6 +99,65 @@ TEST(BestSequence, IsTheBestOfAll) {
   }
 }
 
+/// Returns true if another that is still to be hit at the same place settles there earlier.
+bool is_out_of_turn(const SequenceCase& c, std::uint32_t who, const std::vector<char>& done) {
+  for (std::size_t other = 0; other < c.pending.size(); ++other) {
+    if (done[other] == 0 && c.pending[other].goal == c.pending[who].goal &&
+        c.pending[other].settles_s < c.pending[who].settles_s)
+      return true;
+  }
+  return false;
+}
+
+/// The least value of all orders of hits, each from every stop; or of those in turn at each place alone.
+double best_of_orders(const SequenceCase& c, ArrivalObjective objective, bool in_turn,
+                      std::vector<Visit>& visits, std::vector<char>& done) {
+  if (visits.size() == c.pending.size()) return value_of(c.table, c.pending, c.from, objective, visits);
+  double best = std::numeric_limits<double>::infinity();
+  for (std::uint32_t who = 0; who < c.pending.size(); ++who) {
+    if (done[who] != 0 || (in_turn && is_out_of_turn(c, who, done))) continue;
+    done[who] = 1;
+    for (std::uint32_t stop = 0; stop < c.table.services.size(); ++stop) {
+      visits.push_back({stop, {who}});
+      best = std::min(best, best_of_orders(c, objective, in_turn, visits, done));
+      visits.pop_back();
+    }
+    done[who] = 0;
+  }
+  return best;
+}
+
+/// Those who come to one place at different times are hit in turn, by which nothing is lost.
+TEST(BestSequence, HitsInTurnWhereSeveralAreAtOnePlace) {
+  Rng rng(33);
+  for (int i = 0; i < cases(60); ++i) {
+    const bool walking = i % 2 == 0;
+    SequenceCase c = random_case(rng, 2, 2, true, walking);
+    for (const std::uint32_t goal : {0U, 1U})
+      c.pending.push_back({goal, walking ? rng.uniform(0.0, 20.0) : 0.0});
+    for (const auto objective : {ArrivalObjective::time_inside, ArrivalObjective::makespan}) {
+      std::vector<Visit> visits;
+      std::vector<char> done(c.pending.size(), 0);
+      const double least = best_of_orders(c, objective, false, visits, done);
+      EXPECT_NEAR(best_of_orders(c, objective, true, visits, done), least, 1e-9);
+      const double found = best_sequence(c.table, c.pending, c.from, objective, 100000).value;
+      EXPECT_GE(found, least - 1e-9);
+      EXPECT_LE(found, walking ? 1.1 * least : least + 1e-6);
+    }
+  }
+}
+
+/// Not many more sequences than the beam are held: forty at two places, with a beam of 2,000.
+TEST(BestSequence, IsQuickWhereManyAreAtOnePlace) {
+  Rng rng(34);
+  SequenceCase c = random_case(rng, 3, 2, false, false);
+  for (std::uint32_t i = 0; i < 38; ++i) c.pending.push_back({i % 2, 0.0});
+  const Sequence best = best_sequence(c.table, c.pending, c.from, ArrivalObjective::time_inside, 2000);
+  EXPECT_LT(best.value, std::numeric_limits<double>::infinity());
+  EXPECT_NEAR(best.value, value_of(c.table, c.pending, c.from, ArrivalObjective::time_inside, best.visits),
+              1e-6);
+}
+
 TEST(BestSequence, IsWholeWorthWhatItSaysAndSeldomFarFromTheBest) {
   Rng rng(32);
   double value = 0.0;
