@@ -121,10 +121,11 @@ Outcome<NavigatedPursuer> NavigatedPursuer::make(const PursuitProblem& problem, 
   TwistBody wheels(*world, start, options.robot, devices.wheels, rng.child("wheels"), devices.faults,
                    rng.child("walk-ins"));
   SimulatedLaser laser(*world, devices.laser, rng.child("laser"), devices.faults);
-  return NavigatedPursuer(problem, known_s,
-                          NavigatedBody(std::move(world), std::move(wheels), std::move(laser),
-                                        std::move(*navigator), within_part * frame.resolution_m),
-                          options.robot.radius_m);
+  return NavigatedPursuer(
+      problem, known_s,
+      NavigatedBody(std::move(world), std::move(wheels), std::move(laser), std::move(*navigator),
+                    within_part * frame.resolution_m, devices.faults.kidnapping),
+      options.robot.radius_m);
 }
 
 void NavigatedPursuer::log_to(Log& log, std::stop_token stop) {

@@ -172,7 +172,11 @@ Report pursuit_report(const PursuitProblem& problem, const PursuitRun& run, cons
   if (wheels.contacts() > 0) add("something was touched");
   if (report.status != "done" && robot.belief_error_m() > problem.costs->frame.resolution_m)
     add(fmt::format("the robot took itself to be up to {:.1f} m from where it was", robot.belief_error_m()));
-  report.metrics.insert(report.metrics.end(), {{"driven_m", wheels.driven_m()},
+  const bool false_catch = run.state.caught && !is_caught(problem, run.state);
+  report.metrics.insert(report.metrics.end(), {{"time_s", run.state.time_s},
+                                               {"false_catch", false_catch ? 1.0 : 0.0},
+                                               {"blocked_s", wheels.walk_ins().blocked_s().value_or(-1.0)},
+                                               {"driven_m", wheels.driven_m()},
                                                {"turned_rad", wheels.turned_rad()},
                                                {"contacts", static_cast<double>(wheels.contacts())},
                                                {"walked_into", static_cast<double>(wheels.walked_into())},

@@ -31,7 +31,7 @@ Status check_sim(const PursuitScenario& scenario) {
   const NavigationOptions& navigation = scenario.pursuer.navigation;
   if (scenario.sim != "navigator") {
     const char* asked = !scenario.pursuer.things.empty() ? "things"
-                        : navigation.faults.any()        ? "walk_ins"
+                        : navigation.faults.any()        ? "robot_faults"
                                                          : nullptr;
     if (asked == nullptr) return {};
     return bad_input("robots that step from cell to cell meet nothing; give sim: navigator, or leave it out",
@@ -40,10 +40,8 @@ Status check_sim(const PursuitScenario& scenario) {
   if (scenario.pursuers > 1)
     return bad_input("one robot is driven by a navigator; give one pursuer, or sim: ideal", "pursuers");
   if (scenario.faults.any())
-    return bad_input(
-        "these are faults of steps from cell to cell; give those of wheels, laser and walk_ins, or sim: "
-        "ideal",
-        "faults");
+    return bad_input("these are faults of steps from cell to cell; give those of robot_faults, or sim: ideal",
+                     "faults");
   return check(navigation.laser);
 }
 
@@ -130,6 +128,9 @@ std::vector<OptionGroup> describe(PursuitScenario& scenario) {
   }
   groups.push_back({"faults", "what goes wrong without the robots being told", describe(scenario.faults)});
   groups.push_back({"robot", "the robot on wheels", describe(scenario.pursuer.robot)});
+  std::vector<Option> of_robot = describe(scenario.pursuer.navigation.faults);
+  std::erase_if(of_robot, [](const Option& option) { return option.name.starts_with("clock"); });
+  groups.push_back({"robot_faults", "what goes wrong with it without its being told", std::move(of_robot)});
   for (OptionGroup& group : describe(scenario.pursuer.navigation)) groups.push_back(std::move(group));
   return groups;
 }
