@@ -1,7 +1,5 @@
 #include "outrider/sim/navigation.hpp"
 
-#include "outrider/world/occupancy.hpp"
-
 namespace outrider {
 
 std::vector<OptionGroup> describe(NavigationOptions& options) {
@@ -34,14 +32,6 @@ NavigatorSetup setup_of(const NavigationOptions& options, const RobotModel& robo
   setup.map = options.live_map;
   setup.motion = options.motion;
   return setup;
-}
-
-Grid<std::uint8_t> occupancy_of(const LiveMap& map) {
-  Grid<std::uint8_t> cells(map.frame(), unknown_cell);
-  for (const Mark& mark : map.marks()) {
-    if (!mark.lone) cells[map.frame().cell_at(mark.place)] = occupied_cell;
-  }
-  return cells;
 }
 
 }  // namespace outrider

@@ -27,7 +27,4 @@ ExplorerSimParams devices_of(const NavigationOptions& options, const Footprint& 
 NavigatorSetup setup_of(const NavigationOptions& options, const RobotModel& robot,
                         const Footprint& footprint);
 
-/// Returns the cells of a live map as an occupancy map: what is not marked is not known.
-Grid<std::uint8_t> occupancy_of(const LiveMap& map);
-
 }  // namespace outrider

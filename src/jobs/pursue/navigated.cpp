@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "outrider/io/scenario/things.hpp"
-#include "outrider/job/map_log.hpp"
+#include "outrider/job/navigation_log.hpp"
 #include "outrider/job/scene.hpp"
-#include "outrider/job/sensor_log.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/sim/sensors/simulated_laser.hpp"
 #include "outrider/world/blocks.hpp"
@@ -132,16 +131,10 @@ void NavigatedPursuer::log_to(Log& log, std::stop_token stop) {
   log_solids(log, body_.world(), wall_height_m);
   log_pose(log, 0.0, body_.pose());
   body_.watch(
-      [this, &log, next_map_s = 0.0](const Observation& seen, const Situation& now,
-                                     const Navigator& navigator) mutable {
-        constexpr double map_every_s = 1.0, instant_s = 1e-9;
-        if (seen.scan) {
-          log_scan(log, now.time_s, *seen.scan);
-          log_pose(log, now.time_s, body_.pose());
-        }
-        if (now.time_s < next_map_s) return;
-        next_map_s = now.time_s + map_every_s - instant_s;
-        log_map(log, occupancy_of(navigator.map()), 0.0, now.time_s);
+      [this, &log, navigation = NavigationLog(log)](const Observation& seen, const Situation& now,
+                                                    const Navigator& navigator) mutable {
+        navigation.note(seen, now.time_s, navigator.map());
+        if (seen.scan) log_pose(log, now.time_s, body_.pose());
       },
       std::move(stop));
 }

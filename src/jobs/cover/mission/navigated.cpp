@@ -9,9 +9,8 @@
 #include "ground/tool_coverage.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/io/scenario/things.hpp"
-#include "outrider/job/map_log.hpp"
+#include "outrider/job/navigation_log.hpp"
 #include "outrider/job/scene.hpp"
-#include "outrider/job/sensor_log.hpp"
 #include "outrider/sim/simulated_robot.hpp"
 
 namespace outrider {
@@ -21,7 +20,6 @@ constexpr double most_wall_m = 1.0, least_wall_m = 0.001, wall_height_m = 1.0;
 constexpr double robot_height_m = 0.5;
 constexpr double seen_off_m = 0.03;  // by which marks may be beside what they are of
 constexpr double noted_m = 0.01, noted_rad = radians(2.0);
-constexpr double map_every_s = 1.0;
 constexpr double arc_m = 0.002, inside_arc_m = 1e-4;
 
 /// The things as a world, and where they stand.
@@ -178,7 +176,7 @@ class NavigatedDrive {
       const Situation now = navigator_.perceive(seen);
       note_truth();
       look(done_.drive);
-      log(seen, now);
+      log_.note(seen, now.time_s, navigator_.map());
       if (watch.stopped()) return;
       const auto order = orders_.next(now, navigator_);
       done_.finished = !order && !watch.stopped();
@@ -221,23 +219,15 @@ class NavigatedDrive {
     outside_ = out;
   }
 
-  void log(const Observation& seen, const Situation& now) {
-    if (seen.scan) log_scan(log_, now.time_s, *seen.scan);
-    if (now.time_s < next_map_s_) return;
-    next_map_s_ = now.time_s + map_every_s - 1e-9;
-    log_map(log_, occupancy_of(navigator_.map()), 0.0, now.time_s);
-  }
-
   AllowedGround ground_;
   const CoverProblem& problem_;
   Pose2 truth_;
   Navigator navigator_;
   SimulatedRobot robot_;
   CoverOrders orders_;
-  Log& log_;
+  NavigationLog log_;
   NavigatedCover done_;
   bool outside_ = false;  // of the area, now
-  double next_map_s_ = 0.0;
 };
 
 }  // namespace

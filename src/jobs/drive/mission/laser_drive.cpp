@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "mission/zone_judge.hpp"
-#include "outrider/job/map_log.hpp"
+#include "outrider/job/navigation_log.hpp"
 #include "outrider/job/scene.hpp"
 #include "outrider/job/scene_markers.hpp"
 #include "outrider/job/sensor_log.hpp"
@@ -21,7 +21,6 @@ namespace outrider {
 namespace {
 
 constexpr double log_every_s = 0.2;
-constexpr double map_every_s = 1.0;
 constexpr double most_way_m = 20.0;  // of the planned way that is logged
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -145,11 +144,7 @@ class LaserDrive {
   }
 
   void note(const Observation& seen, const Situation& now) {
-    if (seen.scan) log_scan(log_, now.time_s, *seen.scan);
-    if (now.time_s >= next_map_s_) {
-      next_map_s_ = now.time_s + map_every_s - 1e-9;
-      log_map(log_, occupancy_of(navigator_.map()), 0.0, now.time_s);
-    }
+    navigation_log_.note(seen, now.time_s, navigator_.map());
     if (now.time_s < next_log_s_) return;
     next_log_s_ = now.time_s + log_every_s - 1e-9;
     log_pose(log_, now.time_s, robot_.pose());
@@ -178,6 +173,7 @@ class LaserDrive {
   SimulatedRobot robot_;
   ZoneJudge zones_;
   Log& log_;
+  NavigationLog navigation_log_{log_};
   outrider_msgs::Waypoints waypoints_;
   std::vector<std::string> outcomes_;
   std::size_t next_ = 0;
@@ -188,7 +184,6 @@ class LaserDrive {
   std::int64_t false_arrivals_ = 0;
   std::int64_t recoveries_ = 0;
   double next_log_s_ = 0.0;
-  double next_map_s_ = 0.0;
 };
 
 Report LaserDrive::report() const {

@@ -110,14 +110,21 @@ std::optional<Command> TaskBoard::drive_again(Vec2 place, const Observation& see
   return FollowWaypoints{std::move(*way)};
 }
 
+/// Looks where the last drive has ended. Returns true if that is elsewhere; its shots that were not fired are
+/// taken back, `again` as there.
+bool TaskBoard::ended_elsewhere(const Observation& seen, bool again) {
+  cut_.driving = false;
+  if (is_elsewhere(seen)) {
+    take_back_unfired(seen.time_s, again);
+    return true;
+  }
+  cut_.here = cut_.in_place = 0;
+  return false;
+}
+
 void TaskBoard::note_drive(const Observation& seen) {
   CutDrives& cut = cut_;
-  if (!std::exchange(cut.driving, false)) return;
-  if (!is_elsewhere(seen)) {
-    cut.here = cut.in_place = 0;
-    return;
-  }
-  take_back_unfired(seen.time_s, false);
+  if (!cut.driving || !ended_elsewhere(seen, false)) return;
   if (seen.targets && !seen.targets->arrivals.empty()) return;  // it may have ended for them
   count_cut(seen);
   if (cut.in_place > most_in_place) cut.stays_until_s = seen.time_s + stays_s;
@@ -127,13 +134,8 @@ void TaskBoard::note_drive(const Observation& seen) {
 
 AfterDrive TaskBoard::after_drive(const Observation& seen) {
   CutDrives& cut = cut_;
-  cut.driving = false;
-  if (!is_elsewhere(seen)) {
-    cut.here = cut.in_place = 0;
-    return AfterDrive::go_on;
-  }
+  if (!ended_elsewhere(seen, true)) return AfterDrive::go_on;
   count_cut(seen);
-  take_back_unfired(seen.time_s, true);
   if (cut.all > most_of_all || cut.here == most_here || cut.in_place > most_in_place || seen.gave_up) {
     cut.here = 0;
     stop_for_passed();

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "outrider/job/map_log.hpp"
+#include "outrider/job/navigation_log.hpp"
 #include "outrider/job/scene.hpp"
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/log/append.hpp"
@@ -128,17 +128,12 @@ Outcome<Report> simulate_bodies(const GuardRun& run, Log& log, const RunWatch& w
   return report;
 }
 
-/// Logs what the robot sees on its way: its scans, and what is marked on its live map once a second. What
-/// waits to be logged before that comes first.
+/// Logs what the robot sees on its way. What waits to be logged before that comes first.
 NavigatedBody::Look looking(Log& log, LogQueue& queue) {
-  return [&log, &queue, next_map_s = 0.0](const Observation& seen, const Situation& now,
-                                          const Navigator& navigator) mutable {
-    constexpr double map_every_s = 1.0, instant_s = 1e-9;
+  return [&log, &queue, navigation = NavigationLog(log)](const Observation& seen, const Situation& now,
+                                                         const Navigator& navigator) mutable {
     queue.flush(log, now.time_s);
-    if (seen.scan) log_scan(log, now.time_s, *seen.scan);
-    if (now.time_s < next_map_s) return;
-    next_map_s = now.time_s + map_every_s - instant_s;
-    log_map(log, occupancy_of(navigator.map()), 0.0, now.time_s);
+    navigation.note(seen, now.time_s, navigator.map());
   };
 }
 

@@ -186,6 +186,7 @@ class TaskBoard {
 
   // setbacks.cpp: drives that end before their goal
   void take_back_unfired(double time_s, bool again);
+  bool ended_elsewhere(const Observation& seen, bool again);
   void count_cut(const Observation& seen);
   void take_for_obstacle(const Pose2& here);
   void stop_for_passed();
