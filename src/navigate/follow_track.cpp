@@ -21,39 +21,39 @@ constexpr std::int64_t most_tries = 4;     // recoveries on the way back to a pl
 }  // namespace
 
 Progress Navigator::progress() const {
-  if (!follower_) return progress_;
+  if (!track_.follower) return progress_;
   if (progress_.state == Progress::State::lost) return progress_;
-  return {follower_->is_done() ? Progress::State::arrived : Progress::State::underway};
+  return {track_.follower->is_done() ? Progress::State::arrived : Progress::State::underway};
 }
 
 GoTo Navigator::order_to(const TrackPlace& place) const {
-  if (!follower_) return {pose().position, back_m};
-  const Pose2 to = follower_->pose_at(place);
+  if (!track_.follower) return {pose().position, back_m};
+  const Pose2 to = track_.follower->pose_at(place);
   if (!setup_.robot.steers()) return {to.position, back_m};
   return {to.position, back_m, to.heading_rad, back_rad};
 }
 
 /// Begins to follow another track.
 TrackFollower& Navigator::begin_track(const Follow& order) {
-  const bool follows = follower_ && !follower_->is_done();
-  if (!follows) on_track_s_ = time_s_;
-  TrackFollower& follower = follower_.emplace(order.track);
-  if (follows || twist_.ahead_mps > moved_mps) follower.go_on(pose());
+  const bool follows = track_.follower && !track_.follower->is_done();
+  if (!follows) track_.moved_s = now_s();
+  TrackFollower& follower = track_.follower.emplace(order.track);
+  if (follows || odometry_.twist().ahead_mps > moved_mps) follower.go_on(pose());
   progress_ = {};
   order_.reset();
-  comes_back_.reset();
-  comes_in_ = true;
-  skip_m_ = first_skip_m;
-  came_in_ = {};
+  track_.comes_back.reset();
+  track_.comes_in = true;
+  track_.skip_m = first_skip_m;
+  track_.came_in = {};
   return follower;
 }
 
 Twist2 Navigator::follow(const Follow& order) {
-  const bool goes_on = follower_ && follower_->track() == order.track;
-  TrackFollower& follower = goes_on ? *follower_ : begin_track(order);
+  const bool goes_on = track_.follower && track_.follower->track() == order.track;
+  TrackFollower& follower = goes_on ? *track_.follower : begin_track(order);
   if (progress_.state == Progress::State::lost || is_blind()) return {};
-  const Twist2 twist = comes_back_ ? Twist2{} : along_track(order, follower);
-  return comes_back_ ? back_to_track(*comes_back_) : twist;
+  const Twist2 twist = track_.comes_back ? Twist2{} : along_track(order, follower);
+  return track_.comes_back ? back_to_track(*track_.comes_back) : twist;
 }
 
 /// Returns the next twist along the track, or begins to drive back to it.
@@ -61,24 +61,24 @@ Twist2 Navigator::along_track(const Follow& order, TrackFollower& follower) {
   const Pose2 here = pose();
   follower.note(here);
   if (follower.is_done()) return {};
-  const auto gets_on = follower.ahead_of(came_in_, first_skip_m);
-  if (!gets_on || *gets_on <= follower.at()) skip_m_ = first_skip_m;
+  const auto gets_on = follower.ahead_of(track_.came_in, first_skip_m);
+  if (!gets_on || *gets_on <= follower.at()) track_.skip_m = first_skip_m;
   follow_zones();
   look_around();
   const double beside_m = follower.beside_m(here.position);
-  comes_in_ = comes_in_ && beside_m > 0.5 * order.beside_m;
-  if (in_zone_ || beside_m > (comes_in_ ? 2.0 * back_m : order.beside_m)) {
-    comes_back_ = follower.at();
+  track_.comes_in = track_.comes_in && beside_m > 0.5 * order.beside_m;
+  if (in_zone_ || beside_m > (track_.comes_in ? 2.0 * back_m : order.beside_m)) {
+    track_.comes_back = follower.at();
     return {};
   }
   note_motion(here);
-  if (time_s_ - on_track_s_ > wait_s + instant_s) {
+  if (now_s() - track_.moved_s > wait_s + instant_s) {
     leave_track(first_skip_m);
     return {};
   }
   // The track keeps its own distance from the edges of the ground; from what was seen the robot keeps its
   // own.
-  const double speed_mps = std::abs(twist_.ahead_mps);
+  const double speed_mps = std::abs(odometry_.twist().ahead_mps);
   const double look_m = speed_mps * speed_mps / setup_.robot.acceleration_mps2 + beyond_m;
   const double margin_m = std::min(order.margin_m, setup_.motion.margin_m);
   on_track_.look(map_, here.position, look_m + setup_.footprint.outer_m(), false);
@@ -93,7 +93,7 @@ Twist2 Navigator::along_track(const Follow& order, TrackFollower& follower) {
     follower.go_on(here);  // it steers to the track, if it about looks along it
     heading_rad = follower.heading_to_turn_to(here);
     if (heading_rad) {
-      comes_back_ = follower.at();
+      track_.comes_back = follower.at();
       return {};
     }
   }
@@ -114,43 +114,44 @@ Twist2 Navigator::along_track(const Follow& order, TrackFollower& follower) {
 
 /// Notes when the robot last moved.
 void Navigator::note_motion(const Pose2& here) {
-  const double turned_rad = std::abs(wrap_angle(here.heading_rad - stood_.heading_rad));
-  if (distance(here.position, stood_.position) < moved_m && turned_rad < moved_rad) return;
-  stood_ = here;
-  on_track_s_ = time_s_;
+  const double turned_rad = std::abs(wrap_angle(here.heading_rad - track_.stood.heading_rad));
+  if (distance(here.position, track_.stood.position) < moved_m && turned_rad < moved_rad) return;
+  track_.stood = here;
+  track_.moved_s = now_s();
 }
 
 /// Leaves out the track up to where it is free again, with room to come in if there is such a place, and
 /// drives there.
 void Navigator::leave_track(double again_m) {
   on_track_.look(map_, pose().position, setup_.map.reach_m, false);
-  const auto from = follower_->ahead_of(follower_->at(), again_m);
+  const auto from = track_.follower->ahead_of(track_.follower->at(), again_m);
   std::optional<TrackPlace> to;
   for (const double room_m : {stop_short_m, 0.0}) {
     if (!from || to) break;
     const auto is_free = [&](const Pose2& at) {
       return on_track_.gap(setup_.footprint, at, Surroundings::most_m) >= setup_.motion.margin_m + room_m;
     };
-    to = follower_->next_free(*from, is_free, setup_.footprint.outer_m());
+    to = track_.follower->next_free(*from, is_free, setup_.footprint.outer_m());
   }
-  follower_->skip_to(to);
-  comes_back_ = to;
+  track_.follower->skip_to(to);
+  track_.comes_back = to;
 }
 
 /// Returns the next twist on the way back to the track.
 Twist2 Navigator::back_to_track(const TrackPlace& place) {
-  on_track_s_ = time_s_;
+  track_.moved_s = now_s();
   const GoTo order = order_to(place);
   const Twist2 twist = go(order);
   if (progress_.state == Progress::State::arrived) {
-    came_in_ = place;
-    comes_back_.reset();
-    comes_in_ = true;
-  } else if (progress_.state == Progress::State::blocked || recoveries_ >= (left_s_ ? most_tries : 1)) {
-    leave_track(skip_m_);
-    skip_m_ *= 2.0;
+    track_.came_in = place;
+    track_.comes_back.reset();
+    track_.comes_in = true;
+  } else if (progress_.state == Progress::State::blocked || recoveries_ >= (left_.now_s ? most_tries : 1)) {
+    leave_track(track_.skip_m);
+    track_.skip_m *= 2.0;
   }
-  if (progress_.state == Progress::State::lost || (comes_back_ && order_to(*comes_back_) == order))
+  if (progress_.state == Progress::State::lost ||
+      (track_.comes_back && order_to(*track_.comes_back) == order))
     return twist;
   order_.reset();
   progress_ = {};

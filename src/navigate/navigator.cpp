@@ -10,9 +10,7 @@
 namespace outrider {
 namespace {
 
-constexpr double remembered_s = 1.0;   // of the track, for scans that come late
-constexpr double measured_part = 0.3;  // of the measured twist in the believed one
-constexpr double leave_part = 1.5;     // of within_m: a robot at its place may be so far off while it turns
+constexpr double leave_part = 1.5;  // of within_m: a robot at its place may be so far off while it turns
 constexpr double at_rest_mps = 0.03;
 constexpr double at_rest_radps = 0.05;
 constexpr double plan_again_m = 1.0;                  // from where it was planned
@@ -21,17 +19,12 @@ constexpr double stands_m = 0.1;                      // a robot that has not co
 constexpr double map_again_s = 2.0;                   // least time between two plans on the known map
 constexpr double longer_part = 1.15, longer_s = 1.5;  // than on the known map, which is planned on again then
 constexpr double moving_trail_s = 0.4, moving_rim_m = 0.1;  // around what moves, where marks are of it
-constexpr double most_time_s = 1e12, most_place_m = 1e6;    // of what makes sense
-constexpr double faster_part = 1.2;                         // of its limits, than which no robot is
+constexpr double most_place_m = 1e6;                        // of what makes sense
 constexpr double least_step_rad = 1e-6;                     // from beam to beam
 
-bool makes_sense(const Pose2& pose) {
-  return std::abs(pose.position.x) <= most_place_m && std::abs(pose.position.y) <= most_place_m &&
-         std::abs(pose.heading_rad) <= most_place_m;
-}
-
 bool makes_sense(const GoTo& order) {
-  return makes_sense(Pose2{order.place, order.heading_rad.value_or(0.0)}) && order.within_m >= 0.0 &&
+  return std::abs(order.place.x) <= most_place_m && std::abs(order.place.y) <= most_place_m &&
+         std::abs(order.heading_rad.value_or(0.0)) <= most_place_m && order.within_m >= 0.0 &&
          order.within_m <= most_place_m && order.within_rad >= 0.0;
 }
 
@@ -93,69 +86,42 @@ Navigator::Navigator(NavigatorSetup setup, std::unique_ptr<RobotLocaliser> local
 
 // ---- Perceiving ----------------------------------------------------------------------------------
 
-/// Notes the odometry, and how fast the robot goes: as commanded, corrected by what was measured.
-void Navigator::note_odometry(const Observation& seen) {
-  const TimedOdometry last = track_.empty() ? TimedOdometry{} : track_.back();
-  Pose2 odometry = makes_sense(seen.odometry) ? seen.odometry : last.odometry;
-  double time_s = std::abs(seen.time_s) <= most_time_s ? seen.time_s + clock_s_ : last.time_s;
-  if (!track_.empty()) {
-    // A heading that was wrapped is no whole turn.
-    odometry.heading_rad =
-        last.odometry.heading_rad + wrap_angle(odometry.heading_rad - last.odometry.heading_rad);
-    if (time_s < last.time_s - remembered_s) {  // the clock was put back
-      clock_s_ += last.time_s + setup_.options.period_s - time_s;
-      time_s = last.time_s + setup_.options.period_s;
-    }
-    const double passed_s = time_s - last.time_s;
-    if (passed_s <= 0.0) return;
-    const Twist2 then = twist_after(twist_, commanded_, setup_.robot, passed_s);
-    const Twist2 expected = 0.5 * (twist_ + then);
-    const Twist2 measured = twist_between(last.odometry, odometry, passed_s);
-    const Twist2 believed = then + measured_part * (measured + -1.0 * expected);
-    const double most_mps = faster_part * setup_.robot.speed_mps;
-    const double most_radps = faster_part * setup_.robot.turn_rate_radps;
-    twist_ = {std::clamp(believed.ahead_mps, -most_mps, most_mps), 0.0,
-              std::clamp(believed.turn_radps, -most_radps, most_radps)};
-  }
-  track_.push_back({time_s, odometry});
-  while (track_.size() > 2 && track_.front().time_s < time_s - remembered_s) track_.pop_front();
-  time_s_ = time_s;
-}
-
 /// Returns the scan in the time of the navigator; nothing if it cannot be used or is too old to be placed.
 std::optional<LaserScan> Navigator::usable(const std::optional<LaserScan>& seen) const {
   if (!seen || !check(*seen) || std::abs(seen->step_rad) < least_step_rad) return std::nullopt;
   LaserScan scan = *seen;
-  scan.time_s += clock_s_;
-  return std::abs(scan.time_s - time_s_) <= remembered_s ? std::optional(std::move(scan)) : std::nullopt;
+  scan.time_s = odometry_.time_of(scan.time_s);
+  return std::abs(scan.time_s - now_s()) <= OdometryTrack::remembered_s ? std::optional(std::move(scan))
+                                                                        : std::nullopt;
 }
 
 Situation Navigator::perceive(const Observation& seen) {
-  note_odometry(seen);
+  odometry_.note(seen, commanded_, setup_.robot, setup_.options.period_s);
   if (seen.image) {
     TagImage image = *seen.image;
-    image.taken_s += clock_s_;
+    image.taken_s = odometry_.time_of(image.taken_s);
     see(image);
   }
   if (const auto scan = usable(seen.scan)) take(*scan);
   const Pose2 here = pose();
   map_.follow(here.position);
   note_bumper(seen);
-  map_.forget(time_s_);
+  map_.forget(now_s());
   note_moving();
   note_lost();
   if (order_) judge(*order_);
   const bool looks = !localiser_->is_located() && progress_.state != Progress::State::lost;
-  return {time_s_ - clock_s_, here, localiser_->covariance(), twist_, looks ? Progress{} : progress()};
+  return {odometry_.clock_s(), here, localiser_->covariance(), odometry_.twist(),
+          looks ? Progress{} : progress()};
 }
 
 void Navigator::note_touched(const std::vector<Vec2>& places) {
-  for (const Vec2 place : places) map_.note_touch(place, time_s_);
+  for (const Vec2 place : places) map_.note_touch(place, now_s());
 }
 
 /// Notes what moves now. What is marked of it does not stand.
 void Navigator::note_moving() {
-  moving_ = followed_.at(time_s_);
+  moving_ = followed_.at(now_s());
   std::vector<RoundedPolygon> disks;
   for (const MovingThing& thing : moving_)
     disks.push_back({{thing.place, thing.place_after(-moving_trail_s)}, thing.radius_m + moving_rim_m});
@@ -163,7 +129,7 @@ void Navigator::note_moving() {
 }
 
 void Navigator::note_lost() {
-  if (!order_ && !follower_) return;
+  if (!order_ && !track_.follower) return;
   std::string lost = localiser_->lost();
   if (progress_.state == Progress::State::underway && !lost.empty())
     progress_ = {Progress::State::lost, {}, std::move(lost)};
@@ -176,8 +142,8 @@ void Navigator::judge(const GoTo& order) {
   const double away_m = distance(here.position, order.place);
   if (order.heading_rad) {
     at_place_ = away_m <= (at_place_ ? leave_part : 1.0) * order.within_m;
-    const bool stands =
-        std::abs(twist_.ahead_mps) < at_rest_mps && std::abs(twist_.turn_radps) < at_rest_radps;
+    const bool stands = std::abs(odometry_.twist().ahead_mps) < at_rest_mps &&
+                        std::abs(odometry_.twist().turn_radps) < at_rest_radps;
     if (at_place_ && stands &&
         std::abs(wrap_angle(*order.heading_rad - here.heading_rad)) <= order.within_rad)
       progress_ = {Progress::State::arrived, 0.0};
@@ -185,28 +151,29 @@ void Navigator::judge(const GoTo& order) {
     progress_ = {Progress::State::arrived, 0.0};
   }
   if (progress_.state == Progress::State::arrived) return;
-  progress_.left_s = left_s_;
+  progress_.left_s = left_.now_s;
 }
 
 // ---- Acting --------------------------------------------------------------------------------------
 
 MotionState Navigator::state_of(const GoTo& order, const Surroundings& near) const {
-  return {pose(),      twist_,         setup_.footprint,        limits_, near, field_,
-          order.place, order.within_m, setup_.options.period_s, &moving_};
+  return {pose(),      odometry_.twist(), setup_.footprint,        limits_, near, field_,
+          order.place, order.within_m,    setup_.options.period_s, &moving_};
 }
 
 Command Navigator::act(const Order& order) {
-  const double until_s = time_s_ - clock_s_ + setup_.options.period_s;
+  const double until_s = odometry_.clock_s() + setup_.options.period_s;
   commanded_ = {};
   const auto* const go = std::get_if<GoTo>(&order);
   const auto* const track = std::get_if<Follow>(&order);
-  if (go != nullptr) follower_.reset();
+  if (go != nullptr) track_.follower.reset();
   if (std::holds_alternative<Hold>(order)) {
-    nearer_s_ = on_track_s_ = time_s_;
+    left_.nearer_s = track_.moved_s = now_s();
     if (std::exchange(progress_, {}).state != Progress::State::underway) order_.reset();
   }
-  const bool backs_off = time_s_ < back_until_s_ - instant_s;
-  if ((std::holds_alternative<Hold>(order) && !backs_off) || track_.empty()) return DriveTwist{{}, until_s};
+  const bool backs_off = now_s() < back_until_s_ - instant_s;
+  if ((std::holds_alternative<Hold>(order) && !backs_off) || odometry_.empty())
+    return DriveTwist{{}, until_s};
   if (!localiser_->is_located())
     commanded_ = look_for_itself();
   else if (backs_off)
@@ -229,7 +196,7 @@ Twist2 Navigator::go(const GoTo& order) {
   follow_zones();
   if (setup_.robot.steers()) return go_in_curves(order);
   plan(order);
-  if (goes_on && left_s_) least_left_s_ = best_left_s_ = *left_s_;
+  if (goes_on && left_.now_s) left_.least_s = left_.best_s = *left_.now_s;
   if (in_zone_) return leave_zone(state_of(order, near_));
   note_progress(order);
   if (progress_.state != Progress::State::underway) return {};
@@ -248,17 +215,17 @@ bool Navigator::begin(const GoTo& order) {
       order_ && progress_.state == Progress::State::underway && distance(begun_at_, here) < stands_m;
   order_ = order;
   progress_ = {};
-  planned_s_.reset();
-  planned_far_s_.reset();
+  planned_.window_s.reset();
+  planned_.far_s.reset();
   at_place_ = false;
-  curves_.reset();
-  no_curves_.clear();
-  left_s_.reset();
-  least_left_s_ = best_left_s_ = std::numeric_limits<double>::infinity();
+  curves_.way.reset();
+  curves_.why_none.clear();
+  left_.now_s.reset();
+  left_.least_s = left_.best_s = std::numeric_limits<double>::infinity();
   if (!goes_on) {
     recovery_ = Recovery::none;
     recoveries_ = 0;
-    nearer_s_ = time_s_;
+    left_.nearer_s = now_s();
     begun_at_ = here;
   }
   note_lost();
@@ -269,16 +236,17 @@ bool Navigator::begin(const GoTo& order) {
 /// Looks around, and plans anew if something has come or gone.
 void Navigator::plan(const GoTo& order) {
   const Vec2 here = pose().position;
-  const bool due = !planned_s_ || time_s_ - *planned_s_ >= setup_.options.plan_again_s - instant_s;
-  const bool far = distance(planned_at_, here) > plan_again_m || !field_.time_s(here);
-  if (due && (!planned_s_ || far || map_.changes() != planned_changes_)) {
+  const bool due =
+      !planned_.window_s || now_s() - *planned_.window_s >= setup_.options.plan_again_s - instant_s;
+  const bool far = distance(planned_.at, here) > plan_again_m || !field_.time_s(here);
+  if (due && (!planned_.window_s || far || map_.changes() != planned_.changes)) {
     const bool is_new = plan_on_map(order, false);
     plan_window(order);
     if (!is_new && plan_on_map(order, true)) plan_window(order);
   }
   look_around();
   near_.find_distances();
-  left_s_ = field_.time_s(here);
+  left_.now_s = field_.time_s(here);
 }
 
 void Navigator::look_around() {
@@ -303,12 +271,12 @@ GoalQuery Navigator::query_of(const GoTo& order) const {
 void Navigator::plan_window(const GoTo& order) {
   const Vec2 here = pose().position;
   GoalQuery query = query_of(order);
-  if (planned_far_s_) query.beyond = [this](Vec2 place) { return far_->time_s(place); };
+  if (planned_.far_s) query.beyond = [this](Vec2 place) { return far_->time_s(place); };
   field_.compute({map_.frame(), map_.places(), nullptr, zones_on_window()}, setup_.footprint, setup_.robot,
                  query, here);
-  planned_s_ = time_s_;
-  planned_changes_ = map_.changes();
-  planned_at_ = here;
+  planned_.window_s = now_s();
+  planned_.changes = map_.changes();
+  planned_.at = here;
 }
 
 /// Plans on the known map for a new order; or anew where the way in the window is longer than it should be,
@@ -319,18 +287,18 @@ bool Navigator::plan_on_map(const GoTo& order, bool anew) {
   if (anew) {
     const auto left_s = field_.time_s(here), expected_s = far_->time_s(here);
     const bool is_longer = !left_s || (expected_s && *left_s > longer_part * *expected_s + longer_s);
-    if (!is_longer || time_s_ - *planned_far_s_ < map_again_s) return false;
+    if (!is_longer || now_s() - *planned_.far_s < map_again_s) return false;
     if (recoveries_ >= setup_.options.most_recoveries) return false;
-  } else if (planned_far_s_) {
+  } else if (planned_.far_s) {
     return false;
   }
   far_->compute(map_, setup_.footprint, setup_.robot, query_of(order), true);
   if (!far_->time_s(here)) far_->compute(map_, setup_.footprint, setup_.robot, query_of(order), false);
-  planned_far_s_ = time_s_;
+  planned_.far_s = now_s();
   if (!anew || !far_->time_s(here)) return true;
   ++recoveries_;  // this way out takes as long as it takes
-  nearer_s_ = time_s_;
-  least_left_s_ = std::numeric_limits<double>::infinity();
+  left_.nearer_s = now_s();
+  left_.least_s = std::numeric_limits<double>::infinity();
   return true;
 }
 

@@ -14,21 +14,10 @@ constexpr double look_turn_rad = 2.0;  // where there is none
 
 }  // namespace
 
-/// Returns the odometry at a time not long ago.
-Pose2 Navigator::odometry_at(double time_s) const {
-  for (std::size_t i = track_.size() - 1; i > 0; --i) {
-    const TimedOdometry &from = track_[i - 1], &to = track_[i];
-    if (time_s < from.time_s) continue;
-    const double part = std::clamp((time_s - from.time_s) / (to.time_s - from.time_s), 0.0, 1.0);
-    return moved(from.odometry, twist_between(from.odometry, to.odometry, 1.0), part);
-  }
-  return track_.front().odometry;
-}
-
 /// Takes a scan. If it corrects earlier poses too, what is marked moves along, since it was seen from about
 /// here.
 void Navigator::take(const LaserScan& scan) {
-  const Pose2 then = odometry_at(scan.time_s);
+  const Pose2 then = odometry_.at(scan.time_s);
   const Pose2 before = localiser_->world_T_odometry();
   const bool was_located = localiser_->is_located();
   const Pose2 about = compose(compose(before, then), setup_.robot_T_laser);
@@ -47,7 +36,7 @@ void Navigator::see(const TagImage& image) {
   image_s_ = image.taken_s;
   const Pose2 before = localiser_->world_T_odometry();
   const bool was_located = localiser_->is_located();
-  note_localised(before, was_located, localiser_->see(image, odometry_at(image.taken_s)));
+  note_localised(before, was_located, localiser_->see(image, odometry_.at(image.taken_s)));
 }
 
 /// Moves what was seen before along with a correction of earlier poses.
@@ -65,7 +54,7 @@ void Navigator::note_localised(const Pose2& before, bool was_located, bool corre
 
 /// Goes from place to place until the robot recognises where it is, or gives up.
 Twist2 Navigator::look_for_itself() {
-  search_.advance(twist_.ahead_mps, setup_.options.period_s);
+  search_.advance(odometry_.twist().ahead_mps, setup_.options.period_s);
   if (search_.length_m() > setup_.options.most_search_m) {
     progress_ = {Progress::State::lost,
                  {},
@@ -84,9 +73,9 @@ Twist2 Navigator::look_for_itself() {
 
 /// Returns true if no scan has come for too long; after a while the robot is lost.
 bool Navigator::is_blind() {
-  const double blind_s = time_s_ - scan_s_.value_or(nearer_s_);
+  const double blind_s = now_s() - scan_s_.value_or(left_.nearer_s);
   if (scan_s_ && blind_s <= setup_.options.blind_s) return false;
-  if (scan_s_) nearer_s_ = time_s_;
+  if (scan_s_) left_.nearer_s = now_s();
   if (blind_s > lost_after * setup_.options.blind_s)
     progress_ = {Progress::State::lost, {}, fmt::format("no scan has come for {:.1f} s", blind_s)};
   return true;

@@ -28,18 +28,19 @@ void Navigator::note_bumper(const Observation& seen) {
     map_.keep_open(setup_.footprint, here);
     return;
   }
-  const double bearing_rad = seen.touch_rad.value_or(twist_.ahead_mps < 0.0 ? pi : 0.0);
+  const double bearing_rad = seen.touch_rad.value_or(odometry_.twist().ahead_mps < 0.0 ? pi : 0.0);
   const double away_m = setup_.footprint.outer_m() + touch_ahead_m;
-  map_.note_touch(here * (away_m * direction(bearing_rad)), time_s_);
+  map_.note_touch(here * (away_m * direction(bearing_rad)), now_s());
   const double ahead = std::cos(bearing_rad);
-  if (ahead * commanded_.ahead_mps <= 0.0 && ahead * twist_.ahead_mps < moved_mps) return;  // it was run into
-  back_until_s_ = time_s_ + touch_back_s;
+  if (ahead * commanded_.ahead_mps <= 0.0 && ahead * odometry_.twist().ahead_mps < moved_mps)
+    return;  // it was run into
+  back_until_s_ = now_s() + touch_back_s;
   back_mps_ = ahead < 0.0 ? back_off_mps : -back_off_mps;
 }
 
 /// Returns the twist straight back from what was touched.
 Twist2 Navigator::back_from_touch() {
-  nearer_s_ = on_track_s_ = time_s_;
+  left_.nearer_s = track_.moved_s = now_s();
   look_around();
   const MotionState state = state_of({pose().position}, near_);
   const Twist2 back{std::clamp(back_mps_, -state.robot.speed_mps, state.robot.speed_mps), 0.0, 0.0};
@@ -53,25 +54,25 @@ void Navigator::note_progress(const GoTo& order) {
     const double off_rad = std::abs(wrap_angle(*order.heading_rad - pose().heading_rad));
     const double turn_left_s = off_rad / setup_.robot.turn_rate_radps;
     if (at_place_) {
-      left_s_ = turn_left_s;
-    } else if (left_s_) {
-      *left_s_ += pi / setup_.robot.turn_rate_radps;  // as long as any turn
+      left_.now_s = turn_left_s;
+    } else if (left_.now_s) {
+      *left_.now_s += pi / setup_.robot.turn_rate_radps;  // as long as any turn
     }
   }
-  if (left_s_ && *left_s_ < least_left_s_ - better_s) {
-    least_left_s_ = *left_s_;
-    nearer_s_ = time_s_;
+  if (left_.now_s && *left_.now_s < left_.least_s - better_s) {
+    left_.least_s = *left_.now_s;
+    left_.nearer_s = now_s();
   }
-  if (left_s_ && *left_s_ < best_left_s_ - better_s) {
-    best_left_s_ = *left_s_;
+  if (left_.now_s && *left_.now_s < left_.best_s - better_s) {
+    left_.best_s = *left_.now_s;
     recoveries_ = 0;
   }
-  if (recovery_ != Recovery::none && time_s_ >= recovers_until_s_ - instant_s) {
+  if (recovery_ != Recovery::none && now_s() >= recovers_until_s_ - instant_s) {
     recovery_ = Recovery::none;
-    nearer_s_ = time_s_;
-    least_left_s_ = left_s_.value_or(std::numeric_limits<double>::infinity());
+    left_.nearer_s = now_s();
+    left_.least_s = left_.now_s.value_or(std::numeric_limits<double>::infinity());
   }
-  if (recovery_ == Recovery::none && time_s_ - nearer_s_ > setup_.options.patience_s + instant_s)
+  if (recovery_ == Recovery::none && now_s() - left_.nearer_s > setup_.options.patience_s + instant_s)
     recover(order);
 }
 
@@ -79,25 +80,26 @@ void Navigator::note_progress(const GoTo& order) {
 void Navigator::recover(const GoTo& order) {
   if (recoveries_ >= setup_.options.most_recoveries) {
     const Vec2 to = order.place;
-    if (!no_curves_.empty()) {
-      progress_ = {Progress::State::blocked, {}, no_curves_};
+    if (!curves_.why_none.empty()) {
+      progress_ = {Progress::State::blocked, {}, curves_.why_none};
       return;
     }
-    progress_ = {Progress::State::blocked, left_s_,
-                 left_s_ ? fmt::format("no progress towards ({:.2f}, {:.2f}) after {} recoveries", to.x, to.y,
-                                       recoveries_)
-                         : fmt::format("no way to ({:.2f}, {:.2f}) around what stands there", to.x, to.y)};
+    progress_ = {
+        Progress::State::blocked, left_.now_s,
+        left_.now_s
+            ? fmt::format("no progress towards ({:.2f}, {:.2f}) after {} recoveries", to.x, to.y, recoveries_)
+            : fmt::format("no way to ({:.2f}, {:.2f}) around what stands there", to.x, to.y)};
     return;
   }
   constexpr std::pair<Recovery, double> ways[] = {
       {Recovery::forget, 0.0}, {Recovery::turn, turn_s}, {Recovery::back_off, back_off_s}};
   const auto& [way, takes_s] = ways[recoveries_++ % 3];
   recovery_ = way;
-  recovers_until_s_ = time_s_ + takes_s;
-  if (way == Recovery::forget) map_.forget_but(time_s_, lately_s);
-  curves_.reset();
-  no_curves_.clear();
-  arc_.reset();
+  recovers_until_s_ = now_s() + takes_s;
+  if (way == Recovery::forget) map_.forget_but(now_s(), lately_s);
+  curves_.way.reset();
+  curves_.why_none.clear();
+  curves_.arc.reset();
 }
 
 /// Returns the twist of a way out: a turn to where the way leads, or straight back; none if it is not safe.

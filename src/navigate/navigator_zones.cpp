@@ -46,9 +46,9 @@ void Navigator::follow_zones() {
   in_zone_ = zones_.overlap(setup_.footprint, here);
   if (in_zone_ == was_in_zone) return;
   exit_.reset();
-  nearer_s_ = time_s_;
-  least_left_s_ = std::numeric_limits<double>::infinity();
-  planned_s_.reset();
+  left_.nearer_s = now_s();
+  left_.least_s = std::numeric_limits<double>::infinity();
+  planned_.window_s.reset();
 }
 
 /// Returns the nearest place outside keep-out zones to which a straight way leads past what is marked.
@@ -78,12 +78,12 @@ std::optional<Vec2> Navigator::way_out(Vec2 here) const {
 /// Returns the next twist straight out of a keep-out zone, ahead or backwards.
 Twist2 Navigator::leave_zone(const MotionState& state) {
   const Vec2 here = state.pose.position;
-  if (!exit_ && (exit_ = way_out(here))) least_left_s_ = distance(here, *exit_);
-  if (exit_ && distance(here, *exit_) < least_left_s_ - nearer_m) {
-    least_left_s_ = distance(here, *exit_);
-    nearer_s_ = time_s_;
+  if (!exit_ && (exit_ = way_out(here))) left_.least_s = distance(here, *exit_);
+  if (exit_ && distance(here, *exit_) < left_.least_s - nearer_m) {
+    left_.least_s = distance(here, *exit_);
+    left_.nearer_s = now_s();
   }
-  if (time_s_ - nearer_s_ > patience_part * setup_.options.patience_s) {
+  if (now_s() - left_.nearer_s > patience_part * setup_.options.patience_s) {
     progress_ = {
         Progress::State::blocked,
         {},

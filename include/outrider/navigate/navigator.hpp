@@ -20,7 +20,6 @@
 // Deterministic: a pure function of the observations and orders so far. Thread rule: one at a time.
 #pragma once
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +31,7 @@
 #include "outrider/navigate/allowed_ground.hpp"
 #include "outrider/navigate/local_motion.hpp"
 #include "outrider/navigate/map_field.hpp"
+#include "outrider/navigate/odometry_track.hpp"
 #include "outrider/navigate/place_search.hpp"
 #include "outrider/navigate/robot_localiser.hpp"
 #include "outrider/navigate/track_follower.hpp"
@@ -133,7 +133,7 @@ class Navigator {
   [[nodiscard]] bool is_located() const { return localiser_->is_located(); }
   [[nodiscard]] std::int64_t recoveries() const { return recoveries_; }
   /// Returns how the track of the order is followed; nothing without one.
-  [[nodiscard]] const TrackFollower* track() const { return follower_ ? &*follower_ : nullptr; }
+  [[nodiscard]] const TrackFollower* track() const { return track_.follower ? &*track_.follower : nullptr; }
 
  private:
   Navigator(NavigatorSetup setup, std::unique_ptr<RobotLocaliser> localiser,
@@ -142,9 +142,8 @@ class Navigator {
   /// The ways out of a place where nothing goes on, in the order in which they are tried.
   enum class Recovery { none, forget, turn, back_off };
 
-  void note_odometry(const Observation& seen);
-  [[nodiscard]] Pose2 odometry_at(double time_s) const;
-  [[nodiscard]] Pose2 pose() const { return compose(localiser_->world_T_odometry(), track_.back().odometry); }
+  [[nodiscard]] double now_s() const { return odometry_.time_s(); }
+  [[nodiscard]] Pose2 pose() const { return compose(localiser_->world_T_odometry(), odometry_.newest()); }
   [[nodiscard]] std::optional<LaserScan> usable(const std::optional<LaserScan>& seen) const;
   void take(const LaserScan& scan);
   void see(const TagImage& image);
@@ -192,9 +191,36 @@ class Navigator {
   static constexpr double instant_s = 1e-9;  // by which times are rounded
   static constexpr double moved_mps = 0.03;  // a robot that is slower stands
 
-  struct TimedOdometry {
-    double time_s = 0.0;
-    Pose2 odometry;
+  /// When the way to the place was planned, and for what.
+  struct Planned {
+    std::optional<double> window_s = {}, far_s = {};  ///< in the window and on the known map
+    Vec2 at = {};
+    std::uint64_t changes = 0;  ///< of the live map
+  };
+  /// The time that is left on the way to the place.
+  struct TimeLeft {
+    std::optional<double> now_s = {};  ///< nothing if there is no way
+    double least_s = 0.0;              ///< since the last recovery
+    double best_s = 0.0;               ///< of the whole order
+    double nearer_s = 0.0;             ///< when it last became less, or a recovery began
+  };
+  /// The track of a Follow, and the way back to it.
+  struct OnTrack {
+    std::optional<TrackFollower> follower = {};
+    std::optional<TrackPlace> comes_back = {};  ///< to that place of the track, by the present GoTo
+    bool comes_in = false;                      ///< it was beside the track, and is steered to it
+    double skip_m = 0.0;                        ///< of the track, where no way leads back to it
+    TrackPlace came_in = {};                    ///< where it came back to the track
+    Pose2 stood = {};                           ///< on the track, until it moved from there
+    double moved_s = 0.0;                       ///< when it last moved there
+  };
+  /// The curves of a robot that steers, to the place of the GoTo.
+  struct Curves {
+    std::optional<TrackFollower> way = {};
+    std::string why_none = {};
+    double planned_s = 0.0;
+    std::uint64_t changes = 0;       ///< of the live map, when they were planned
+    std::optional<Twist2> arc = {};  ///< away from where it stands, as a recovery
   };
 
   NavigatorSetup setup_;
@@ -215,23 +241,14 @@ class Navigator {
   std::optional<MapField> far_;  // on the known map
   Twist2 commanded_;
 
-  double clock_s_ = 0.0;  // added to the times of the robot, whose clock may be put back
-  double time_s_ = 0.0;
+  OdometryTrack odometry_;
   std::optional<double> scan_s_;
-  double image_s_ = -1.0;            // of the last image that was used
-  std::deque<TimedOdometry> track_;  // the last second
-  Twist2 twist_;
+  double image_s_ = -1.0;  // of the last image that was used
 
   std::optional<GoTo> order_;
-  std::optional<double> planned_s_;
-  std::optional<double> planned_far_s_;
-  Vec2 planned_at_;
-  std::uint64_t planned_changes_ = 0;
-  std::optional<double> left_s_;
-  double least_left_s_ = 0.0;  // since the last recovery
-  double best_left_s_ = 0.0;   // of the whole order
-  double nearer_s_ = 0.0;      // when the time left last became less, or a recovery began
-  bool at_place_ = false;      // it stands there and turns to the heading
+  Planned planned_;
+  TimeLeft left_;
+  bool at_place_ = false;  // it stands there and turns to the heading
   Recovery recovery_ = Recovery::none;
   double recovers_until_s_ = 0.0;
   double back_until_s_ = 0.0;  // from what it touched
@@ -239,18 +256,8 @@ class Navigator {
   Vec2 begun_at_;                // with the order, or an earlier one
   std::int64_t recoveries_ = 0;  // in a row
   PlaceSearch search_;           // of a robot that does not know where it is
-  std::optional<TrackFollower> follower_;
-  std::optional<TrackPlace> comes_back_;  // to that place of the track, by the present GoTo
-  bool comes_in_ = false;                 // it was beside the track, and is steered to it
-  double skip_m_ = 0.0;                   // of the track, where no way leads back to it
-  TrackPlace came_in_;                    // where it came back to the track
-  Pose2 stood_;                           // on the track, until it moved from there
-  double on_track_s_ = 0.0;               // when it last moved there
-  std::optional<TrackFollower> curves_;   // of a robot that steers, to the place of the GoTo
-  std::string no_curves_;                 // why there are none
-  double curves_s_ = 0.0;                 // when they were planned
-  std::uint64_t curves_changes_ = 0;
-  std::optional<Twist2> arc_;  // away from where it stands, as a recovery
+  OnTrack track_;
+  Curves curves_;
   Workspace workspace_;
   Progress progress_;
 };

@@ -54,11 +54,12 @@ std::string why_no_curves(Vec2 place, const RobotModel& robot, const Fault& faul
 }  // namespace
 
 std::vector<Vec2> Navigator::way(double most_m) const {
-  if (!curves_) return field_.way(pose().position, most_m);
+  if (!curves_.way) return field_.way(pose().position, most_m);
   std::vector<Vec2> points = {pose().position};
   for (int i = 0; i * shown_m < most_m; ++i) {
-    const auto place = curves_->ahead_of(curves_->at(), i * shown_m);
-    points.push_back(curves_->pose_at(place.value_or(TrackPlace{curves_->track()->size(), 0.0})).position);
+    const auto place = curves_.way->ahead_of(curves_.way->at(), i * shown_m);
+    points.push_back(
+        curves_.way->pose_at(place.value_or(TrackPlace{curves_.way->track()->size(), 0.0})).position);
     if (!place) break;
   }
   return points;
@@ -70,34 +71,34 @@ Twist2 Navigator::go_in_curves(const GoTo& order) {
   near_.find_distances();
   const MotionState state = state_of(order, near_);
   if (in_zone_) {
-    curves_.reset();
+    curves_.way.reset();
     static_cast<void>(zones_on_window());
     return leave_zone(state);
   }
-  if (curves_) {
-    curves_->note(state.pose);
+  if (curves_.way) {
+    curves_.way->note(state.pose);
     // It steers to the way, if it about looks along it, and else plans anew.
-    if (curves_->heading_to_turn_to(state.pose)) curves_->go_on(state.pose);
-    if (curves_->heading_to_turn_to(state.pose)) curves_.reset();
+    if (curves_.way->heading_to_turn_to(state.pose)) curves_.way->go_on(state.pose);
+    if (curves_.way->heading_to_turn_to(state.pose)) curves_.way.reset();
   }
   const bool arcs = recovery_ == Recovery::turn || recovery_ == Recovery::back_off;
   if (!arcs && needs_curves(state)) plan_curves(order);
-  left_s_.reset();
-  if (curves_) left_s_ = left_on(*curves_, setup_.robot.speed_mps);
+  left_.now_s.reset();
+  if (curves_.way) left_.now_s = left_on(*curves_.way, setup_.robot.speed_mps);
   note_progress(order);
   if (progress_.state != Progress::State::underway) return {};
   if (recovery_ == Recovery::turn || recovery_ == Recovery::back_off) return arc_away(state);
-  return curves_ && !curves_->is_done() ? along_curves(state) : Twist2{};
+  return curves_.way && !curves_.way->is_done() ? along_curves(state) : Twist2{};
 }
 
 /// Returns true if there is no way, the robot has come off it or is at its end, or something stands on it.
 bool Navigator::needs_curves(const MotionState& state) const {
-  if (no_curves_.empty() && !curves_) return true;
-  if (time_s_ - curves_s_ < curves_again_s - instant_s) return false;
-  if (!curves_) return map_.changes() != curves_changes_ || recovery_ == Recovery::forget;
-  if (curves_->is_done()) return std::abs(twist_.ahead_mps) < moved_mps;
-  if (curves_->beside_m(state.pose.position) > off_way_m) return true;
-  if (map_.changes() == curves_changes_) return false;
+  if (curves_.why_none.empty() && !curves_.way) return true;
+  if (now_s() - curves_.planned_s < curves_again_s - instant_s) return false;
+  if (!curves_.way) return map_.changes() != curves_.changes || recovery_ == Recovery::forget;
+  if (curves_.way->is_done()) return std::abs(odometry_.twist().ahead_mps) < moved_mps;
+  if (curves_.way->beside_m(state.pose.position) > off_way_m) return true;
+  if (map_.changes() == curves_.changes) return false;
   Surroundings seen;
   seen.look(map_, state.pose.position, setup_.map.reach_m);
   seen.leave_inside(setup_.footprint, state.pose);
@@ -106,17 +107,17 @@ bool Navigator::needs_curves(const MotionState& state) const {
   const auto is_free = [&](const Pose2& at) {
     return seen.gap(setup_.footprint, at, Surroundings::most_m) >= least_m;
   };
-  return curves_->free_m(is_free, setup_.map.reach_m) < setup_.map.reach_m;
+  return curves_.way->free_m(is_free, setup_.map.reach_m) < setup_.map.reach_m;
 }
 
 /// Plans a curved way, around what moves too where the robot did not get on. A way that is longer than the
 /// one before counts as a recovery.
 void Navigator::plan_curves(const GoTo& order) {
   const Pose2 here = pose();
-  const bool was_underway = curves_.has_value() && !curves_->is_done();
-  const double before_s = curves_ ? left_on(*curves_, setup_.robot.speed_mps) : 0.0;
-  curves_s_ = time_s_;
-  curves_changes_ = map_.changes();
+  const bool was_underway = curves_.way.has_value() && !curves_.way->is_done();
+  const double before_s = curves_.way ? left_on(*curves_.way, setup_.robot.speed_mps) : 0.0;
+  curves_.planned_s = now_s();
+  curves_.changes = map_.changes();
   GoalGround ground{map_.frame(), {}, nullptr, zones_on_window()};
   ZoneCells zones;
   if (far_ && localiser_->is_located()) {
@@ -143,36 +144,36 @@ void Navigator::plan_curves(const GoTo& order) {
       ground, setup_.footprint, setup_.robot,
       {here, order.place, order.within_m, order.heading_rad, setup_.motion.wide_m, setup_.motion.margin_m},
       workspace_);
-  no_curves_.clear();
+  curves_.why_none.clear();
   if (!way) {
-    no_curves_ = why_no_curves(order.place, setup_.robot, way.error());
+    curves_.why_none = why_no_curves(order.place, setup_.robot, way.error());
     return;
   }
   if (way->empty()) return;
-  curves_.emplace(std::make_shared<const TrackPieces>(std::move(*way)));
-  const double left_s = left_on(*curves_, setup_.robot.speed_mps);
-  if (best_left_s_ == std::numeric_limits<double>::infinity()) best_left_s_ = left_s;
+  curves_.way.emplace(std::make_shared<const TrackPieces>(std::move(*way)));
+  const double left_s = left_on(*curves_.way, setup_.robot.speed_mps);
+  if (left_.best_s == std::numeric_limits<double>::infinity()) left_.best_s = left_s;
   if (!was_underway || left_s < before_s + longer_curves_s) return;
   if (recoveries_ >= setup_.options.most_recoveries) return;
   ++recoveries_;
-  least_left_s_ = left_s;
-  nearer_s_ = time_s_;
+  left_.least_s = left_s;
+  left_.nearer_s = now_s();
 }
 
 /// Returns the next twist along the way, from which the robot can brake; slowly, or none, where it cannot.
 Twist2 Navigator::along_curves(const MotionState& state) {
-  if (!curves_) return {};
-  const double speed_mps = std::abs(twist_.ahead_mps);
+  if (!curves_.way) return {};
+  const double speed_mps = std::abs(odometry_.twist().ahead_mps);
   const double look_m = speed_mps * speed_mps / setup_.robot.acceleration_mps2 + curves_beyond_m;
   const double least_m =
       std::min(setup_.motion.margin_m, near_.gap(setup_.footprint, state.pose, Surroundings::most_m) - 1e-3);
   const auto is_free = [&](const Pose2& at) {
     return near_.gap(setup_.footprint, at, Surroundings::most_m) >= least_m;
   };
-  const double free_m = curves_->free_m(is_free, look_m);
+  const double free_m = curves_.way->free_m(is_free, look_m);
   const double room_m = free_m < look_m ? std::max(0.0, free_m - short_m) : look_m;
   const Twist2 twist =
-      drivable(curves_->twist(state.pose, limits_, setup_.options.period_s, room_m), setup_.robot);
+      drivable(curves_.way->twist(state.pose, limits_, setup_.options.period_s, room_m), setup_.robot);
   for (const double part : slower_parts) {
     if (can_brake(state, part * twist, setup_.motion.margin_m)) return part * twist;
   }
@@ -181,12 +182,12 @@ Twist2 Navigator::along_curves(const MotionState& state) {
 
 /// Returns the twist along the longest free arc, ahead or backwards, for as long as a recovery lasts.
 Twist2 Navigator::arc_away(const MotionState& state) {
-  if (!arc_) {
+  if (!curves_.arc) {
     const double ahead = std::min(away_mps, state.robot.speed_mps);
     const double least_m = std::min(setup_.motion.margin_m,
                                     near_.gap(setup_.footprint, state.pose, Surroundings::most_m) - 1e-3);
     double longest_m = 0.0;
-    arc_ = Twist2{};
+    curves_.arc = Twist2{};
     for (const double way : {-1.0, 1.0}) {
       for (const double curve : {0.0, 1.0, -1.0}) {
         const Twist2 arc = drivable({way * ahead, 0.0, curve * state.robot.turn_rate_radps}, state.robot);
@@ -197,11 +198,11 @@ Twist2 Navigator::arc_away(const MotionState& state) {
           free_m += away_step_m;
         if (free_m <= longest_m) continue;
         longest_m = free_m;
-        arc_ = arc;
+        curves_.arc = arc;
       }
     }
   }
-  return can_brake(state, *arc_, setup_.motion.margin_m) ? *arc_ : Twist2{};
+  return can_brake(state, *curves_.arc, setup_.motion.margin_m) ? *curves_.arc : Twist2{};
 }
 
 }  // namespace outrider
