@@ -8,6 +8,9 @@
 
 namespace outrider {
 
+/// By how much less of a clearance another search has to keep than was found here, relative.
+inline constexpr double kept_rounding = 1e-9;
+
 /// The straight path from a point, away from the nearest edge, to the axis.
 struct Retraction {
   Bisector leg;             ///< begins at the point; its clearance grows along it
