@@ -8,7 +8,7 @@
 
 namespace outrider {
 
-/// By how much less of a clearance another search has to keep than was found here, relative.
+/// Another search keeps a clearance that was found here less this share of it, for rounding.
 inline constexpr double kept_rounding = 1e-9;
 
 /// The straight path from a point, away from the nearest edge, to the axis.

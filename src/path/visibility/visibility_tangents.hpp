@@ -16,7 +16,7 @@ namespace outrider {
 
 using Node = std::uint32_t;
 
-/// By how much legs that touch an arc may miss it, or turn back on it.
+/// Legs that touch an arc may miss it, or turn back on it, by so much.
 inline constexpr double tangent_slack_rad = 1e-9;
 
 struct Place {

@@ -17,7 +17,7 @@ struct FuelStation {
   std::size_t name = 0;  // index in the problem
 };
 
-/// By how much less than nothing a store may hold, of a full one.
+/// A store counts as not yet empty down to this part of a full one below nothing.
 inline constexpr double store_rounding = 1e-9;
 
 struct Supplied {
