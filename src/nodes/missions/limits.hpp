@@ -3,7 +3,7 @@
 
 namespace outrider {
 
-/// What the scan shows no farther from something on the map is that thing.
+/// A thing in the scan that is no farther from one on the map is that one.
 inline constexpr double on_map_m = 0.1;
 /// The part of a deceleration that is counted on, since messages come late.
 inline constexpr double careful = 0.5;
