@@ -11,13 +11,12 @@
 # files include. Each layer is a component of the installed package, whose needs follow from these lists
 # (Install.cmake).
 #
-# CHECKED enables container checks in releases too (Harden.cmake). APART compiles the files one by one in quick
-# builds too (Precompile.cmake), for layers with many files of one kind, each with private names of that kind.
-# ALONE names the files of a joined layer that are compiled one by one: those that instantiate large templates,
-# which take more time and much more memory together.
+# CHECKED enables container checks in releases too (Harden.cmake). Quick builds join the files of a folder
+# (Precompile.cmake); ALONE names the files that are compiled one by one there too: those that instantiate large
+# templates, which take more time and much more memory together.
 
 function(outrider_layer)
-  cmake_parse_arguments(LAYER "CHECKED;APART" "NAME" "SOURCES;ALONE;USES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(LAYER "CHECKED" "NAME" "SOURCES;ALONE;USES;PUBLIC;PRIVATE" ${ARGN})
   string(REPLACE / _ name ${LAYER_NAME})
   set(target outrider_${name})
   set(tree ${PROJECT_BINARY_DIR}/layers/${name})
@@ -64,9 +63,7 @@ function(outrider_layer)
   else()
     outrider_precompile(${target} layers)
   endif()
-  if(NOT LAYER_APART)
-    outrider_join(${target})
-  endif()
+  outrider_join_folders(${target})
   if(NOT LAYER_NAME STREQUAL "research")
     set_property(GLOBAL APPEND PROPERTY OUTRIDER_LAYERS ${target})
   endif()

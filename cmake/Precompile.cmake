@@ -4,11 +4,12 @@
 #
 # The first target of a group sets the flags; HEADERS and LINKS are further headers and libraries of the
 # group. outrider_join(target) compiles its files eight at a time, which a target of many short files with
-# large headers gains most from.
+# large headers gains most from. outrider_join_folders(target) joins the files of each folder instead, at most ten at a
+# time: a new file then compiles only its own folder again, and names need to differ only within a folder.
 #
 # The code does not depend on either: each file includes what it uses and hides no name, which `make lint` checks
 # with clang++, file by file. Files that are joined see each other's unnamed namespaces, so a name there stands
-# for one thing in the target.
+# for one thing in what is joined.
 # Builds with ccache, which does not cache files with precompiled headers, work without both.
 option(OUTRIDER_QUICK_BUILD "Parse the headers that most files include once for many files" OFF)
 
@@ -18,6 +19,36 @@ function(outrider_join target)
     # A name in one file may hide a private one of another; and g++ takes joined files for headers.
     target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
+endfunction()
+
+function(outrider_join_folders target)
+  outrider_join(${target})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  set(folders)
+  foreach(source IN LISTS sources)
+    get_source_file_property(alone ${source} SKIP_UNITY_BUILD_INCLUSION)
+    if(alone)
+      continue()
+    endif()
+    cmake_path(GET source PARENT_PATH folder)
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+    string(MAKE_C_IDENTIFIER ${folder} folder)
+    list(APPEND folders ${folder})
+    list(APPEND files_of_${folder} ${source})
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  foreach(folder IN LISTS folders)
+    list(LENGTH files_of_${folder} files)
+    math(EXPR groups "(${files} + 9) / 10")
+    math(EXPR size "(${files} + ${groups} - 1) / ${groups}")
+    set(index 0)
+    foreach(source IN LISTS files_of_${folder})
+      math(EXPR group "${index} / ${size}")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${group})
+      math(EXPR index "${index} + 1")
+    endforeach()
+  endforeach()
 endfunction()
 
 function(outrider_precompile target group)

@@ -7,7 +7,6 @@ namespace outrider {
 namespace {
 
 constexpr double chord_rad = radians(46.0);  // angle of each chord that replaces an arc
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 bool is_upright_prism(const Solid& solid) {
   const bool upright = std::abs(solid.world_T_solid.rotation.axes[2].z) >= 1.0 - 1e-12;
@@ -31,6 +30,7 @@ Blocker blocker_of(const Solid& piece, std::size_t index, double grow_m) {
   const Box3 box = bounds(piece);
   blocker.low_m = box.low.z;
   blocker.high_m = box.high.z;
+  constexpr double inf = std::numeric_limits<double>::infinity();
   const auto shapes = footprint(piece, -inf, inf);
   if (shapes.empty()) return blocker;  // a half-space: met everywhere
   RoundedPolygon grown = shapes.front();

@@ -10,8 +10,6 @@
 namespace outrider {
 namespace {
 
-constexpr double good_error_ratio = 0.7;
-
 std::vector<Elevation> elevations(const ShotRules& rules) {
   std::vector<Elevation> all;
   for (const double pitch : pitch_lattice(rules)) all.push_back(elevation(rules, pitch));

@@ -12,8 +12,6 @@ namespace outrider {
 namespace {
 
 constexpr double coarse = 5e-5;  // accuracy of a track: 1 mm after 1.5 s
-constexpr double good_error_ratio = 0.7;
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// The distances from the yaw axis between which flights at full speed reach a height, by pitch and bearing.
 /// A slower flight has a shorter range: it reaches the height closer than the farthest distance and, if the
@@ -70,6 +68,7 @@ class Reach {
       ends[i] = {low > 0.0 ? xy(track.position(low)) : Vec2{}, xy(track.position(track.fall_time(height_m)))};
     }
     Ring ring;
+    constexpr double inf = std::numeric_limits<double>::infinity();
     ring.fill({inf, -inf});
     for (std::size_t i = 0; i < sectors; ++i) {
       const auto& a = ends[i];

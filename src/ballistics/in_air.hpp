@@ -9,6 +9,9 @@
 
 namespace outrider {
 
+/// Once the error of a shot is no more than this part of what its target allows, no better one is sought.
+inline constexpr double good_error_ratio = 0.7;
+
 FiringRegion firing_region_in_air(const ShotRules& rules, const FlightSpace& space, const Target& target,
                                   const GridFrame& frame, const std::vector<std::uint8_t>& standable,
                                   const std::stop_token& stop);

@@ -8,7 +8,7 @@
 namespace outrider {
 namespace {
 
-constexpr int most_rounds = 300;
+constexpr int most_meeting_rounds = 300;
 
 /// Returns the first contact while the target moves straight, between `from_s` and `until_s` of the flight.
 std::optional<double> touch_on_piece(const Flight& flight, double ball_radius_m, const Target& target,
@@ -69,7 +69,7 @@ std::optional<Meeting> meeting(const ShotRules& rules, const Target& target, con
   const double exact_s = rules.air.none() ? 1e-12 : 1e-7;  // in air shots are aimed to a micrometre
   Meeting found;
   std::optional<Aimed> aimed;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_meeting_rounds; ++round) {
     const double lead_s = found.aiming_s + found.flight_s;
     aimed = shot_through(rules, target, walk.at(now_s + lead_s), position, at_pitch_rad, aimed);
     if (!aimed) return std::nullopt;

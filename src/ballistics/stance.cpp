@@ -6,7 +6,7 @@
 namespace outrider {
 namespace {
 
-constexpr int most_rounds = 60;
+constexpr int most_yaw_rounds = 60;
 constexpr double close = 1e-14;
 
 Vec3 barrel(const GunAngles& angles) {
@@ -96,7 +96,7 @@ std::optional<LineOfFire> line_of_fire(const ShotRules& rules, const Stance& sta
   Vec2 along = 1.0 / norm(aim - position) * (aim - position);
   Vec3 tip;  // from the robot's place on the ground
   Vec3 ahead;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_yaw_rounds; ++round) {
     const auto yaw = yaw_towards(ground, along, tangent);
     if (!yaw) return std::nullopt;
     tip = ground * Vec3{reach.x * yaw->x, reach.x * yaw->y, reach.y};

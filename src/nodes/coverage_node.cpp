@@ -13,7 +13,7 @@ namespace {
 
 constexpr double chord_rad = radians(5.0);
 constexpr std::size_t most_corners = 10'000;
-constexpr std::uint64_t most_expansions = 20'000'000;
+constexpr std::uint64_t most_expansions_of_track = 20'000'000;
 
 }  // namespace
 
@@ -103,7 +103,7 @@ Status CoverageNode::take_map(const nav_msgs::OccupancyGrid& message) {
 void CoverageNode::plan() {
   track_.clear();
   Budget budget;
-  budget.expansions = most_expansions;
+  budget.expansions = most_expansions_of_track;
   auto made = task_->method.plan(task_->problem, options_.cover.options, budget);
   if (!made) {
     const Fault fault = placed(made.error(), *task_);

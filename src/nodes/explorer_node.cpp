@@ -18,8 +18,8 @@ constexpr double goal_every_s = 1.0;
 constexpr double verdict_s = 4.0;        // the mapper judges its map 1 s after the robot stands
 constexpr std::int32_t sphere_list = 7;  // of visualization_msgs/Marker
 constexpr double at_goal_m = 0.08;
-constexpr int looked_at = 1000;                     // tries of a narrow place: no more are made
-constexpr double moved_m = 0.04, turned_rad = 0.3;  // that count as moving on
+constexpr int looked_at = 1000;                           // tries of a narrow place: no more are made
+constexpr double moved_on_m = 0.04, turned_on_rad = 0.3;  // that count as moving on
 
 }  // namespace
 
@@ -244,8 +244,8 @@ void ExplorerNode::decide_anew() {
 
 /// Bans a goal that failed; ends at home.
 void ExplorerNode::judge_goal() {
-  const bool moved = distance(pose_.position, stood_.position) > moved_m ||
-                     std::abs(wrap_angle(pose_.heading_rad - stood_.heading_rad)) > turned_rad;
+  const bool moved = distance(pose_.position, stood_.position) > moved_on_m ||
+                     std::abs(wrap_angle(pose_.heading_rad - stood_.heading_rad)) > turned_on_rad;
   if (moved) moved_on();
   const bool going_home = !end_state_.empty();
   if (distance(pose_.position, goal_->position) <= (going_home ? options_.home_within_m : at_goal_m)) {

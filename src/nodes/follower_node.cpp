@@ -16,7 +16,7 @@ constexpr double near_m = 1.2;     // obstacles that matter
 constexpr double stand_s = 2.0;    // commands to stand are sent for
 constexpr double kept_s = 3.0;     // commands
 constexpr double blocked_s = 3.0;  // without getting on, after which the robot goes back
-constexpr double moved_m = 0.05;   // that count as getting on
+constexpr double got_on_m = 0.05;  // that count as getting on
 constexpr double back_s = 1.5;
 constexpr double trail_step_m = 0.02;
 constexpr std::size_t most_trail = 20;
@@ -206,7 +206,7 @@ void FollowerNode::drive() {
   const auto [odom_T_robot, twist] = predicted();
   const Pose2 pose = compose(*map_T_odom, odom_T_robot);
   advance_along(*path_, pose.position);
-  if (distance(odom_T_robot.position, stood_) > moved_m) {
+  if (distance(odom_T_robot.position, stood_) > got_on_m) {
     stood_ = odom_T_robot.position;
     moved_on_s_ = now_s();
   }

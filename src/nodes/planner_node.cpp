@@ -14,8 +14,8 @@
 namespace outrider {
 namespace {
 
-constexpr double moved_m = 0.5;  // at most, a start or a goal
-constexpr std::uint64_t most_expansions = 20'000'000;
+constexpr double shifted_m = 0.5;  // at most, a start or a goal
+constexpr std::uint64_t most_expansions_of_path = 20'000'000;
 
 }  // namespace
 
@@ -82,23 +82,23 @@ Status PlannerNode::take_goal(const geometry_msgs::PoseStamped& goal) {
 Outcome<Plan> PlannerNode::plan(const Pose2& pose) {
   const auto grid = ground_.grid();
   const auto is_free = [&](Cell cell) { return grid->place(cell); };
-  const auto start = nearest_cell(grid->frame, pose.position, moved_m, is_free);
+  const auto start = nearest_cell(grid->frame, pose.position, shifted_m, is_free);
   if (!start) {
     return fault(FaultCode::start_blocked,
                  fmt::format("the robot at {:.2f}, {:.2f} is not within {:g} m of known free ground",
-                             pose.position.x, pose.position.y, moved_m));
+                             pose.position.x, pose.position.y, shifted_m));
   }
-  const auto goal = nearest_cell(grid->frame, goal_->position, moved_m, is_free);
+  const auto goal = nearest_cell(grid->frame, goal_->position, shifted_m, is_free);
   if (!goal) {
     return fault(FaultCode::goal_blocked,
                  fmt::format("the goal {:.2f}, {:.2f} is not within {:g} m of known free ground",
-                             goal_->position.x, goal_->position.y, moved_m));
+                             goal_->position.x, goal_->position.y, shifted_m));
   }
   auto planner = find_path_planner(options_.planner);
   if (!planner) return pass_on(planner);
   const Problem problem{grid, grid->point(*start), grid->point(*goal)};
   Budget budget;
-  budget.expansions = most_expansions;
+  budget.expansions = most_expansions_of_path;
   auto plan = planner->configure().plan(problem, budget, workspace_);
   if (!plan) return plan;
   if (auto ok = check(*plan, problem); !ok) {

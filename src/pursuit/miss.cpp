@@ -11,12 +11,12 @@
 namespace outrider {
 namespace {
 
-constexpr int never = std::numeric_limits<int>::max();
+constexpr int no_way = std::numeric_limits<int>::max();
 
 /// Returns the least number of steps from the robot to each cell, row by row without a border.
 std::vector<int> steps_to_cells(const PursuitProblem& problem, const PursuitField& field) {
   const GridFrame& frame = problem.costs->frame;
-  std::vector<int> steps(frame.size(), never);
+  std::vector<int> steps(frame.size(), no_way);
   CellSet open = field.free;
   std::vector<CellIndex> reached{field.start};
   open.remove(field.start);
@@ -67,7 +67,7 @@ void measure_in_seconds(Miss& miss, const PursuitProblem& problem, const std::ve
   for (int s = problem.start_s + 1; s <= problem.last_s(); ++s) {
     const Cell cell = problem.target[static_cast<std::size_t>(s)];
     const int needed = steps[problem.costs->frame.index(cell)];
-    if (needed == never) continue;
+    if (needed == no_way) continue;
     const int late = needed - (s - problem.start_s);
     if (miss.late_by_s && *miss.late_by_s <= late) continue;
     miss.late_by_s = late;

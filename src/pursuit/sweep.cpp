@@ -6,7 +6,7 @@
 namespace outrider {
 namespace {
 
-constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t unreached = std::numeric_limits<std::uint64_t>::max();
 
 /// The least cost of being in each cell in one second, with a border of cells that are never occupied.
 struct Layer {
@@ -15,7 +15,7 @@ struct Layer {
 
   explicit Layer(const GridFrame& frame)
       : stride(static_cast<std::size_t>(frame.width) + 2),
-        cost(stride * (static_cast<std::size_t>(frame.height) + 2), never) {}
+        cost(stride * (static_cast<std::size_t>(frame.height) + 2), unreached) {}
   [[nodiscard]] std::size_t index(Cell c) const {
     return static_cast<std::size_t>(c.y + 1) * stride + static_cast<std::size_t>(c.x + 1);
   }
@@ -27,7 +27,7 @@ void sweep_row(const PursuitProblem& problem, const Layer& left, Layer& next, in
     const Cell c{x, y};
     if (problem.wall(c)) continue;
     const std::size_t i = left.index(c);
-    std::uint64_t least = never;
+    std::uint64_t least = unreached;
     for (const std::size_t row : {i - left.stride, i, i + left.stride}) {
       for (const std::size_t k : {row - 1, row, row + 1}) least = std::min(least, left.cost[k]);
     }
@@ -40,7 +40,7 @@ void leave_cells(const PursuitProblem& problem, const Layer& here, Layer& left) 
   for (int y = 0; y < frame.height; ++y) {
     for (int x = 0; x < frame.width; ++x) {
       const std::size_t i = here.index({x, y});
-      left.cost[i] = here.cost[i] == never ? never : here.cost[i] + (*problem.costs)[{x, y}];
+      left.cost[i] = here.cost[i] == unreached ? unreached : here.cost[i] + (*problem.costs)[{x, y}];
     }
   }
 }
@@ -53,7 +53,7 @@ Outcome<LeastCatch> sweep(const PursuitProblem& problem, const Budget& budget) {
   const GridFrame& frame = problem.costs->frame;
   Layer here(frame), left(frame);
   here.cost[here.index(problem.start)] = 0;
-  LeastCatch least{never, 0, -1};
+  LeastCatch least{unreached, 0, -1};
   for (int s = problem.start_s + 1; s <= problem.last_s(); ++s) {
     leave_cells(problem, here, left);
     for (int y = 0; y < frame.height; ++y) {
@@ -61,7 +61,7 @@ Outcome<LeastCatch> sweep(const PursuitProblem& problem, const Budget& budget) {
       sweep_row(problem, left, here, y);
     }
     const std::uint64_t cost = here.cost[here.index(problem.target[static_cast<std::size_t>(s)])];
-    if (cost == never) continue;
+    if (cost == unreached) continue;
     if (least.earliest_catch_s < 0) least.earliest_catch_s = s;
     if (cost < least.cost) least.cost = cost, least.catch_time_s = s;
   }

@@ -61,7 +61,7 @@ double OpenGround::gap_m(const Footprint& footprint, const Pose2& pose) const {
 double OpenGround::towards_nearest(Vec2 centre) const {
   constexpr double step_m = 1e-4;
   const auto slope = [&](Vec2 step) { return gap_m(centre - step) - gap_m(centre + step); };
-  return heading_of({slope({step_m, 0.0}), slope({0.0, step_m})});
+  return heading_of(Vec2{slope({step_m, 0.0}), slope({0.0, step_m})});
 }
 
 }  // namespace outrider

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "fuzz_entry.hpp"
 #include "outrider/io/log/carmen_log.hpp"
 #include "outrider/slam/laser/laser_slam.hpp"
 
@@ -13,7 +14,7 @@ constexpr std::size_t mapped_scans = 4;
 constexpr std::size_t mapped_beams = 24;
 constexpr double reach_m = 3.0;
 
-void map(const outrider::LaserLog& log) {
+void map_scans(const outrider::LaserLog& log) {
   outrider::LaserSlamOptions options;
   options.reach_m = reach_m;
   auto slam = outrider::LaserSlam::begin(options, {});
@@ -26,14 +27,14 @@ void map(const outrider::LaserLog& log) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(carmen_log)(const unsigned char* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   static_cast<void>(outrider::is_carmen_log(text));
   outrider::CarmenOptions options;
   options.most_m = reach_m;
   const auto log = outrider::laser_log_from_carmen({text, "log"}, options);
   if (log) {
-    map(*log);
+    map_scans(*log);
   } else if (log.error().sentence.empty()) {
     std::abort();
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "fuzz_entry.hpp"
 #include "outrider/log/encoding/codecs.hpp"
 #include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "outrider/nodes/messages/node_messages.hpp"
@@ -57,7 +58,7 @@ std::size_t type_of(std::uint8_t chosen) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(cdr)(const std::uint8_t* data, std::size_t size) {
   if (size < 2) return 0;
   constexpr std::array encodings = {MessageEncoding::cdr, MessageEncoding::ros1, MessageEncoding::json};
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 2, size - 2);

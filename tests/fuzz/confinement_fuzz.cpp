@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "fuzz_entry.hpp"
 #include "outrider/io/files/confinement.hpp"
 #include "outrider/io/map/map_server.hpp"
 #include "outrider/io/sdf/sdf.hpp"
@@ -109,7 +110,7 @@ void load_everything() {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(confinement)(const std::uint8_t* data, std::size_t size) {
   static const Folders folders;
   std::string_view rest(reinterpret_cast<const char*>(data), size);
   for (const char* name : inputs) {

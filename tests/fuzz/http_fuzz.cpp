@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "fuzz_entry.hpp"
 #include "served_yard.hpp"
 
 namespace {
@@ -47,7 +48,7 @@ void check(const Response& response) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(http)(const std::uint8_t* data, std::size_t size) {
   static outrider::fuzzing::ServedYard yard;
   std::string_view input(reinterpret_cast<const char*>(data), size);
   if (input.find(outrider::fuzzing::secret) != std::string_view::npos) return 0;  // it would be echoed

@@ -7,9 +7,10 @@
 #include <string_view>
 
 #include "files/head_comment.hpp"
+#include "fuzz_entry.hpp"
 #include "http/message.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(kept_run)(const std::uint8_t* data, std::size_t size) {
   namespace server = outrider::server;
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   if (server::head_comment(input).size() > server::longest_head_comment) std::abort();

@@ -5,12 +5,13 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "fuzz_entry.hpp"
 #include "outrider/io/log/landmark_logs.hpp"
 #include "outrider/slam/landmark/landmark_slam.hpp"
 
 namespace {
 
-void map(const outrider::Outcome<outrider::LandmarkLog>& log, const char* engine) {
+void map_landmarks(const outrider::Outcome<outrider::LandmarkLog>& log, const char* engine) {
   if (!log) return;
   outrider::LandmarkSlamOptions options;
   options.engine = engine;
@@ -22,13 +23,14 @@ void map(const outrider::Outcome<outrider::LandmarkLog>& log, const char* engine
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(landmark_logs)(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   for (const char* engine : {"kalman", "ekf", "graph"}) {
-    map(outrider::landmark_log_from_freiburg({input, "log"}, {"", "map"}, {}), engine);
-    map(outrider::landmark_log_from_chain({input, "log"}), engine);
+    map_landmarks(outrider::landmark_log_from_freiburg({input, "log"}, {"", "map"}, {}), engine);
+    map_landmarks(outrider::landmark_log_from_chain({input, "log"}), engine);
   }
-  map(outrider::landmark_log_from_mrclam({{input, "o"}, {"1 72 1 0\n", "m"}, {"6 72\n", "b"}, {"", "l"}}, {}),
+  map_landmarks(
+      outrider::landmark_log_from_mrclam({{input, "o"}, {"1 72 1 0\n", "m"}, {"6 72\n", "b"}, {"", "l"}}, {}),
       "ekf");
   if (const auto slam = outrider::LandmarkSlam::load(input)) {
     if (!std::isfinite(slam->pose().position.x)) std::abort();

@@ -2,17 +2,14 @@
 // channel.
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 
+#include "fuzz_entry.hpp"
 #include "mcap/mcap_attachments.hpp"
 #include "mcap/read/mcap_reader.hpp"
+#include "read_fuzzed_log.hpp"
 
 namespace {
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 void read(std::string_view bytes, const outrider::LogSelection& selection) {
   const auto log = outrider::open_mcap(outrider::memory_source(bytes, "run.mcap"), selection);
@@ -35,7 +32,7 @@ void read(std::string_view bytes, const outrider::LogSelection& selection) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(mcap)(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   read(bytes, {});
   read(bytes, {.topics = {"/a"}, .from_ns = 10, .to_ns = 1000});

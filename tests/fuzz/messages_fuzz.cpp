@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "fuzz_entry.hpp"
 #include "served_yard.hpp"
 
 namespace {
@@ -35,7 +36,7 @@ bool receive_all(outrider::server::Viewer& viewer, std::string_view input, const
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(messages)(const std::uint8_t* data, std::size_t size) {
   static const outrider::fuzzing::ServedYard yard;
   App app = yard.app();
   post(app, "/api/v1/maps",

@@ -4,9 +4,10 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "fuzz_entry.hpp"
 #include "outrider/io/map/movingai.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(movingai)(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   const auto map = outrider::movingai_map_from_text(input, "m.map");
   if (map && map->cells.size() != map->frame.size()) std::abort();

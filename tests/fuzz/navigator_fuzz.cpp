@@ -11,6 +11,7 @@
 #include <cstring>
 #include <limits>
 
+#include "fuzz_entry.hpp"
 #include "outrider/navigate/navigator.hpp"
 #include "outrider/world/occupancy.hpp"
 
@@ -99,7 +100,7 @@ void check(const Command& command, const RobotModel& robot) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(navigator)(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
   const std::uint8_t choice = bytes.byte();
   NavigatorSetup setup;

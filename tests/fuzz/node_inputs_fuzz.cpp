@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 
+#include "fuzz_entry.hpp"
 #include "outrider/nodes/coverage_node.hpp"
 #include "outrider/nodes/explorer_node.hpp"
 #include "outrider/nodes/follower_node.hpp"
@@ -122,7 +123,7 @@ void check(const std::string& topic, const std::string& bytes) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(node_inputs)(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const auto node = node_of(data[0]);
   double time_s = 1.0;

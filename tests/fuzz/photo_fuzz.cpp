@@ -4,9 +4,10 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "fuzz_entry.hpp"
 #include "outrider/io/camera/photo.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(photo)(const std::uint8_t* data, std::size_t size) {
   using namespace outrider;
   const auto photo = photo_from_bytes({reinterpret_cast<const char*>(data), size}, "input");
   if (!photo) {

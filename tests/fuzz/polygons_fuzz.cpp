@@ -5,10 +5,11 @@
 #include <string_view>
 #include <utility>
 
+#include "fuzz_entry.hpp"
 #include "outrider/io/map/polygons.hpp"
 #include "outrider/path/visibility/polygon_ground.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(polygons)(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   auto map = outrider::polygon_map_from_text(input, "map.txt");
   if (!map) {

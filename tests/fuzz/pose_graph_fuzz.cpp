@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "fuzz_entry.hpp"
 #include "outrider/io/log/g2o.hpp"
 #include "outrider/io/log/pyfg.hpp"
 #include "outrider/slam/bounds/pose_graph_bound.hpp"
@@ -28,7 +29,7 @@ void solve(const outrider::PoseGraphOf<Pose>& graph, const char* robust, Read re
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(pose_graph)(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   const auto pyfg = outrider::pose_graph_from_pyfg(input, "graph.pyfg");
   if (pyfg && pyfg->truth.size() != pyfg->graph.nodes.size()) std::abort();

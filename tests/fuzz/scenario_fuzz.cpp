@@ -5,9 +5,10 @@
 #include <string>
 #include <string_view>
 
+#include "fuzz_entry.hpp"
 #include "outrider/io/scenario/scenario.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(scenario)(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   std::int64_t seed = 1;
   double radius_m = 0.26;

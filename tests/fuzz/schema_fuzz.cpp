@@ -4,11 +4,12 @@
 #include <cstdint>
 
 #include "encoding/ros1_to_cdr.hpp"
+#include "fuzz_entry.hpp"
 #include "outrider/log/encoding/channel_decoder.hpp"
 #include "outrider/log/messages/ros_sensor_messages.hpp"
 #include "read_fuzzed_log.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(schema)(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   const std::string_view schema = input.substr(0, input.find('\0'));
   const std::string_view message = input.substr(std::min(schema.size() + 1, input.size()));

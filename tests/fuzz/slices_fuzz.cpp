@@ -5,10 +5,11 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "fuzz_entry.hpp"
 #include "outrider/io/map/slices.hpp"
 #include "outrider/world/upright.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(slices)(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   const auto slices = outrider::slices_from_text(input, "s.csv");
   for (std::size_t i = 0; slices && i < slices->size(); ++i) {

@@ -4,9 +4,10 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "fuzz_entry.hpp"
 #include "outrider/jobs/guard/yard/inputs.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(stations)(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   const outrider::Box2 bounds{{-5, -5}, {5, 5}};
   const auto stations = outrider::stations_from_text(input, bounds);

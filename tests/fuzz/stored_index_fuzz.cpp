@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "fuzz_entry.hpp"
 #include "hubs/index_bytes.hpp"
 #include "outrider/path/catalog.hpp"
 
@@ -37,7 +38,7 @@ void ask(const ConfiguredPlanner& planner, const std::shared_ptr<const GridMap>&
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(stored_index)(const std::uint8_t* data, std::size_t size) {
   if (size < 8 || size > 100'000) return 0;
   const char* const name = std::array{"hub_labels", "octile_labels", "terrain_labels"}[data[0] % 3];
   const auto ground = ground_of(data[0] % 3 == 0 ? GridModel::corners : GridModel::cells);

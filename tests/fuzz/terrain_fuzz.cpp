@@ -5,9 +5,10 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "fuzz_entry.hpp"
 #include "outrider/io/map/terrain.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(terrain)(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   const auto field = input.starts_with("\x89PNG")
                          ? outrider::terrain_from_png(input, "terrain.png", {}, {10.0, 10.0, 1.0})

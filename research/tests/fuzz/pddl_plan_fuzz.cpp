@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "fuzz_entry.hpp"
 #include "research/guard/pddl.hpp"
 
 namespace {
@@ -23,7 +24,7 @@ outrider::TemporalProblem small_problem() {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int FUZZ_ENTRY(pddl_plan)(const std::uint8_t* data, std::size_t size) {
   static const outrider::TemporalProblem problem = small_problem();
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   const auto plan = outrider::pddl_plan_from_text(input, "plan.txt", problem);

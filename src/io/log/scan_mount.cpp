@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "outrider/geometry/spatial_pose.hpp"
+
 namespace outrider {
 
 Outcome<ScanMount> scan_mount(const Pose3& robot_T_laser) {

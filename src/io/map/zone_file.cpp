@@ -76,7 +76,7 @@ Status take_properties(const std::string& text, Zone& zone) {
     return bad_input(
         fmt::format("{} is no kind of a zone; give its feature the property \"kind\": \"keep_out\", or "
                     "\"slow\" and \"speed\"",
-                    name.empty() ? "nothing" : "'" + std::string(excerpt(name)) + "'"),
+                    name.empty() ? "nothing" : fmt::format("'{}'", excerpt(name))),
         zone.where);
   zone.kind = Zone::Kind::slow;
   const auto speed = properties.find("speed");

@@ -7,19 +7,16 @@
 #include <filesystem>
 #include <utility>
 
+#include "missions/limits.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/nodes/missions/in_the_way.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double at_start_m = 0.3;
-constexpr double stuck_s = 30.0, moved_on_m = 0.02;
 constexpr double noted_m = 0.01, noted_rad = radians(2.0);  // between two poses of the drive
 constexpr double good_part = 0.01;  // of the reach, that a drive may cover less than its track
-constexpr double on_map_m = 0.1;    // from a border: what is seen there is on the map
-constexpr double careful = 0.5;     // of the deceleration, since messages come late
-constexpr std::uint64_t most_expansions = 20'000'000;
+constexpr std::uint64_t most_expansions_of_track = 20'000'000;
 
 /// Returns true if something at that point is not on the map.
 bool is_unmapped(Vec2 point, const CoverageArea& ground, bool transfers) {
@@ -70,17 +67,10 @@ Status CoverMissionNode::begin(const Pose2& pose) {
     scenario.start = fmt::format("{},{},{}", pose.position.x, pose.position.y, degrees(pose.heading_rad));
   auto task = load_task(scenario);
   if (!task) return pass_on(task);
-  const double away_m = distance(task->problem.start->position, task->problem.frame.to_local(pose.position));
-  if (away_m > at_start_m) {
-    return fault(
-        FaultCode::bad_input,
-        fmt::format("the robot stands {:.2f} m from the start of the scenario; drive it there, or leave "
-                    "the start out",
-                    away_m),
-        "start");
-  }
+  const Vec2 robot = task->problem.frame.to_local(pose.position);
+  if (auto ok = check_start(task->problem.start->position, robot, "leave the start out"); !ok) return ok;
   Budget budget;
-  budget.expansions = most_expansions;
+  budget.expansions = most_expansions_of_track;
   auto plan = task->method.plan(task->problem, scenario.options, budget);
   if (!plan) return tl::unexpected<Fault>(placed(plan.error(), *task));
   auto proof = prove(*plan, task->problem, budget);
@@ -156,23 +146,19 @@ void CoverMissionNode::go_on(const Pose2& pose) {
   }
   note_unmapped();
   const CoverProblem& problem = work.task.problem;
-  StopRule rule;
-  rule.radius_m = problem.radius_m();
-  rule.braking_mps2 = careful * problem.pace.acceleration_mps2;
-  if (const auto thing = in_the_way(unmapped_, pose, *twist, rule)) {
+  auto thing =
+      in_the_way(unmapped_, pose, *twist, stop_rule(problem.radius_m(), problem.pace.acceleration_mps2));
+  if (thing) thing = problem.frame.to_file(*thing);
+  if (has_to_stand(thing, problem.frame.to_file(pose.position))) {
     work.driver.stopped();
     moved_on_s_ = now_s();
-    command({});
-    stand_before(work.task.problem.frame.to_file(*thing), work.task.problem.frame.to_file(pose.position));
     return;
   }
-  way_is_free(work.task.problem.frame.to_file(pose.position));
   if (distance(pose.position, stood_) > moved_on_m || !work.driver.drives()) {
     stood_ = pose.position;
     moved_on_s_ = now_s();
   }
-  if (now_s() - moved_on_s_ > stuck_s)
-    return end(NodeLevel::error, "stuck", fmt::format("the robot has not moved on for {:g} s", stuck_s));
+  if (ends_stuck(moved_on_s_)) return;
   command(*twist);
   set_status(
       NodeLevel::info, "covering",
@@ -183,21 +169,19 @@ void CoverMissionNode::act() {
   if (is_over()) return command({});
   std::string why = why_pose_is_missing();
   if (why.empty()) why = why_scan_is_missing();
-  const auto pose = frames().map_T_robot();
-  if (!why.empty() || !pose) {
+  if (!why.empty()) {
     if (work_) work_->driver.stopped();
     moved_on_s_ = now_s();
-    set_status(work_ ? NodeLevel::error : NodeLevel::info, work_ ? "stopped" : "waiting",
-               why.empty() ? "no transform says where the robot is" : why);
+    set_status(work_ ? NodeLevel::error : NodeLevel::info, work_ ? "stopped" : "waiting", why);
     return command({});
   }
+  const Pose2 pose = *frames().map_T_robot();
   if (!work_) {
     command({});
-    if (auto ok = begin(*pose); !ok)
-      return end(NodeLevel::error, std::string(to_string(ok.error().code)), to_string(ok.error()));
+    if (auto ok = begin(pose); !ok) return end(ok.error());
     moved_on_s_ = now_s();
   }
-  go_on({work_->task.problem.frame.to_local(pose->position), pose->heading_rad});
+  go_on({work_->task.problem.frame.to_local(pose.position), pose.heading_rad});
 }
 
 }  // namespace outrider

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "missions/limits.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/job/scene.hpp"
@@ -19,10 +20,8 @@ namespace outrider {
 namespace {
 
 constexpr double belief_every_s = 0.2;
-constexpr double soon_s = 1e-6;
 constexpr double straight_rad = radians(2.0);
-constexpr double on_map_m = 0.1;      // from a solid of the world: what is seen there is on the map
-constexpr double kept_s = 3.0;        // commands
+constexpr double commands_kept_s = 3.0;
 constexpr double braking_mps2 = 0.5;  // at which it slows down
 constexpr double speeds_up_s = 1.0;   // from rest to full speed
 constexpr double least_rate = 0.2;    // of full speed, for which it looks ahead while it stands
@@ -100,7 +99,7 @@ Observation DriveMissionNode::observation() const {
 void DriveMissionNode::drive(double rate) {
   const Twist2 twist = rate * twist_;
   sent_.emplace_back(now_s(), twist);
-  while (now_s() - sent_.front().first > kept_s) sent_.pop_front();
+  while (now_s() - sent_.front().first > commands_kept_s) sent_.pop_front();
   command(twist);
 }
 
@@ -130,9 +129,7 @@ void DriveMissionNode::note_unmapped() {
 /// Returns what is in the way, on the map.
 std::optional<Vec2> DriveMissionNode::thing_ahead() {
   note_unmapped();
-  StopRule rule;
-  rule.radius_m = task_.radius_m;
-  rule.braking_mps2 = 0.5 * braking_mps2;
+  const StopRule rule = stop_rule(task_.radius_m, braking_mps2);
   const Pose2 then_T_now = moved_since(unmapped_s_);
   const auto thing = in_the_way(unmapped_, then_T_now, std::max(clock_.rate(), least_rate) * twist_, rule);
   if (!thing) return std::nullopt;
@@ -185,7 +182,7 @@ void DriveMissionNode::act() {
     command({});
     if (task_.closed_loop) {
       if (!sight_.newest() || !sight_.camera()) return;
-      if (auto ok = mount(); !ok) return end(NodeLevel::error, "bad_input", ok.error().sentence);
+      if (auto ok = mount(); !ok) return end(ok.error());
     }
     start();
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "missions/limits.hpp"
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/core/overload.hpp"
 #include "outrider/job/scene.hpp"
@@ -16,14 +17,9 @@
 namespace outrider {
 namespace {
 
-constexpr double at_start_m = 0.3;
-constexpr double stuck_s = 30.0, moved_on_m = 0.02;
 constexpr double settles_s = 0.5;  // at the end of a drive, before the robot counts as standing
 constexpr double longest_aim_s = 30.0;
-constexpr double on_map_m = 0.1;       // from a solid: what is seen there is on the map
-constexpr double careful = 0.5;        // of the deceleration, since messages come late
 constexpr double noted_every_s = 0.1;  // pose and joints
-constexpr double soon_s = 1e-6;
 
 Pace pace_of(const RobotModel& robot) {
   Pace pace;
@@ -74,7 +70,6 @@ GuardMissionNode::GuardMissionNode(GuardMissionNodeOptions options, std::unique_
 
 std::string GuardMissionNode::why_to_stop() const {
   if (std::string why = why_pose_is_missing(); !why.empty()) return why;
-  if (!frames().map_T_robot()) return "no transform says where the robot is";
   if (std::string why = why_missing("joint state of the gun", gun_.came_s(), options().patience_s);
       !why.empty())
     return why;
@@ -82,14 +77,8 @@ std::string GuardMissionNode::why_to_stop() const {
 }
 
 void GuardMissionNode::start(const Pose2& pose) {
-  const double away_m = distance(guard_->scenario.problem.start.position, pose.position);
-  if (away_m > at_start_m) {
-    end(NodeLevel::error, "bad_input",
-        fmt::format("start: the robot stands {:.2f} m from the start of the scenario; drive it there, or "
-                    "change the start",
-                    away_m));
-    return;
-  }
+  const Vec2 begin = guard_->scenario.problem.start.position;
+  if (auto ok = check_start(begin, pose.position, "change the start"); !ok) return end(ok.error());
   begin_log();
   log_prepared(log(), *guard_);
   run_log_ = std::make_unique<TargetLog>(log(), queue_, guard_->scenario.problem.targets);
@@ -165,25 +154,18 @@ bool GuardMissionNode::may_drive(const Twist2& twist, const Pose2& pose) {
     });
   }
   const RobotModel& robot = guard_->scenario.problem.robot;
-  StopRule rule;
-  rule.radius_m = robot.radius_m - options_.clearance_m;
-  rule.braking_mps2 = careful * robot.acceleration_mps2;
-  if (const auto thing = in_the_way(unmapped_, pose, twist, rule)) {
+  const StopRule rule = stop_rule(robot.radius_m - options_.clearance_m, robot.acceleration_mps2);
+  if (has_to_stand(in_the_way(unmapped_, pose, twist, rule), pose.position)) {
     driver_.stopped();
     moved_on_s_ = now_s();
     stands_ = true;
-    command({});
-    stand_before(*thing, pose.position);
     return false;
   }
-  way_is_free(pose.position);
   if (distance(pose.position, stood_) > moved_on_m || !driver_.drives()) {
     stood_ = pose.position;
     if (driver_.drives()) moved_on_s_ = now_s();
   }
-  if (now_s() - moved_on_s_ <= stuck_s) return true;
-  end(NodeLevel::error, "stuck", fmt::format("the robot has not moved on for {:g} s", stuck_s));
-  return false;
+  return !ends_stuck(moved_on_s_);
 }
 
 /// Returns true once the gun is aimed.
@@ -273,16 +255,16 @@ void GuardMissionNode::act() {
     return;
   }
   const std::string why = why_to_stop();
-  const auto pose = frames().map_T_robot();
-  if (!why.empty() || !pose) {
+  if (!why.empty()) {
     driver_.stopped();
     moved_on_s_ = now_s();
     set_status(run_log_ ? NodeLevel::error : NodeLevel::info, run_log_ ? "stopped" : "waiting", why);
     command({});
     return;
   }
-  if (!run_log_) start(*pose);
-  if (!is_over()) go_on(*pose);
+  const Pose2 pose = *frames().map_T_robot();
+  if (!run_log_) start(pose);
+  if (!is_over()) go_on(pose);
 }
 
 }  // namespace outrider

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "missions/limits.hpp"
+
 namespace outrider {
 namespace {
 
@@ -11,6 +13,13 @@ constexpr int most_steps = 500;
 constexpr double nearer_m = 1e-3;  // that count as coming nearer
 
 }  // namespace
+
+StopRule stop_rule(double radius_m, double deceleration_mps2) {
+  StopRule rule;
+  rule.radius_m = radius_m;
+  rule.braking_mps2 = careful * deceleration_mps2;
+  return rule;
+}
 
 std::optional<Vec2> in_the_way(const std::vector<Vec2>& points, const Pose2& robot, const Twist2& twist,
                                const StopRule& rule) {

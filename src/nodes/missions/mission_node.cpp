@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "outrider/log/messages/conversions.hpp"
@@ -31,6 +30,8 @@ namespace {
 constexpr double watched_m = 2.0;   // length of the beams that matter
 constexpr double longest_s = 30.0;  // that it stands before something
 constexpr double drove_on_m = 0.1;
+constexpr double stuck_s = 30.0;
+constexpr double at_start_m = 0.3;
 
 }  // namespace
 
@@ -139,8 +140,33 @@ void MissionNode::stand_before(Vec2 thing, Vec2 robot) {
   }
 }
 
+bool MissionNode::has_to_stand(const std::optional<Vec2>& thing, Vec2 robot) {
+  if (thing) {
+    command({});
+    stand_before(*thing, robot);
+  } else {
+    way_is_free(robot);
+  }
+  return thing.has_value();
+}
+
 void MissionNode::way_is_free(Vec2 robot) {
   if (stands_s_ && distance(robot, stands_at_) > drove_on_m) stands_s_.reset();
+}
+
+bool MissionNode::ends_stuck(double moved_on_s) {
+  if (now_s() - moved_on_s <= stuck_s) return false;
+  end(NodeLevel::error, "stuck", fmt::format("the robot has not moved on for {:g} s", stuck_s));
+  return true;
+}
+
+Status MissionNode::check_start(Vec2 start, Vec2 robot, std::string_view remedy) {
+  const double away_m = distance(start, robot);
+  if (away_m <= at_start_m) return {};
+  return bad_input(
+      fmt::format("the robot stands {:.2f} m from the start of the scenario; drive it there, or {}", away_m,
+                  remedy),
+      "start");
 }
 
 std::string MissionNode::why_odometry_is_missing() const {
@@ -149,9 +175,12 @@ std::string MissionNode::why_odometry_is_missing() const {
 
 std::string MissionNode::why_pose_is_missing() const {
   std::string why = why_odometry_is_missing();
-  if (!why.empty()) return why;
-  return why_missing(fmt::format("transform from {} to {}", options_.frames.map, options_.frames.odom),
-                     frames_.localised_s(), options_.patience_s);
+  if (why.empty()) {
+    why = why_missing(fmt::format("transform from {} to {}", options_.frames.map, options_.frames.odom),
+                      frames_.localised_s(), options_.patience_s);
+  }
+  if (why.empty() && !frames_.map_T_robot()) why = "no transform says where the robot is";
+  return why;
 }
 
 std::optional<std::size_t> MissionNode::output_of(std::string_view topic) const {
@@ -178,6 +207,10 @@ void MissionNode::end(NodeLevel level, std::string state, std::string sentence) 
   over_ = true;
   command({});
   set_status(level, std::move(state), std::move(sentence));
+}
+
+void MissionNode::end(const Fault& fault) {
+  end(NodeLevel::error, std::string(to_string(fault.code)), to_string(fault));
 }
 
 }  // namespace outrider

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "missions/limits.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/geometry/convex.hpp"
 #include "outrider/path/pieces.hpp"
@@ -10,11 +11,10 @@
 namespace outrider {
 namespace {
 
-constexpr double careful = 0.5;         // of the deceleration, for what comes late
 constexpr double turned_rad = 0.01;     // nearer to its heading it has turned
 constexpr double arrived_m = 0.004;     // nearer to its end a piece is driven
 constexpr double stiffest_per_m = 5.0;  // k at low speeds
-constexpr double settles_s = 0.5;       // at high speeds, about which a step of e takes
+constexpr double steers_back_s = 0.5;   // at high speeds, about which a step of e takes
 constexpr double longest_step_s = 0.1;
 
 double towards(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
@@ -70,7 +70,7 @@ Twist2 PieceDriver::drive(double step_s, const Pose2& pose) {
   speed_ = towards(speed_, std::max(wanted, 0.02), limits.acceleration * step_s);
   const double travel_rad = pose.heading_rad + (piece.backward ? std::numbers::pi : 0.0);
   const double angle_rad = wrap_angle(travel_rad - place.heading_rad);
-  const double k = std::min(stiffest_per_m, 1.0 / (settles_s * std::max(speed_, 1e-3)));
+  const double k = std::min(stiffest_per_m, 1.0 / (steers_back_s * std::max(speed_, 1e-3)));
   const double curvature = piece.turn_rad == 0.0 ? 0.0 : piece.turn_rad / length_of(piece);
   const double most = std::numbers::pi / 4.0;  // farther away the equation would turn it around
   const double back_rad = std::clamp(2.0 * angle_rad + k * place.left_m, -most, most);

@@ -6,17 +6,15 @@
 #include <cmath>
 #include <utility>
 
+#include "missions/limits.hpp"
 #include "outrider/nodes/missions/in_the_way.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double soon_s = 1e-6;
 constexpr double silent_seconds = 2.0;  // of the mission, without the target, after which the robot stands
 constexpr double there_part = 0.05;     // of a cell: nearer to its middle the robot is there
-constexpr double on_map_m = 0.1;  // from a cell that cannot be entered: what is seen there is on the map
-constexpr double careful = 0.5;   // of the deceleration, since messages come late
-constexpr std::uint64_t most_expansions = 5'000'000;
+constexpr std::uint64_t most_expansions_a_plan = 5'000'000;
 
 }  // namespace
 
@@ -65,7 +63,7 @@ PursueMissionNode::PursueMissionNode(PursueMissionNodeOptions options, PursuitTa
       clock_(std::make_unique<Clock>()),
       driver_(options_.pace, true) {
   task_.rules.known_s = 0;
-  if (task_.rules.budget.expansions > most_expansions) task_.rules.budget.expansions = most_expansions;
+  task_.rules.budget.expansions = std::min(task_.rules.budget.expansions, most_expansions_a_plan);
   listen_to_pose();
   listen_to_scan();
   listen<geometry_msgs::PoseStamped>("target_pose", Delivery::sensor,
@@ -95,7 +93,6 @@ Cell PursueMissionNode::cell_of(Vec2 point) const {
 
 std::string PursueMissionNode::why_to_stop() const {
   if (std::string why = why_pose_is_missing(); !why.empty()) return why;
-  if (!frames().map_T_robot()) return "no transform says where the robot is";
   if (std::string why = why_scan_is_missing(); !why.empty()) return why;
   if (!target_) return "the target was not seen yet";
   if (now_s() - target_came_s_ <= silent_seconds * options_.second_s) return {};
@@ -106,8 +103,7 @@ void PursueMissionNode::begin(Cell robot) {
   task_.problem.start = robot;
   const std::size_t seconds = task_.problem.target.size();
   std::ranges::fill(task_.problem.target, cell_of(*target_));
-  if (auto ok = outrider::check(task_.problem); !ok)
-    return end(NodeLevel::error, std::string(to_string(ok.error().code)), to_string(ok.error()));
+  if (auto ok = outrider::check(task_.problem); !ok) return end(ok.error());
   begin_log();
   mission_ = std::make_unique<PursuitMission>(task_.problem, seconds, task_.rules, *clock_);
   run_log_ = std::make_unique<PursuitLog>(log(), task_.problem, name_);
@@ -156,24 +152,15 @@ void PursueMissionNode::drive(const Pose2& pose) {
     std::ranges::copy_if(*points, std::back_inserter(unmapped_),
                          [&](Vec2 point) { return is_unmapped(point); });
   }
-  StopRule rule;
-  rule.radius_m = options_.radius_m;
-  rule.braking_mps2 = careful * options_.pace.acceleration_mps2;
-  if (const auto thing = in_the_way(unmapped_, pose, twist, rule)) {
-    driver_.stopped();
-    command({});
-    stand_before(*thing, pose.position);
-    return;
-  }
-  way_is_free(pose.position);
+  const StopRule rule = stop_rule(options_.radius_m, options_.pace.acceleration_mps2);
+  if (has_to_stand(in_the_way(unmapped_, pose, twist, rule), pose.position)) return driver_.stopped();
   command(twist);
   set_status(NodeLevel::info, "pursuing",
              fmt::format("second {} of the mission", mission_->run.state.time_s));
 }
 
 void PursueMissionNode::finish() {
-  if (mission_->fault)
-    return end(NodeLevel::error, std::string(to_string(mission_->fault->code)), to_string(*mission_->fault));
+  if (mission_->fault) return end(*mission_->fault);
   const PursuitState& state = mission_->run.state;
   end(state.caught ? NodeLevel::info : NodeLevel::error, state.caught ? "caught" : "not_caught",
       fmt::format("{} in second {}, at a cost of {}",

@@ -5,7 +5,7 @@
 namespace outrider {
 namespace {
 
-constexpr double kept_s = 10.0;
+constexpr double moments_kept_s = 10.0;
 
 }  // namespace
 
@@ -17,7 +17,7 @@ void SlowedClock::begin(double now_s) {
 void SlowedClock::advance(double now_s, double rate_per_s) {
   const double passed_s = std::max(0.0, now_s - kept_.back().now_s);
   kept_.push_back({now_s, kept_.back().time_s + rate_ * passed_s});
-  while (kept_.size() > 2 && kept_.front().now_s < now_s - kept_s) kept_.pop_front();
+  while (kept_.size() > 2 && kept_.front().now_s < now_s - moments_kept_s) kept_.pop_front();
   rate_ = std::clamp(rate_ + rate_per_s * passed_s, 0.0, 1.0);
 }
 

@@ -10,11 +10,11 @@ namespace outrider {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr int block = 8;        // cells along a side that share a list of near edges
-constexpr int most_rounds = 8;  // marches
+constexpr int block = 8;  // cells along a side that share a list of near edges
+constexpr int most_marches = 8;
 constexpr double good_excess = 1.0005;
 
-struct Lattice {
+struct MarchLattice {
   Vec2 origin;
   double cell_m = 1.0;
   int width = 0, height = 0;  ///< cells
@@ -35,9 +35,9 @@ struct Lattice {
   }
 };
 
-Lattice lattice_of(const PolygonGround& ground, int cells) {
+MarchLattice lattice_of(const PolygonGround& ground, int cells) {
   const Vec2 size = ground.bounds.size();
-  Lattice lattice;
+  MarchLattice lattice;
   lattice.cell_m = std::max(size.x, size.y) / cells;
   lattice.origin = ground.bounds.low;
   lattice.width = std::max(1, static_cast<int>(std::ceil(size.x / lattice.cell_m)));
@@ -70,7 +70,7 @@ double most_clearance(const std::array<Vec2, 4>& corners, const std::array<const
 }
 
 /// Returns for each cell the least cost of a metre in it, or 0 where no path keeps its clearance.
-std::vector<double> least_costs(const ExposureQuestion& question, const Lattice& lattice) {
+std::vector<double> least_costs(const ExposureQuestion& question, const MarchLattice& lattice) {
   const PolygonGround& ground = question.ground;
   std::vector<double> costs(lattice.cell(0, lattice.height), 0.0);
   const double half_diagonal = std::sqrt(0.5) * lattice.cell_m;
@@ -114,7 +114,7 @@ std::vector<double> least_costs(const ExposureQuestion& question, const Lattice&
 /// The fast marching method from the corners of the cell of the start, until those of the goal are known.
 class March {
  public:
-  March(const Lattice& lattice, const std::vector<double>& costs) : lattice_(lattice), costs_(costs) {
+  March(const MarchLattice& lattice, const std::vector<double>& costs) : lattice_(lattice), costs_(costs) {
     cost_.assign(lattice.node(0, lattice.height + 1), never);
     for_each_cell([&](int x, int y, double cost) {
       for (const std::size_t node : nodes_of(x, y)) cost_[node] = std::min(cost_[node], cost);
@@ -221,7 +221,7 @@ class March {
       return value != other.value ? value > other.value : node > other.node;
     }
   };
-  const Lattice& lattice_;
+  const MarchLattice& lattice_;
   const std::vector<double>& costs_;
   std::vector<double> cost_;   // of a metre at each node; infinite where none is near
   std::vector<double> value_;  // of u
@@ -233,11 +233,11 @@ class March {
 }  // namespace
 
 double least_cost_bound(const ExposureQuestion& question, int cells) {
-  const Lattice lattice = lattice_of(question.ground, cells);
+  const MarchLattice lattice = lattice_of(question.ground, cells);
   const std::vector<double> costs = least_costs(question, lattice);
   March march(lattice, costs);
   double best = 0.0;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_marches; ++round) {
     march.run(question.start, question.goal, question.stop);
     if (question.stop.stop_requested()) return 0.0;
     const double rise = march.value(question.goal) - march.value(question.start);

@@ -10,7 +10,7 @@ namespace outrider {
 namespace {
 
 constexpr std::size_t most_points = 65;
-constexpr int most_halvings = 4;
+constexpr int most_refinements = 4;
 constexpr int most_sweeps = 40;
 constexpr double least_gain = 2e-5;     // of the cost, in a sweep
 constexpr double least_removal = 1e-9;  // of the cost of two legs, for which one replaces them
@@ -122,7 +122,7 @@ std::vector<Vec2> descended(std::vector<Vec2> points, const LegCost& cost) {
   for (int level = 0;; ++level) {
     bend.begin();
     bend.settle(false);
-    if (level == most_halvings || 2 * bend.points.size() > most_points) return std::move(bend.points);
+    if (level == most_refinements || 2 * bend.points.size() > most_points) return std::move(bend.points);
     bend.halve();
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clearance_options.hpp"
 #include "exposure_bound.hpp"
 #include "exposure_descent.hpp"
 #include "medial_graph.hpp"
@@ -15,25 +16,17 @@
 namespace outrider {
 namespace {
 
-constexpr double most_weight_m = 1e6;
 constexpr double legs_keep = 0.999;      // fraction of the clearance that legs keep
 constexpr double most_exposure = 0.125;  // largest exposure between points of the path
 constexpr double least_apart_m = 1e-9;
-constexpr double rounding = 1e-9;  // of the clearance that another search keeps
-constexpr int most_halvings = 40;
+constexpr int most_halvings_of_part = 40;
 constexpr double tight = 0.999;  // share of the cost that a lower bound reaches
 constexpr std::int64_t most_bound_cells = 1024;
 
 Status check_options(const MedialAxisOptions& options) {
-  const bool good_weight = options.weight_m >= 0.0 && options.weight_m <= most_weight_m;
-  if (!good_weight) {
-    return bad_input(fmt::format("{} m is not valid; expected 0 to {:g}", options.weight_m, most_weight_m),
-                     "weight");
-  }
-  const bool good_share = options.kept >= 0.0 && options.kept <= 1.0;
-  if (!good_share) return bad_input(fmt::format("{} is not valid; expected 0 to 1", options.kept), "kept");
-  const bool good_slack = options.slack >= 0.0 && options.slack <= 1.0;
-  if (!good_slack) return bad_input(fmt::format("{} is not valid; expected 0 to 1", options.slack), "slack");
+  if (auto good = check_weight(options.weight_m); !good) return good;
+  if (auto good = check_share(options.kept, "kept"); !good) return good;
+  if (auto good = check_share(options.slack, "slack"); !good) return good;
   const bool good_cells = options.bound_cells >= 0 && options.bound_cells <= most_bound_cells;
   if (!good_cells) {
     return bad_input(fmt::format("{} is not valid; expected 0 to {}", options.bound_cells, most_bound_cells),
@@ -53,7 +46,7 @@ struct PointsOfWay {
   void add(const Bisector& part, int halvings = 0) {
     const Segment chord{part.at(part.u0), part.at(part.u1)};
     const bool narrow = part.kind == Bisector::Kind::parabola && leg_clearance(ground, chord) < least_m;
-    if ((part.exposure() > most_exposure || narrow) && halvings < most_halvings) {
+    if ((part.exposure() > most_exposure || narrow) && halvings < most_halvings_of_part) {
       const double middle = 0.5 * (part.u0 + part.u1);
       add(part.part(part.u0, middle), halvings + 1);
       add(part.part(middle, part.u1), halvings + 1);
@@ -164,10 +157,8 @@ double bound_of(const MedialGraph& graph, const LegCost& cost, const Problem& pr
 
 std::vector<Option> describe(MedialAxisOptions& options) {
   return {
-      {"weight", "m", 0.0, most_weight_m, "clearance at which a metre of path counts twice",
-       &options.weight_m},
-      {"kept", "", 0.0, 1.0, "share of the largest possible least clearance that the path keeps",
-       &options.kept},
+      weight_option(options.weight_m),
+      kept_option(options.kept),
       {"slack", "", 0.0, 1.0, "by how much a straight leg may cost more than the way it replaces",
        &options.slack},
       {"bound_cells", "", 0.0, static_cast<double>(most_bound_cells),
@@ -193,7 +184,7 @@ Outcome<Plan> medial_axis(const Problem& problem, const MedialAxisOptions& optio
   const PointsOfWay fine = points_of(*way, **ground, problem, options.weight_m, least, budget.stop);
   Budget left = budget;
   left.expansions -= meter.spent();
-  auto wide = shortest_wide(problem, kept * (1.0 - rounding) - graph.rounding_m, left, workspace);
+  auto wide = shortest_wide(problem, kept * (1.0 - kept_rounding) - graph.rounding_m, left, workspace);
   if (!wide) return pass_on(wide);
   PlanCounters counters = wide->counters;
   counters.expansions += meter.spent();

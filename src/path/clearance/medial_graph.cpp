@@ -144,7 +144,7 @@ struct AxisPolicy {
 };
 
 /// Minimises the loss, the amount by which the least clearance is below that of the widest place.
-struct WidestPolicy : AxisPolicy {
+struct WidestAxisPolicy : AxisPolicy {
   [[nodiscard]] static double estimate(State /*s*/) { return 0.0; }
 
   template <class Relax>
@@ -156,7 +156,7 @@ struct WidestPolicy : AxisPolicy {
   }
 };
 
-struct ExposurePolicy : AxisPolicy {
+struct ExposureAxisPolicy : AxisPolicy {
   double weight_m = 0.0;
 
   [[nodiscard]] double estimate(State s) const {
@@ -218,7 +218,7 @@ MedialGraph medial_graph(const std::shared_ptr<const PolygonGround>& ground, Vec
 
 Outcome<double> largest_clearance(const MedialGraph& graph, BudgetMeter& meter, Workspace& workspace) {
   auto& memory = workspace.get<SearchMemory<double>>();
-  WidestPolicy policy{{graph, memory.labels, graph.least_m}};
+  WidestAxisPolicy policy{{graph, memory.labels, graph.least_m}};
   const PlacedTrace placed(workspace.trace);
   const auto found = best_first(policy, memory, meter, workspace.trace);
   placed.report([&](State s) { return graph.nodes[s]; });
@@ -236,7 +236,7 @@ Outcome<double> largest_clearance(const MedialGraph& graph, BudgetMeter& meter, 
 Outcome<std::vector<Bisector>> least_exposed(const MedialGraph& graph, double least_m, double weight_m,
                                              BudgetMeter& meter, Workspace& workspace) {
   auto& memory = workspace.get<SearchMemory<double>>();
-  ExposurePolicy policy{{graph, memory.labels, std::max(least_m, graph.least_m)}, weight_m};
+  ExposureAxisPolicy policy{{graph, memory.labels, std::max(least_m, graph.least_m)}, weight_m};
   const PlacedTrace placed(workspace.trace);
   const auto found = best_first(policy, memory, meter, workspace.trace);
   placed.report([&](State s) { return graph.nodes[s]; });

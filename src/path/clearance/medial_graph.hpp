@@ -8,6 +8,9 @@
 
 namespace outrider {
 
+/// Another search keeps a clearance that was found here less this share of it, for rounding.
+inline constexpr double kept_rounding = 1e-9;
+
 /// The straight path from a point, away from the nearest edge, to the axis.
 struct Retraction {
   Bisector leg;             ///< begins at the point; its clearance grows along it

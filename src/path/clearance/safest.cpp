@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "clearance_options.hpp"
 #include "grid/octile.hpp"
 #include "grid_clearance.hpp"
 #include "outrider/path/clearance/medial_axis.hpp"
@@ -17,8 +18,6 @@
 
 namespace outrider {
 namespace {
-
-constexpr double most_weight_m = 1e6;
 
 /// Lattice indices of the start, the middle and the end of a move.
 using Places = std::array<std::size_t, 3>;
@@ -63,7 +62,7 @@ struct MovesPolicy {
 };
 
 /// Minimises the loss, the amount by which the least clearance is below that of the widest place of the grid.
-struct WidestPolicy : MovesPolicy {
+struct WidestMovesPolicy : MovesPolicy {
   [[nodiscard]] static double estimate(State /*s*/) { return 0.0; }
 
   [[nodiscard]] double loss(std::uint32_t squared) const {
@@ -80,7 +79,7 @@ struct WidestPolicy : MovesPolicy {
 };
 
 /// Minimises length + weight * exposure, in cells, over the moves that are wide enough.
-struct ExposurePolicy : MovesPolicy {
+struct ExposureMovesPolicy : MovesPolicy {
   double weight = 0.0;          ///< cells
   double kept_squared = 0.0;    ///< half cells
   double least_per_cell = 1.0;  ///< no cell of length costs less
@@ -121,17 +120,6 @@ const GridClearance& clearance_of(const std::shared_ptr<const GridMap>& ground, 
   return memory.clearance;
 }
 
-Status check_options(const SafestOptions& options) {
-  const bool good_weight = options.weight_m >= 0.0 && options.weight_m <= most_weight_m;
-  if (!good_weight) {
-    return bad_input(fmt::format("{} m is not valid; expected 0 to {:g}", options.weight_m, most_weight_m),
-                     "weight");
-  }
-  const bool good_share = options.kept >= 0.0 && options.kept <= 1.0;
-  if (!good_share) return bad_input(fmt::format("{} is not valid; expected 0 to 1", options.kept), "kept");
-  return {};
-}
-
 Outcome<GridQuery> query_of(const Problem& problem) {
   auto query = grid_query(problem);
   if (!query) return query;
@@ -161,7 +149,7 @@ std::uint32_t least_squared_of(const std::vector<State>& path, const GridMap& gr
 }
 
 /// Replaces runs of moves by straight legs in any direction that cost no more.
-std::vector<State> straight_legs(const std::vector<State>& path, const ExposurePolicy& policy,
+std::vector<State> straight_legs(const std::vector<State>& path, const ExposureMovesPolicy& policy,
                                  PlanCounters& counters) {
   const auto does = [&](std::size_t i, std::size_t j) {
     const Cell a = policy.ground.at(path[i]), b = policy.ground.at(path[j]);
@@ -194,17 +182,16 @@ Plan plan_of(const Problem& problem, const std::vector<Cell>& vertices, const Gr
 
 std::vector<Option> describe(SafestOptions& options) {
   return {
-      {"weight", "m", 0.0, most_weight_m, "clearance at which a metre of path counts twice",
-       &options.weight_m},
-      {"kept", "", 0.0, 1.0, "share of the largest possible least clearance that the path keeps",
-       &options.kept},
+      weight_option(options.weight_m),
+      kept_option(options.kept),
       {"along_moves", "", 0.0, 0.0,
        "leaves the path along the moves, without few straight legs in their place", &options.along_moves}};
 }
 
 Outcome<Plan> safest(const Problem& problem, const SafestOptions& options, const Budget& budget,
                      Workspace& workspace) {
-  if (auto good = check_options(options); !good) return pass_on(good);
+  if (auto good = check_weight(options.weight_m); !good) return pass_on(good);
+  if (auto good = check_share(options.kept, "kept"); !good) return pass_on(good);
   if (problem.polygons) {
     return medial_axis(problem, {.weight_m = options.weight_m, .kept = options.kept}, budget, workspace);
   }
@@ -215,12 +202,12 @@ Outcome<Plan> safest(const Problem& problem, const SafestOptions& options, const
   auto& memory = workspace.get<SearchMemory<double>>();
   BudgetMeter meter(budget);
 
-  WidestPolicy widest{{*query, clearance, memory.labels}};
+  WidestMovesPolicy widest{{*query, clearance, memory.labels}};
   auto found = best_first(widest, memory, meter, workspace.trace);
   if (!found) return pass_on(found);
   const double largest = least_squared_of(path_to(*found, memory.labels), ground, clearance);
 
-  ExposurePolicy briefest{{*query, clearance, memory.labels}};
+  ExposureMovesPolicy briefest{{*query, clearance, memory.labels}};
   briefest.weight = options.weight_m / ground.frame.resolution_m;
   briefest.kept_squared = options.kept * options.kept * largest;
   briefest.least_per_cell = 1.0 + briefest.weight * 2.0 / std::sqrt(clearance.widest_squared);

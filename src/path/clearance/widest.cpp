@@ -1,28 +1,18 @@
 #include "outrider/path/clearance/widest.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "clearance_options.hpp"
 #include "medial_graph.hpp"
 #include "outrider/path/visibility/visibility_graph.hpp"
 
 namespace outrider {
-namespace {
 
-constexpr double rounding = 1e-9;
-
-}  // namespace
-
-std::vector<Option> describe(WidestOptions& options) {
-  return {{"kept", "", 0.0, 1.0, "share of the largest possible least clearance that the path keeps",
-           &options.kept}};
-}
+std::vector<Option> describe(WidestOptions& options) { return {kept_option(options.kept)}; }
 
 Outcome<Plan> widest(const Problem& problem, const WidestOptions& options, const Budget& budget,
                      Workspace& workspace) {
-  const bool good_share = options.kept >= 0.0 && options.kept <= 1.0;
-  if (!good_share) return bad_input(fmt::format("{} is not valid; expected 0 to 1", options.kept), "kept");
+  if (auto good = check_share(options.kept, "kept"); !good) return pass_on(good);
   auto ground = polygon_query(problem);
   if (!ground) return pass_on(ground);
   const MedialGraph graph = medial_graph(*ground, problem.start, problem.goal, workspace);
@@ -30,7 +20,7 @@ Outcome<Plan> widest(const Problem& problem, const WidestOptions& options, const
   auto largest = largest_clearance(graph, meter, workspace);
   if (!largest) return pass_on(largest);
 
-  const double kept = options.kept * (*largest * (1.0 - rounding) - graph.rounding_m);
+  const double kept = options.kept * (*largest * (1.0 - kept_rounding) - graph.rounding_m);
   auto wide = PolygonGround::of((*ground)->boundary, (*ground)->obstacles,
                                 std::clamp(kept, (*ground)->radius_m, most_polygon_radius_m));
   if (!wide) return pass_on(wide);

@@ -87,7 +87,7 @@ std::vector<Collision> collisions_of(const std::vector<const Track*>& tracks, co
 }
 
 /// A node of the constraint tree: its parent, one constraint more, and the new track of that robot.
-struct Node {
+struct TreeNode {
   std::size_t parent = 0;
   Constraint constraint;
   Track track;
@@ -249,7 +249,7 @@ class Tree {
   std::stop_token stop_;
   SearchMemory<int> memory_;
   std::vector<Track> alone_;
-  std::vector<Node> nodes_;
+  std::vector<TreeNode> nodes_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };
 

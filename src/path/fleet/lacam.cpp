@@ -24,7 +24,7 @@ struct Place {
 };
 
 /// A configuration: the cells of all robots, how it was reached first, and what was tried from it.
-struct Node {
+struct Configuration {
   const std::vector<State>* cells = nullptr;
   std::size_t parent = none;
   std::vector<double> priority;
@@ -70,7 +70,7 @@ class Search {
  private:
   /// Takes the next set of constraints of a node and makes a step under them. Returns false if there is none.
   bool step_from(std::size_t id) {
-    Node& node = nodes_[id];
+    Configuration& node = nodes_[id];
     const std::size_t at = node.next++;
     if (node.places[at].depth < query_.robots()) {
       const std::size_t depth = node.places[at].depth, robot = node.order[depth];
@@ -87,7 +87,7 @@ class Search {
 
   void add(const std::vector<State>& cells, std::size_t parent) {
     const auto [place, is_new] = ids_.try_emplace(cells, nodes_.size());
-    Node node{&place->first, parent, {}, {}, {{}}, 0};
+    Configuration node{&place->first, parent, {}, {}, {{}}, 0};
     for (std::size_t i = 0; i < query_.robots(); ++i) {
       const double far = query_.steps[i][cells[i]], size = static_cast<double>(query_.ground.marks.size());
       const double before = parent == none ? far / size : nodes_[parent].priority[i];
@@ -116,7 +116,7 @@ class Search {
   BudgetMeter& meter_;
   Pibt pibt_;
   std::map<std::vector<State>, std::size_t> ids_;  // nodes by configuration
-  std::vector<Node> nodes_;
+  std::vector<Configuration> nodes_;
   std::vector<std::size_t> stack_;
 };
 

@@ -8,8 +8,6 @@
 namespace outrider {
 namespace {
 
-constexpr std::uint32_t none = NavigationMesh::none;
-
 template <class T>
 std::size_t bytes(const std::vector<T>& v) {
   return v.capacity() * sizeof(T);
@@ -55,7 +53,8 @@ void NavigationMesh::polygons_at(Cell corner, Cell free_cell, const GridFrame& f
   for (; next < found.size(); ++next) {
     const std::uint32_t p = found[next];
     for (std::uint32_t s = first[p]; s < first[p + 1]; ++s) {
-      if (sides[s].polygon != none && on_side(sides[s].at, end_of(p, s))) add(sides[s].polygon);
+      if (sides[s].polygon != NavigationMesh::none && on_side(sides[s].at, end_of(p, s)))
+        add(sides[s].polygon);
     }
   }
 }
@@ -70,7 +69,7 @@ NavigationMesh navigation_mesh(const GridMap& ground, const std::stop_token& sto
   const ConvexPolygons polygons = join_triangles(cut, stop);
   NavigationMesh mesh;
   if (stop.stop_requested()) return mesh;
-  mesh.polygon_of.assign(ground.frame.size(), none);
+  mesh.polygon_of.assign(ground.frame.size(), NavigationMesh::none);
   add_polygons(mesh, ground, cut.corners, polygons, {}, stop);
   if (!stop.stop_requested()) find_blocks(mesh, stop);
   if (stop.stop_requested()) return {};

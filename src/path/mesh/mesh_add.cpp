@@ -6,15 +6,13 @@
 namespace outrider {
 namespace {
 
-constexpr std::uint32_t none = NavigationMesh::none, no_turn = NavigationMesh::no_turn;
-
 /// Returns the quadrant of the only blocked cell around a corner, or none.
 std::uint32_t only_blocked(const GridMap& ground, Cell v) {
-  std::uint32_t only = none;
+  std::uint32_t only = NavigationMesh::none;
   for (unsigned q = 0; q < 4; ++q) {
     const Cell cell{v.x - ((q & 1U) != 0 ? 0 : 1), v.y - ((q & 2U) != 0 ? 0 : 1)};
     if ((ground.marks[ground.index(cell)] & GridMap::blocked_bit) == 0) continue;
-    if (only != none) return none;
+    if (only != NavigationMesh::none) return NavigationMesh::none;
     only = q;
   }
   return only;
@@ -64,15 +62,15 @@ class CellsOf {
 void add_turns(NavigationMesh& mesh, const GridMap& ground, const std::vector<Cell>& corners,
                const ConvexPolygons& polygons, std::uint32_t begin, std::uint32_t polygons_before,
                const std::vector<std::uint32_t>& known, const std::stop_token& stop) {
-  std::vector<std::uint32_t> turn_of(corners.size(), no_turn), blocked_at(corners.size(), 0);
+  std::vector<std::uint32_t> turn_of(corners.size(), NavigationMesh::no_turn), blocked_at(corners.size(), 0);
   std::vector<std::uint32_t> more(corners.size(), 0);
   for (const ConvexPolygons::Side& side : polygons.sides) ++more[side.corner];
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (stop.stop_requested()) return;
     const std::uint32_t blocked = only_blocked(ground, corners[i]);
-    if (blocked == none) continue;
-    turn_of[i] = known.empty() ? no_turn : known[i];
-    if (turn_of[i] == no_turn) {
+    if (blocked == NavigationMesh::none) continue;
+    turn_of[i] = known.empty() ? NavigationMesh::no_turn : known[i];
+    if (turn_of[i] == NavigationMesh::no_turn) {
       turn_of[i] = static_cast<std::uint32_t>(mesh.turns.size());
       mesh.turns.push_back({corners[i], 0, 0});
     }
@@ -85,9 +83,9 @@ void add_turns(NavigationMesh& mesh, const GridMap& ground, const std::vector<Ce
   }
   for (std::uint32_t s = begin; s < mesh.sides.size(); ++s) {
     const ConvexPolygons::Side& side = polygons.sides[s - begin];
-    mesh.sides[s].turn = turn_of[side.corner] & no_turn;
+    mesh.sides[s].turn = turn_of[side.corner] & NavigationMesh::no_turn;
     mesh.sides[s].blocked = blocked_at[side.corner] & 3U;
-    if (mesh.sides[s].turn == no_turn) continue;
+    if (mesh.sides[s].turn == NavigationMesh::no_turn) continue;
     NavigationMesh::Turn& turn = mesh.turns[mesh.sides[s].turn];
     mesh.around[turn.around + turn.polygons++] = {polygons_before + side.polygon, s};
   }
@@ -103,8 +101,10 @@ void add_polygons(NavigationMesh& mesh, const GridMap& ground, const std::vector
   mesh.sides.reserve(begin + polygons.sides.size());
   for (const ConvexPolygons::Side& side : polygons.sides) {
     const bool open = side.behind != ConvexPolygons::no_side;
-    mesh.sides.push_back({corners[side.corner], open ? before + polygons.sides[side.behind].polygon : none,
-                          open ? begin + side.behind : none, none, no_turn, 0});
+    mesh.sides.push_back({corners[side.corner],
+                          open ? before + polygons.sides[side.behind].polygon : NavigationMesh::none,
+                          open ? begin + side.behind : NavigationMesh::none, NavigationMesh::none,
+                          NavigationMesh::no_turn, 0});
   }
   for (std::size_t p = 1; p < polygons.first.size(); ++p) mesh.first.push_back(begin + polygons.first[p]);
   add_turns(mesh, ground, corners, polygons, begin, before, known, stop);

@@ -5,17 +5,15 @@
 namespace outrider {
 namespace {
 
-constexpr std::uint32_t none = NavigationMesh::none;
-
 /// Depth-first search without recursion. A block is complete when the search returns over the side by which
 /// it entered the block; until then the sides of the block are on a separate stack.
 class BlockSearch {
  public:
   explicit BlockSearch(NavigationMesh& mesh)
-      : mesh_(mesh), order_(mesh.polygons(), none), low_(order_.size()), next_(mesh.first) {}
+      : mesh_(mesh), order_(mesh.polygons(), NavigationMesh::none), low_(order_.size()), next_(mesh.first) {}
 
   void search(std::uint32_t root, const std::stop_token& stop) {
-    enter(root, none);
+    enter(root, NavigationMesh::none);
     while (!way_.empty() && !stop.stop_requested()) {
       const Step here = way_.back();
       std::uint32_t& next = next_[here.polygon];
@@ -27,7 +25,7 @@ class BlockSearch {
       }
     }
   }
-  [[nodiscard]] bool reached(std::uint32_t polygon) const { return order_[polygon] != none; }
+  [[nodiscard]] bool reached(std::uint32_t polygon) const { return order_[polygon] != NavigationMesh::none; }
   /// Returns the polygons in the order in which they were reached.
   [[nodiscard]] const std::vector<std::uint32_t>& reached() const { return reached_; }
 
@@ -46,7 +44,7 @@ class BlockSearch {
 
   void follow(const Step& here, std::uint32_t side) {
     const std::uint32_t to = mesh_.sides[side].polygon;
-    if (to == none || to == here.from) return;
+    if (to == NavigationMesh::none || to == here.from) return;
     if (!reached(to)) {
       enter(to, here.polygon);
       open_.push_back(side);
@@ -79,7 +77,7 @@ class BlockSearch {
 
 void find_blocks(NavigationMesh& mesh, const std::stop_token& stop) {
   const auto count = static_cast<std::uint32_t>(mesh.polygons());
-  mesh.up.resize(count, none);
+  mesh.up.resize(count, NavigationMesh::none);
   mesh.order.assign(count, 0);
   mesh.top.clear();
   mesh.core.clear();
@@ -90,10 +88,10 @@ void find_blocks(NavigationMesh& mesh, const std::stop_token& stop) {
   for (std::uint32_t place = 0; place < search.reached().size(); ++place) {
     const std::uint32_t p = search.reached()[place];
     mesh.order[p] = place;
-    mesh.up[p] = none;
+    mesh.up[p] = NavigationMesh::none;
     for (std::uint32_t s = mesh.first[p]; s < mesh.first[p + 1]; ++s) {
       const std::uint32_t block = mesh.sides[s].block;
-      if (block == none || mesh.top[block] == p) continue;
+      if (block == NavigationMesh::none || mesh.top[block] == p) continue;
       mesh.up[p] = block;
       break;
     }
@@ -102,23 +100,23 @@ void find_blocks(NavigationMesh& mesh, const std::stop_token& stop) {
 
 std::uint32_t add_to_core(NavigationMesh& mesh) {
   mesh.core.push_back(static_cast<std::uint32_t>(mesh.top.size()));
-  mesh.top.push_back(none);
+  mesh.top.push_back(NavigationMesh::none);
   return mesh.core.back();
 }
 
 void move_to_core(NavigationMesh& mesh, std::uint32_t polygon, std::uint32_t block) {
   const auto move = [&mesh](std::uint32_t b) {
-    if (mesh.top[b] != none) mesh.core.push_back(b);
-    mesh.top[b] = none;
+    if (mesh.top[b] != NavigationMesh::none) mesh.core.push_back(b);
+    mesh.top[b] = NavigationMesh::none;
   };
-  for (std::uint32_t p = polygon; p != none;) {
+  for (std::uint32_t p = polygon; p != NavigationMesh::none;) {
     std::uint32_t& up = mesh.up[p];
-    if (up == none) up = block;  // the root
+    if (up == NavigationMesh::none) up = block;  // the root
     p = mesh.top[up];
     move(up);
   }
   for (std::uint32_t s = mesh.first[polygon]; s < mesh.first[polygon + 1]; ++s) {
-    if (mesh.sides[s].block != none) move(mesh.sides[s].block);
+    if (mesh.sides[s].block != NavigationMesh::none) move(mesh.sides[s].block);
   }
 }
 

@@ -9,10 +9,6 @@
 namespace outrider {
 namespace {
 
-constexpr std::uint32_t none = NavigationMesh::none, no_turn = NavigationMesh::no_turn;
-
-bool earlier(Cell a, Cell b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
-
 /// Returns true if a side and a cell, both closed, have a point in common.
 bool touches(Cell a, Cell b, Cell cell) {
   if (std::max(a.x, b.x) < cell.x || std::min(a.x, b.x) > cell.x + 1) return false;
@@ -64,7 +60,7 @@ class Change {
   }
   /// Returns the polygon of a cell in the old mesh.
   [[nodiscard]] std::uint32_t polygon_of(Cell cell) const {
-    return ground_.frame.contains(cell) ? mesh_.polygon_of[ground_.frame.index(cell)] : none;
+    return ground_.frame.contains(cell) ? mesh_.polygon_of[ground_.frame.index(cell)] : NavigationMesh::none;
   }
 
   /// Removes all polygons that touch a changed cell: those at its corners, and those that cross it.
@@ -81,20 +77,20 @@ class Change {
       found.clear();
       for (const Cell c : {v, Cell{v.x - 1, v.y}, Cell{v.x, v.y - 1}, Cell{v.x - 1, v.y - 1}}) {
         const std::uint32_t p = polygon_of(c);
-        if (p != none && std::find(found.begin(), found.end(), p) == found.end())
+        if (p != NavigationMesh::none && std::find(found.begin(), found.end(), p) == found.end())
           mesh_.polygons_at(v, c, ground_.frame, found);
       }
       for (const std::uint32_t p : found) take_out(p);
     }
     for (const Cell cell : changed_) {
       found.clear();
-      if (polygon_of(cell) != none) found.push_back(polygon_of(cell));
+      if (polygon_of(cell) != NavigationMesh::none) found.push_back(polygon_of(cell));
       for (std::size_t next = 0; next < found.size(); ++next) {
         const std::uint32_t p = found[next];
         take_out(p);
         for (std::uint32_t s = mesh_.first[p]; s < mesh_.first[p + 1]; ++s) {
           const std::uint32_t other = mesh_.sides[s].polygon;
-          if (other == none || !touches(mesh_.sides[s].at, end_of(p, s), cell)) continue;
+          if (other == NavigationMesh::none || !touches(mesh_.sides[s].at, end_of(p, s), cell)) continue;
           if (std::find(found.begin(), found.end(), other) == found.end()) found.push_back(other);
         }
       }
@@ -114,7 +110,7 @@ class Change {
     for (std::uint32_t s = mesh_.first[polygon]; s < mesh_.first[polygon + 1]; ++s) {
       const NavigationMesh::Side& side = mesh_.sides[s];
       const Cell from = side.at, to = end_of(polygon, s);
-      if (side.polygon == none) {
+      if (side.polygon == NavigationMesh::none) {
         const Cell way{(to.x > from.x) - (to.x < from.x), (to.y > from.y) - (to.y < from.y)};
         for (Cell v = from; v != to; v = {v.x + way.x, v.y + way.y}) add_wall(v, way);
       } else if (!mesh_.is_gone(side.polygon)) {
@@ -127,7 +123,7 @@ class Change {
   /// Adds the new walls at a changed cell.
   void add_walls(Cell cell) {
     const bool blocked = ground_.blocked(cell);
-    if (blocked) mesh_.polygon_of[ground_.frame.index(cell)] = none;
+    if (blocked) mesh_.polygon_of[ground_.frame.index(cell)] = NavigationMesh::none;
     Cell v = cell;
     for (Cell way{1, 0}; way != Cell{}; way = way == Cell{0, -1} ? Cell{} : Cell{-way.y, way.x}) {
       const Cell next{v.x + way.x, v.y + way.y};
@@ -156,11 +152,11 @@ class Change {
   /// Returns the existing turn at each corner. The turns of removed polygons keep only the polygons that
   /// stay.
   std::vector<std::uint32_t> turns_at(const std::vector<Cell>& corners) {
-    std::vector<std::uint32_t> turns(corners.size(), no_turn);
+    std::vector<std::uint32_t> turns(corners.size(), NavigationMesh::no_turn);
     for (const std::uint32_t p : taken_) {
       for (std::uint32_t s = mesh_.first[p]; s < mesh_.first[p + 1]; ++s) {
         const std::uint32_t id = mesh_.sides[s].turn;
-        if (id == no_turn) continue;
+        if (id == NavigationMesh::no_turn) continue;
         NavigationMesh::Turn& turn = mesh_.turns[id];
         const auto begin = mesh_.around.begin() + turn.around, end = begin + turn.polygons;
         const auto kept = std::remove_if(
@@ -178,8 +174,8 @@ class Change {
   void link(std::uint32_t polygon) {
     for (std::uint32_t s = mesh_.first[polygon]; s < mesh_.first[polygon + 1]; ++s) {
       NavigationMesh::Side& side = mesh_.sides[s];
-      if (side.polygon == none) {
-        const Rim wanted{side.at, end_of(polygon, s), none, none};
+      if (side.polygon == NavigationMesh::none) {
+        const Rim wanted{side.at, end_of(polygon, s), NavigationMesh::none, NavigationMesh::none};
         const auto found = std::lower_bound(rim_.begin(), rim_.end(), wanted);
         if (found == rim_.end() || wanted < *found) continue;
         side.polygon = found->polygon;

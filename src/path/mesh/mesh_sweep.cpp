@@ -8,11 +8,6 @@ namespace {
 
 using Chain = std::vector<std::uint32_t>;
 
-bool earlier(Cell a, Cell b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
-std::int64_t turned(Cell a, Cell b, Cell c) {
-  return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
-}
-
 class Sweep {
  public:
   explicit Sweep(const std::vector<BorderSide>& border) {

@@ -16,6 +16,9 @@
 
 namespace outrider {
 
+/// The order in which the sweep comes to the corners: by row, then by column.
+inline bool earlier(Cell a, Cell b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
+
 /// A side of the border, with the region on its left. Sides meet only at their ends.
 struct BorderSide {
   Cell from, to;

@@ -13,9 +13,6 @@ struct Slab {
   int x0, x1, y0, y1;
 };
 
-std::int64_t turned(Cell a, Cell b, Cell c) {
-  return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
-}
 std::int64_t squared(Cell a, Cell b) {
   const std::int64_t x = b.x - a.x, y = b.y - a.y;
   return x * x + y * y;

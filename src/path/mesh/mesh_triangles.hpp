@@ -9,12 +9,18 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <stop_token>
 #include <vector>
 
 #include "outrider/path/grid/grid_map.hpp"
 
 namespace outrider {
+
+/// Returns twice the area of the triangle, > 0 if c lies to the left of the way from a to b. Exact.
+inline std::int64_t turned(Cell a, Cell b, Cell c) {
+  return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
+}
 
 struct Triangulation {
   std::vector<Cell> corners;                            ///< by row, then by column

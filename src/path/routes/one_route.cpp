@@ -21,22 +21,22 @@ struct Label {
 };
 
 /// An entry of the queue: a label to settle, or a leg that is still to be tested.
-struct Waiting {
+struct LabelOrLeg {
   enum class Kind : std::uint8_t { label, from_start, to_goal };
 
   double least_s = 0.0;  ///< of all routes with it
   Kind kind = Kind::label;
   std::uint32_t index = 0;  ///< a label, or the node from the start; to the goal `none` for the start itself
 
-  friend bool operator<(const Waiting& a, const Waiting& b) {  // std heaps keep the largest on top
+  friend bool operator<(const LabelOrLeg& a, const LabelOrLeg& b) {  // std heaps keep the largest on top
     if (a.least_s != b.least_s) return a.least_s > b.least_s;
     return a.kind != b.kind ? a.kind > b.kind : a.index > b.index;
   }
 };
 
-class Search {
+class OneRouteSearch {
  public:
-  Search(const NodeGraph& graph, const Pose2& start, Vec2 goal)
+  OneRouteSearch(const NodeGraph& graph, const Pose2& start, Vec2 goal)
       : graph_(graph),
         start_(start),
         goal_(goal),
@@ -50,14 +50,14 @@ class Search {
     while (!queue_.empty()) {
       if (!meter.spend()) return meter.refusal();
       std::pop_heap(queue_.begin(), queue_.end());
-      const Waiting next = queue_.back();
+      const LabelOrLeg next = queue_.back();
       queue_.pop_back();
       switch (next.kind) {
-        case Waiting::Kind::label:
+        case LabelOrLeg::Kind::label:
           if (settle(next.index)) expand(next.index);
           break;
-        case Waiting::Kind::from_start: try_from_start(next.index); break;
-        case Waiting::Kind::to_goal:
+        case LabelOrLeg::Kind::from_start: try_from_start(next.index); break;
+        case LabelOrLeg::Kind::to_goal:
           if (is_arrival(next)) return waypoints(next.index);
           break;
       }
@@ -85,18 +85,18 @@ class Search {
     return graph_.ground.segment_free({from, to}, graph_.robot.radius_m);
   }
 
-  void wait(const Waiting& waiting) {
+  void wait(const LabelOrLeg& waiting) {
     queue_.push_back(waiting);
     std::push_heap(queue_.begin(), queue_.end());
   }
 
   void leave_start() {
     const Vec2 from = start_.position;
-    queue_.push_back({straight_s(from, goal_), Waiting::Kind::to_goal, none});
+    queue_.push_back({straight_s(from, goal_), LabelOrLeg::Kind::to_goal, none});
     for (std::uint32_t k = 0; k < graph_.nodes.size(); ++k) {
       const Vec2 at = graph_.nodes[k].at;
       if (distance(from, at) <= same_place_m || !graph_.nodes[k].is_touched_from(from)) continue;
-      queue_.push_back({straight_s(from, at) + straight_s(at, goal_), Waiting::Kind::from_start, k});
+      queue_.push_back({straight_s(from, at) + straight_s(at, goal_), LabelOrLeg::Kind::from_start, k});
     }
     std::make_heap(queue_.begin(), queue_.end());
   }
@@ -114,7 +114,7 @@ class Search {
     if (label.time_s < best.time_s) best = {label.time_s, label.heading_rad};
     const auto index = static_cast<std::uint32_t>(labels_.size());
     labels_.push_back(label);
-    wait({label.time_s + straight_s(graph_.nodes[label.node].at, goal_), Waiting::Kind::label, index});
+    wait({label.time_s + straight_s(graph_.nodes[label.node].at, goal_), LabelOrLeg::Kind::label, index});
   }
 
   /// Settles a label; returns false if a settled label of the same node is as good after turning.
@@ -139,11 +139,11 @@ class Search {
     if (sees_goal_[label.node] == Sight::blocked || !node.is_touched_from(goal_)) return;
     if (distance(node.at, goal_) <= same_place_m) return;
     wait({label.time_s + turn_(label.heading_rad, heading_of(goal_ - node.at)) + straight_s(node.at, goal_),
-          Waiting::Kind::to_goal, index});
+          LabelOrLeg::Kind::to_goal, index});
   }
 
   /// Returns true if the leg to the goal is free and none that waits may be sooner there.
-  bool is_arrival(const Waiting& waiting) {
+  bool is_arrival(const LabelOrLeg& waiting) {
     const bool at_start = waiting.index == none;
     const Vec2 from = at_start ? start_.position : graph_.nodes[labels_[waiting.index].node].at;
     const double heading = heading_of(goal_ - from);
@@ -155,7 +155,7 @@ class Search {
     if (sight == Sight::untested) sight = is_free(from, goal_) ? Sight::free : Sight::blocked;
     if (sight == Sight::blocked) return false;
     if (arrival_s <= waiting.least_s) return true;
-    wait({arrival_s, Waiting::Kind::to_goal, waiting.index});
+    wait({arrival_s, LabelOrLeg::Kind::to_goal, waiting.index});
     return false;
   }
 
@@ -177,14 +177,14 @@ class Search {
   std::vector<Sight> sees_goal_;        // by node
   Sight start_sees_goal_ = Sight::untested;
   std::vector<Label> labels_;
-  std::vector<Waiting> queue_;
+  std::vector<LabelOrLeg> queue_;
 };
 
 }  // namespace
 
 Outcome<std::vector<Vec2>> one_route(const NodeGraph& graph, const Pose2& start, Vec2 goal,
                                      BudgetMeter& meter) {
-  return Search(graph, start, goal).run(meter);
+  return OneRouteSearch(graph, start, goal).run(meter);
 }
 
 }  // namespace outrider::routes

@@ -25,19 +25,19 @@ struct Best {
   double hopeless_s = inf;  // time_s plus a half turn: later labels are useless
 };
 
-struct Waiting {
+struct WaitingLabel {
   double time_s;
   std::uint32_t label;
 
-  friend bool operator<(const Waiting& a, const Waiting& b) {  // std heaps keep the largest on top
+  friend bool operator<(const WaitingLabel& a, const WaitingLabel& b) {  // std heaps keep the largest on top
     return a.time_s != b.time_s ? a.time_s > b.time_s : a.label > b.label;
   }
 };
 
-class Search {
+class RouteTreeSearch {
  public:
-  Search(const RobotModel& robot, const SightLines& node_lines, const SightLines& target_lines,
-         const RouteQuery& query, RouteTree& tree)
+  RouteTreeSearch(const RobotModel& robot, const SightLines& node_lines, const SightLines& target_lines,
+                  const RouteQuery& query, RouteTree& tree)
       : turn_(robot.turning()),
         node_lines_(node_lines),
         target_lines_(target_lines),
@@ -58,7 +58,7 @@ class Search {
     for (std::size_t turn = 0; !queue_.empty(); ++turn) {
       if (turn % 64 == 0) look_ahead();
       std::pop_heap(queue_.begin(), queue_.end());
-      const Waiting next = queue_.back();
+      const WaitingLabel next = queue_.back();
       queue_.pop_back();
       if (next.time_s >= horizon_s_) break;
       if (!settle(next.label)) continue;
@@ -159,7 +159,7 @@ class Search {
   std::vector<Best> best_;
   std::vector<std::uint32_t> settled_;  // by node: the newest settled label
   std::vector<RouteLabel> labels_;
-  std::vector<Waiting> queue_;
+  std::vector<WaitingLabel> queue_;
   double horizon_s_ = inf;
 };
 
@@ -167,7 +167,7 @@ class Search {
 
 bool search_routes(const RobotModel& robot, const SightLines& node_lines, const SightLines& target_lines,
                    const RouteQuery& query, BudgetMeter& meter, RouteTree& tree) {
-  return Search(robot, node_lines, target_lines, query, tree).run(meter);
+  return RouteTreeSearch(robot, node_lines, target_lines, query, tree).run(meter);
 }
 
 std::vector<std::uint32_t> nodes_to(const RouteTree& tree, std::uint32_t target) {

@@ -19,9 +19,7 @@
 namespace outrider {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double most_cells_a_side = 67'108'864.0;  // of 26 bits
-constexpr State start_state = 0;
 constexpr State goal_state = 1;
 
 /// A pose of the search, in cells, and the motion that led to it.
@@ -80,7 +78,8 @@ struct HybridPolicy {
     return (row << 36U) | (column << 10U) | node.heading;
   }
   [[nodiscard]] double known(State s) const {
-    return memory.search.labels.known(s) ? memory.search.labels.g(s) : infinite;
+    return memory.search.labels.known(s) ? memory.search.labels.g(s)
+                                         : std::numeric_limits<double>::infinity();
   }
 
   template <class Relax>

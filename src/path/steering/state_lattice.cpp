@@ -18,7 +18,6 @@
 namespace outrider {
 namespace {
 
-constexpr State start_state = 0;
 constexpr double near_radii = 6.0;  // turning paths are asked for so near to the goal
 
 /// A state of the search. `direction` is that of the last motion where cusps have a price, else 0.

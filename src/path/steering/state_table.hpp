@@ -64,6 +64,9 @@ class StateTable {
   std::uint32_t search_ = 0;
 };
 
+/// The state at which a search of robots that steer begins, before it has a pose.
+inline constexpr State start_state = 0;
+
 /// Adds a state: its key, its node and its label. `memory` has the members `states`, `nodes` and `search`.
 /// Returns `none` and adds nothing if there are `most` states already.
 template <class Memory, class Node>

@@ -14,7 +14,6 @@
 namespace outrider {
 namespace {
 
-constexpr double slack_rad = 1e-9;
 constexpr double no_bearing_m = 1e-9;  // closer to a goal than this, its direction is undefined
 
 /// The last leg to a goal, listed under the node that it leaves.
@@ -138,7 +137,7 @@ struct TangentPolicy {
       return g + per_turn * std::max(0.0, leaves - came.arrives) + weights.per_m * length;
     };
     for (const LastLeg& last : ends[came.to]) {
-      if (last.leaves < came.arrives - slack_rad) continue;
+      if (last.leaves < came.arrives - tangent_slack_rad) continue;
       ++counters.generated;
       relax(1 + last.goal, s, reach(last.leaves, last.length), 0.0);
     }
@@ -148,7 +147,7 @@ struct TangentPolicy {
     }
     for (std::uint32_t i = graph.first[came.to]; i < graph.first[came.to] + graph.count[came.to]; ++i) {
       const Departure& next = graph.legs[i];
-      if (next.leaves < came.arrives - slack_rad) continue;
+      if (next.leaves < came.arrives - tangent_slack_rad) continue;
       ++counters.generated;
       if (labels.closed(first_leg() + i)) continue;
       relax(first_leg() + i, s, reach(next.leaves, next.length), estimate(next));

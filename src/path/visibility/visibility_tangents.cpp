@@ -8,8 +8,6 @@
 namespace outrider {
 namespace {
 
-constexpr double slack_rad = 1e-9;
-
 Vec2 right_of(Vec2 v) { return {v.y, -v.x}; }
 
 }  // namespace
@@ -37,8 +35,8 @@ std::optional<Tangent> tangent(const Place& a, const Place& b) {
 bool touches_arc(const Place& place, Vec2 along) {
   if (place.arc == nullptr) return true;
   const Vec2 outwards = place.side * right_of(along);
-  return dot(outwards, place.arc->middle) > 0.0 && cross(place.arc->first, outwards) >= -slack_rad &&
-         cross(outwards, place.arc->last) >= -slack_rad;
+  return dot(outwards, place.arc->middle) > 0.0 && cross(place.arc->first, outwards) >= -tangent_slack_rad &&
+         cross(outwards, place.arc->last) >= -tangent_slack_rad;
 }
 
 double progress(const Place& place, Vec2 along) {

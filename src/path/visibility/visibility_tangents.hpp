@@ -16,6 +16,9 @@ namespace outrider {
 
 using Node = std::uint32_t;
 
+/// Legs that touch an arc may miss it, or turn back on it, by so much.
+inline constexpr double tangent_slack_rad = 1e-9;
+
 struct Place {
   Vec2 centre;
   double radius_m = 0.0;

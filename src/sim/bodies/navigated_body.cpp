@@ -5,13 +5,9 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/log/messages/conversions.hpp"
+#include "times.hpp"
 
 namespace outrider {
-namespace {
-
-constexpr double instant_s = 1e-9;  ///< times closer than this are one
-
-}  // namespace
 
 NavigatedBody::NavigatedBody(std::unique_ptr<const World> world, TwistBody body, SimulatedLaser laser,
                              Navigator navigator, double within_m, const Kidnapping& kidnapping)

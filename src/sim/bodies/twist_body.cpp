@@ -6,12 +6,11 @@
 
 #include "outrider/log/log.hpp"
 #include "outrider/motion/limited_twist.hpp"
+#include "times.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double step_s = 0.005;
-constexpr double instant_s = 1e-9;    ///< times closer than this are one
 constexpr double apart_m = 1e-3;      ///< a robot so far from everything touches it no more
 constexpr double at_rest_mps = 0.02;  ///< no faster, the robot does not drive
 constexpr double hand_m = 0.1;        ///< who puts a robot down leaves so much room around it
@@ -44,12 +43,12 @@ double TwistBody::begin(const Command& command) {
 
 void TwistBody::run_until(double time_s) {
   while (time_s_ < time_s - instant_s) {
-    const bool last = time_s - time_s_ < step_s + instant_s;
-    const double duration_s = last ? time_s - time_s_ : step_s;
+    const bool last = time_s - time_s_ < body_step_s + instant_s;
+    const double duration_s = last ? time_s - time_s_ : body_step_s;
     twist_ = twist_after(twist_, wanted_, robot_, duration_s);
     walk_ins_.advance(time_s_, {pose_, robot_.radius_m, twist_.ahead_mps > at_rest_mps}, ground_);
     pass(duration_s);
-    time_s_ = last ? time_s : time_s_ + step_s;
+    time_s_ = last ? time_s : time_s_ + body_step_s;
   }
 }
 

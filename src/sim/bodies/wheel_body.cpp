@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "times.hpp"
+
 namespace outrider {
 namespace {
 
-constexpr double step_s = 0.005;
 constexpr double at_rest_radps = 1e-3;  ///< slower wheels stand
 
 }  // namespace
@@ -31,10 +32,10 @@ double WheelBody::begin(const Command& command) {
 
 void WheelBody::run_until(double time_s) {
   const double start_s = time_s_;
-  const auto steps = static_cast<std::int64_t>((time_s - start_s) / step_s + 1e-6);
+  const auto steps = static_cast<std::int64_t>((time_s - start_s) / body_step_s + 1e-6);
   for (std::int64_t i = 1; i <= steps; ++i) {
-    pass(step_s);
-    time_s_ = start_s + static_cast<double>(i) * step_s;
+    pass(body_step_s);
+    time_s_ = start_s + static_cast<double>(i) * body_step_s;
   }
   if (time_s - time_s_ > 1e-6) pass(time_s - time_s_);
   time_s_ = std::max(time_s_, time_s);

@@ -4,12 +4,12 @@
 
 #include "outrider/core/text.hpp"
 #include "outrider/world/collision_map.hpp"
+#include "times.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr const char* key = "faults.blocked_place";
-constexpr double never_s = 1e9;  ///< default of faults.blocked_at
 constexpr double post_height_m = 1.0;
 constexpr double low_m = 0.1;  ///< what is lower lies on the floor
 

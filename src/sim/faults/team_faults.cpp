@@ -1,11 +1,8 @@
 #include "outrider/sim/faults/team_faults.hpp"
 
+#include "times.hpp"
+
 namespace outrider {
-namespace {
-
-constexpr double never_s = 1e9;
-
-}  // namespace
 
 bool TeamFaults::of_sightings() const {
   return missing_from_s < never_s || missed > 0.0 || late_s > 0 || wrong > 0.0;

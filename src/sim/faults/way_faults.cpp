@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "outrider/motion/profile.hpp"
+#include "times.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double never_s = 1e9;     ///< default of a time: it never comes
 constexpr double patience_s = 1.0;  ///< after which a drive that does not go on is given up
 constexpr double room_m = 0.1;      ///< least gap between the post and either end of the robot's leg
 constexpr double touch_m = 1e-9;

@@ -1,9 +1,9 @@
 #include "outrider/sim/sensors/simulated_laser.hpp"
 
+#include "times.hpp"
+
 namespace outrider {
 namespace {
-
-constexpr double instant_s = 1e-9;  // times closer than this are one
 
 LinkFaults late(LinkFaults link, double latency_s) {
   link.delay_s += latency_s;

@@ -2,12 +2,12 @@
 
 #include "outrider/estimate/planar_pnp.hpp"
 #include "outrider/sim/sensors/tag_model.hpp"
+#include "times.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double instant_s = 1e-9;  ///< times closer than this are one
-constexpr double band_m = 0.01;     ///< of heights about the camera, in which sight lines are sought
+constexpr double band_m = 0.01;  ///< of heights about the camera, in which sight lines are sought
 
 }  // namespace
 

@@ -9,7 +9,7 @@
 namespace outrider {
 namespace {
 
-constexpr double near_m = 8.0;
+constexpr double near_scan_m = 8.0;
 constexpr double earlier_m = 5.0;  // driven since an earlier visit
 constexpr std::size_t most_visits = 6;
 constexpr std::size_t least_points = 40;
@@ -24,7 +24,7 @@ std::vector<std::size_t> earlier_visits(std::span<const PlacedScan> scans, std::
     const double away_m = distance(scans[i].world_T_laser.position, here.world_T_laser.position);
     const double turn = wrap_angle(scans[i].world_T_laser.heading_rad - here.world_T_laser.heading_rad);
     const std::pair<double, std::size_t> candidate{away_m + std::abs(turn), i};
-    const bool is_near = away_m <= near_m;
+    const bool is_near = away_m <= near_scan_m;
     if (is_near && !open) nearest.push_back(candidate);
     if (is_near) nearest.back() = std::min(nearest.back(), candidate);
     open = is_near;

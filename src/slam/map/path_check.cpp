@@ -9,11 +9,11 @@
 namespace outrider {
 namespace {
 
-constexpr double most_odometry_chi2 = 16.27;    // of 3 degrees of freedom: exceeded once in a thousand steps
-constexpr double least_shared = 1.0 / 3.0;      // share of the points
-constexpr double near_m = 0.5, near_rad = 0.4;  // a shorter step leaves most of the surface in view
-constexpr double pause_s = 60.0;                // in which a robot may have been carried or driven anywhere
-constexpr double least_shared_sure = 0.5;       // of a short step, and of one after a pause
+constexpr double most_odometry_chi2 = 16.27;  // of 3 degrees of freedom: exceeded once in a thousand steps
+constexpr double least_shared = 1.0 / 3.0;    // share of the points
+constexpr double near_step_m = 0.5, near_step_rad = 0.4;  // a shorter step leaves most of the surface in view
+constexpr double pause_s = 60.0;           // in which a robot may have been carried or driven anywhere
+constexpr double least_shared_sure = 0.5;  // of a short step, and of one after a pause
 constexpr double guess_sd_m = 0.5;   // of a step by odometry alone, which may lead to one of several places
 constexpr double unsure_sd_m = 0.3;  // of one that may, unless the map agrees with it within that
 
@@ -86,7 +86,7 @@ std::vector<Jump> find_jumps(const KeyframeGraph& graph, KeyframeSurfaces& surfa
   for (std::uint32_t i = 1; i < graph.keyframes.size(); ++i) {
     const Keyframe &before = graph.keyframes[i - 1], &key = graph.keyframes[i];
     const Pose2 by_map = wrap_heading(relative_pose(before.pose, key.pose));
-    const bool is_near = norm(by_map.position) < near_m && std::abs(by_map.heading_rad) < near_rad;
+    const bool is_near = norm(by_map.position) < near_step_m && std::abs(by_map.heading_rad) < near_step_rad;
     const bool differs = key.shared_before < least_shared_sure;
     const bool is_after_pause = differs && key.pause_s >= pause_s;
     const bool odometry_differs = chi2_of(by_map, key) > most_odometry_chi2;

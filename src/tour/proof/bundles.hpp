@@ -10,6 +10,8 @@ namespace outrider::tour {
 
 /// Bit i: the i-th of some goals in an order of choice.
 using GoalSet = std::uint64_t;
+/// Returns the set of the first so many goals.
+inline GoalSet first_of(std::size_t count) { return count >= 64 ? ~GoalSet{0} : (GoalSet{1} << count) - 1; }
 
 struct Way {
   std::uint32_t stop = 0;

@@ -81,8 +81,6 @@ Orders orders_of(const Instance& instance, const FinishLabel& there, std::vector
   return orders;
 }
 
-GoalSet first_goals(std::size_t count) { return count >= 64 ? ~GoalSet{0} : (GoalSet{1} << count) - 1; }
-
 class Finishing {
  public:
   Finishing(const SweepContext& context, const Sweep& back, const std::vector<std::uint32_t>& goals,
@@ -126,8 +124,8 @@ Finishing::Finishing(const SweepContext& context, const Sweep& back, const std::
       back_(back),
       goals_(goals),
       result_(result),
-      full_(first_goals(goals.size())),
-      known_(first_goals(back.goals.size())),
+      full_(first_of(goals.size())),
+      known_(first_of(back.goals.size())),
       choices_(instance_.stops),
       fresh_(instance_.stops, 0),
       joined_(instance_.stops, false) {

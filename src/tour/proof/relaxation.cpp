@@ -3,8 +3,6 @@
 namespace outrider::tour {
 namespace {
 
-constexpr float far = std::numeric_limits<float>::infinity();
-
 /// Least turn from any heading of the sector.
 double least_turn(const Instance& instance, std::uint32_t sector, std::uint32_t sectors, double to) {
   if (sector_of(to, sectors) == sector) return 0.0;
@@ -126,8 +124,8 @@ Outcome<Relaxation> relax(const Instance& instance, std::vector<std::uint32_t> g
       r.covered[instance.nodes[n].stop] |= 1U << bit;
   }
   const std::uint32_t sets = 1U << r.goals.size();
-  r.arrived.assign(r.index(sets, 0, 0), far);
-  r.served.assign(r.arrived.size(), far);
+  r.arrived.assign(r.index(sets, 0, 0), never);
+  r.served.assign(r.arrived.size(), never);
   std::fill_n(r.served.begin(), std::size_t{r.stops} * r.sectors, 0.0F);
   for (std::uint32_t set = 1; set < sets; ++set) {
     if (!meter.spend()) return meter.refusal();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <bit>
+#include <limits>
 #include <vector>
 
 #include "instance.hpp"
@@ -42,6 +43,9 @@ struct Relaxation {
 };
 
 std::uint32_t sector_of(double heading, std::uint32_t sectors);
+
+/// The time of what cannot be: a drive that there is not, goals that are not served.
+inline constexpr float never = std::numeric_limits<float>::infinity();
 
 /// Sums of floats are rounded; scaled by this, a value of the relaxation is a bound for certain.
 inline constexpr double rounded_down = 1.0 - 1e-5;

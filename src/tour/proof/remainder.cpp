@@ -10,8 +10,6 @@ namespace {
 
 constexpr std::size_t at_once = 32;  // sets between two looks at the budget
 
-constexpr float far = std::numeric_limits<float>::infinity();
-
 class Remainder {
  public:
   Remainder(const Instance& instance, const Shares& shares, const std::vector<std::uint32_t>& apart,
@@ -20,7 +18,7 @@ class Remainder {
         shares_(shares),
         apart_(apart),
         drives_(drives),
-        value_(row_size() << apart.size(), far) {
+        value_(row_size() << apart.size(), never) {
     std::fill_n(value_.begin(), row_size(), 0.0F);
   }
 
@@ -89,7 +87,7 @@ void Remainder::solve(std::uint32_t set) {
     for (std::uint32_t to = 0; to < instance_.stops; ++to) {
       if (!changed[to]) continue;
       for (std::uint32_t from = 0; from < instance_.stops; ++from) {
-        if (from == to || drives_.time_to[instance_.arc(to, from)] == far) continue;
+        if (from == to || drives_.time_to[instance_.arc(to, from)] == never) continue;
         if (!drive(values, from, to)) continue;
         next[from] = true;
         again = true;

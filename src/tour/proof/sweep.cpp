@@ -5,10 +5,6 @@
 namespace outrider::tour {
 namespace {
 
-constexpr float far = std::numeric_limits<float>::infinity();
-
-GoalSet all(std::size_t goals) { return goals >= 64 ? ~GoalSet{0} : (GoalSet{1} << goals) - 1; }
-
 class Sweeping {
  public:
   Sweeping(SweepContext& context, const Sweep& before, Bundles& bundles, Sweep& result);
@@ -54,14 +50,14 @@ Sweeping::Sweeping(SweepContext& context, const Sweep& before, Bundles& bundles,
       before_(before),
       bundles_(bundles),
       result_(result),
-      full_(all(result.goals.size())),
-      known_(all(before.goals.size())),
+      full_(first_of(result.goals.size())),
+      known_(first_of(before.goals.size())),
       stops_(context.instance.stops),
       sectors_(context.drives.sectors),
       heading_(sectors_ > 1 ? sector_of(instance_.heading, sectors_) : 0),
       limit_(context.limit / rounded_down),
-      in_(std::size_t{stops_} * sectors_, far),
-      out_(in_.size(), far),
+      in_(std::size_t{stops_} * sectors_, never),
+      out_(in_.size(), never),
       lowest_(stops_, 0),
       highest_(stops_, 0),
       kept_(in_.size(), false) {
@@ -104,7 +100,7 @@ void Sweeping::drive_forward(std::uint32_t from, std::uint32_t to) {
     for (std::uint32_t q = 0; q < sectors_; ++q) out[q] = std::min(out[q], in[q]);
     return;
   }
-  float least = far;
+  float least = never;
   for (std::uint32_t q = lowest_[from]; q <= highest_[from]; ++q) {
     least = std::min(least, in[q] + (sectors_ > 1 ? drives_.turn[entry * sectors_ + q] : 0.0F));
   }
@@ -122,7 +118,7 @@ void Sweeping::drive_backward(std::uint32_t from, std::uint32_t to) {
     return;
   }
   const float there = in[sectors_ > 1 ? drives_.arriving[entry] : 0] + drives_.time_to[entry];
-  if (there == far) return;
+  if (there == never) return;
   for (std::uint32_t q = 0; q < sectors_; ++q) {
     const float turn = sectors_ > 1 ? drives_.turn[entry * sectors_ + q] : 0.0F;
     out[q] = std::min(out[q], there + turn);
@@ -135,7 +131,7 @@ void Sweeping::drive(const std::vector<std::uint32_t>& stops) {
     lowest_[stop] = sectors_ - 1;
     highest_[stop] = 0;
     for (std::uint32_t q = 0; q < sectors_; ++q) {
-      if (in_[std::size_t{stop} * sectors_ + q] == far) continue;
+      if (in_[std::size_t{stop} * sectors_ + q] == never) continue;
       lowest_[stop] = std::min(lowest_[stop], q);
       highest_[stop] = q;
     }
@@ -204,8 +200,8 @@ void Sweeping::serve(GoalSet set) {
 
 /// Fills out_ from the values of the set, which are before the drives.
 void Sweeping::go(GoalSet set, const SweepRow& row) {
-  std::ranges::fill(in_, far);
-  std::ranges::fill(out_, far);
+  std::ranges::fill(in_, never);
+  std::ranges::fill(out_, never);
   for (const std::uint32_t stop : row.stops()) {
     std::copy_n(row.find(stop), sectors_, in_.begin() + stop * sectors_);
   }
@@ -263,7 +259,7 @@ float* SweepRow::at(std::uint32_t stop) {
   if (block_[stop] == absent) {
     block_[stop] = static_cast<std::uint16_t>(stops_.size());
     stops_.push_back(stop);
-    values_.resize(values_.size() + sectors_, far);
+    values_.resize(values_.size() + sectors_, never);
   }
   return &values_[std::size_t{block_[stop]} * sectors_];
 }

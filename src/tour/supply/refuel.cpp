@@ -3,7 +3,7 @@
 namespace outrider::tour {
 namespace {
 
-struct FuelLabel {
+struct RefuelLabel {
   Fuel fuel;
   std::uint32_t choice = none;
   std::uint32_t parent = none;
@@ -61,7 +61,7 @@ class Refuelling {
       extend(static_cast<std::uint32_t>(labels_.size() - 1), node, depth + 1);
     }
   }
-  void add(const FuelLabel& label) {
+  void add(const RefuelLabel& label) {
     for (const std::uint32_t other : next_) {
       if (no_worse(labels_[other].fuel, label.fuel)) return;
     }
@@ -83,7 +83,7 @@ class Refuelling {
 
   const Supplied& supplied_;
   RefuelLimits limits_;
-  std::vector<FuelLabel> labels_;
+  std::vector<RefuelLabel> labels_;
   std::vector<std::uint32_t> layer_;
   std::vector<std::uint32_t> next_;
 };

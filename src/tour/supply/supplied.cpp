@@ -3,9 +3,7 @@
 namespace outrider::tour {
 namespace {
 
-constexpr double rounding = 1e-9;  // of a full store
-
-bool holds(double left, double full) { return !(left < -rounding * full); }
+bool holds(double left, double full) { return !(left < -store_rounding * full); }
 
 /// Drives to a stop: its time passes and its charge is gone.
 void go(const Supplied& supplied, Fuel& fuel, std::uint32_t stop) {

@@ -17,6 +17,9 @@ struct FuelStation {
   std::size_t name = 0;  // index in the problem
 };
 
+/// A store counts as not yet empty down to this part of a full one below nothing.
+inline constexpr double store_rounding = 1e-9;
+
 struct Supplied {
   Instance instance;           // the stops of stations are kept
   std::vector<double> metres;  // [from * stops + to]

@@ -5,11 +5,10 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/tour/supply/supply.hpp"
+#include "supply/supplied.hpp"
 
 namespace outrider {
 namespace {
-
-constexpr double rounding = 1e-9;  // of a full store
 
 bool is_amount(double value) { return std::isfinite(value) && value >= 0.0; }
 
@@ -92,7 +91,8 @@ class Walk {
     return fault(FaultCode::no_path, std::move(sentence));
   }
   [[nodiscard]] bool runs_dry() const {
-    return now_.water < -rounding * problem_.water || now_.charge < -rounding * problem_.charge;
+    return now_.water < -tour::store_rounding * problem_.water ||
+           now_.charge < -tour::store_rounding * problem_.charge;
   }
   void pass(double seconds) {
     now_.time_s += seconds;
@@ -132,7 +132,7 @@ class Walk {
     now_.water -= problem_.water_per_shot;
     now_.charge -= problem_.charge_per_shot;
     if (runs_dry()) return no(fmt::format("the supplies run out while goal {} is served", goal));
-    if (std::isfinite(now_.charge) && now_.charge < way_home() - rounding * problem_.charge) {
+    if (std::isfinite(now_.charge) && now_.charge < way_home() - tour::store_rounding * problem_.charge) {
       return no(fmt::format("after goal {} the charge does not suffice to get to a charger", goal));
     }
     return {};

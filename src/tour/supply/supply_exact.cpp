@@ -13,7 +13,7 @@ constexpr std::size_t most_labels = 3'000'000;
 constexpr double most_entries = 2e7;
 constexpr double most_work = 1e9;
 
-struct FuelLabel {
+struct SupplyLabel {
   Fuel fuel;
   std::uint32_t set = 0;  // goals served
   std::uint32_t choice = none;
@@ -59,7 +59,7 @@ class Search {
 
   SupplyExact run(std::uint64_t expansions, BudgetMeter& meter) {
     SupplyExact result;
-    FuelLabel start;
+    SupplyLabel start;
     start.fuel = full_at_start(supplied_);
     labels_.push_back(start);
     open_.push({0.0, 0});
@@ -81,21 +81,21 @@ class Search {
 
  private:
   void expand(std::uint32_t index) {
-    const FuelLabel from = labels_[index];
+    const SupplyLabel from = labels_[index];
     const auto nodes = static_cast<std::uint32_t>(instance_.nodes.size());
     for (std::uint32_t n = 0; n < nodes; ++n) {
       const std::uint32_t bit = 1U << instance_.nodes[n].goal;
       if ((from.set & bit) != 0) continue;
-      FuelLabel label{from.fuel, from.set | bit, n, index, none, false};
+      SupplyLabel label{from.fuel, from.set | bit, n, index, none, false};
       if (serve(supplied_, label.fuel, instance_.nodes[n])) add(label);
     }
     for (std::uint32_t d = 0; d < supplied_.depots.size(); ++d) {
-      FuelLabel label{from.fuel, from.set, nodes + d, index, none, false};
+      SupplyLabel label{from.fuel, from.set, nodes + d, index, none, false};
       if (fill(supplied_, label.fuel, supplied_.depots[d])) add(label);
     }
   }
 
-  void add(FuelLabel label) {
+  void add(SupplyLabel label) {
     const std::uint32_t left = all_ & ~label.set;
     const float to_go = relaxation_.served[relaxation_.index(left, label.fuel.state.stop, 0)];
     const double estimate = label.fuel.time + rounded_down * static_cast<double>(to_go);
@@ -109,7 +109,7 @@ class Search {
     labels_.push_back(label);
   }
 
-  void finish(const FuelLabel& label) {
+  void finish(const SupplyLabel& label) {
     best_cost_ = label.fuel.time;
     best_.assign(1, label.choice);
     for (std::uint32_t i = label.parent; labels_[i].choice != none; i = labels_[i].parent) {
@@ -131,10 +131,10 @@ class Search {
     return std::isinf(b.charge) || a.charge - supplied_.per_second * between >= b.charge;
   }
 
-  bool is_dominated(const FuelLabel& label) {
+  bool is_dominated(const SupplyLabel& label) {
     for (std::uint32_t i = newest_[std::size_t{label.set} * instance_.stops + label.fuel.state.stop];
          i != none; i = labels_[i].next) {
-      FuelLabel& other = labels_[i];
+      SupplyLabel& other = labels_[i];
       if (other.dominated) continue;
       if (dominates(other.fuel, label.fuel, tie)) return true;
       if (dominates(label.fuel, other.fuel, 0.0)) other.dominated = true;
@@ -149,7 +149,7 @@ class Search {
   double best_cost_;
   std::vector<bool> beside_depot_;
   std::vector<std::uint32_t> best_;
-  std::vector<FuelLabel> labels_;
+  std::vector<SupplyLabel> labels_;
   std::vector<std::uint32_t> newest_;  // [set * stops + stop] -> its newest label
   std::priority_queue<Open> open_;
 };

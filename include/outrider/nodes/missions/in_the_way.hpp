@@ -18,6 +18,9 @@ struct StopRule {
   double least_m = 0.05;       ///< that it looks ahead, however slow it is
 };
 
+/// Returns the rule for a robot that can slow down so fast.
+StopRule stop_rule(double radius_m, double deceleration_mps2);
+
 /// Returns the point that is reached first by the disk of a robot with that constant twist, until it would
 /// have come to rest; nothing if there is none. A point that the robot does not come nearer to, and a turn in
 /// place, never count. The points are in the frame of the pose. O(points x way / 1 cm).

@@ -8,7 +8,9 @@
 // Missions begin when begin_log() is called.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "outrider/log/log.hpp"
@@ -56,8 +58,15 @@ class MissionNode : public Node {
   /// Says that the robot stands before a thing that the scan shows; ends the mission if it does for 30 s.
   /// Both are on the map.
   void stand_before(Vec2 thing, Vec2 robot);
+  /// Lets the robot stand before that thing; if there is none, its way is free. Returns true if it stands.
+  bool has_to_stand(const std::optional<Vec2>& thing, Vec2 robot);
   /// Says that the way of the robot is free.
   void way_is_free(Vec2 robot);
+  /// Ends the mission, and returns true, if the robot has not moved on for 30 s.
+  bool ends_stuck(double moved_on_s);
+  /// Fault: bad_input, at `start`, if the robot is more than 0.3 m from there; `remedy` is that beside
+  /// driving it there.
+  [[nodiscard]] static Status check_start(Vec2 start, Vec2 robot, std::string_view remedy);
   /// Called when odometry has come.
   virtual void odometry_came() {}
   [[nodiscard]] const std::optional<double>& odometry_s() const { return odometries_.newest_s(); }
@@ -81,6 +90,7 @@ class MissionNode : public Node {
   void command(const Twist2& twist);
   /// Ends the mission; the robot stands.
   void end(NodeLevel level, std::string state, std::string sentence);
+  void end(const Fault& fault);
 
  private:
   class Topics;

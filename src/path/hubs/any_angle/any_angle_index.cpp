@@ -11,7 +11,6 @@ namespace {
 
 using AnyAngleGraph = GuidedGraph<AnyAngleMetric>;
 
-constexpr double far = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_turns = 65535;  // limit of the turn index in a list entry
 
 // Work in expansions of polyanya, from measured times; a side is one of the mesh that polyanya makes first.
@@ -68,7 +67,7 @@ class LandmarkLengths {
   [[nodiscard]] AnyAngleGraph::Lengths of(std::size_t turn, TautSight& sight) const {
     const Cell at = guided_.at[turn];
     std::array<double, most_landmarks> least;
-    least.fill(far);
+    least.fill(AnyAngleMetric::far());
     for (std::size_t k = 0; k < arrive_.size(); ++k)
       least[k] =
           seen_[k][turn] || guided_.landmarks[k] == turn ? length_between(place(k), at) : arrive_[k][turn];

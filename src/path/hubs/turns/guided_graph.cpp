@@ -9,8 +9,6 @@
 namespace outrider::hub_labelling {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
 /// Returns the number of the component with the most turns; the first of several.
 std::uint32_t largest(const std::vector<std::uint32_t>& component) {
   std::vector<std::uint32_t> turns;
@@ -31,17 +29,17 @@ bool worth_guiding(const TurnGraph& graph) {
 }
 
 std::vector<std::uint32_t> components_of(const TurnGraph& graph) {
-  std::vector<std::uint32_t> component(graph.turns(), none), stack;
+  std::vector<std::uint32_t> component(graph.turns(), no_number), stack;
   std::uint32_t count = 0;
   for (std::uint32_t root = 0; root < component.size(); ++root) {
-    if (component[root] != none) continue;
+    if (component[root] != no_number) continue;
     component[root] = count;
     stack.assign(1, root);
     while (!stack.empty()) {
       const std::uint32_t turn = stack.back();
       stack.pop_back();
       graph.onward(turn, {}, [&](const TurnGraph::Edge& edge) {
-        if (component[edge.to] != none) return;
+        if (component[edge.to] != no_number) return;
         component[edge.to] = count;
         stack.push_back(edge.to);
       });
@@ -64,19 +62,19 @@ std::vector<std::uint32_t> landmarks_of(const std::vector<Cell>& at,
   }
   std::array<std::uint32_t, most_landmarks> farthest;
   std::array<double, most_landmarks> distance{};  // squared
-  farthest.fill(none);
+  farthest.fill(no_number);
   for (std::uint32_t turn = 0; turn < at.size(); ++turn) {
     if (component[turn] != in) continue;
     const double dx = at[turn].x - x / count, dy = at[turn].y - y / count;
     const double sector = (std::atan2(dy, dx) / std::numbers::pi + 1.0) / 2.0 * farthest.size();
     const std::size_t k = std::min(static_cast<std::size_t>(sector), farthest.size() - 1);
     const double squared = dx * dx + dy * dy;
-    if (farthest[k] != none && !(squared > distance[k])) continue;
+    if (farthest[k] != no_number && !(squared > distance[k])) continue;
     farthest[k] = turn;
     distance[k] = squared;
   }
   std::vector<std::uint32_t> landmarks(farthest.begin(), farthest.end());
-  std::erase(landmarks, none);
+  std::erase(landmarks, no_number);
   return landmarks;
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -14,6 +15,9 @@
 #include "winding.hpp"
 
 namespace outrider::hub_labelling {
+
+/// Stands for a number that is missing: no turn, no component.
+inline constexpr std::uint32_t no_number = std::numeric_limits<std::uint32_t>::max();
 
 struct TurnGraph {
   struct Edge {

@@ -8,21 +8,20 @@
 namespace outrider::hub_labelling {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t most_samples = 96, least_samples = 16;
 constexpr std::size_t turns_of_samples = std::size_t{1} << 21U;  // of all sampled trees together, about
 
 /// Shortest paths from one turn to all others.
 struct Tree {
-  std::vector<std::uint32_t> parent;          ///< none at the root and where no path leads
+  std::vector<std::uint32_t> parent;          ///< no_number at the root and where no path leads
   std::vector<std::uint32_t> below;           ///< turns of the subtree, itself counted; 0 once taken out
   std::vector<std::uint32_t> child, sibling;  ///< the first of each, the next of each
 };
 
 Tree tree_from(const TurnGraph& graph, std::uint32_t root) {
   const std::size_t count = graph.turns();
-  Tree tree{std::vector(count, none), std::vector(count, 0U), std::vector(count, none),
-            std::vector(count, none)};
+  Tree tree{std::vector(count, no_number), std::vector(count, 0U), std::vector(count, no_number),
+            std::vector(count, no_number)};
   std::vector<double> distance(count, std::numeric_limits<double>::infinity());
   std::vector<Cell> came(count);
   std::vector<std::uint32_t> settled;
@@ -46,7 +45,7 @@ Tree tree_from(const TurnGraph& graph, std::uint32_t root) {
   }
   for (auto at = settled.rbegin(); at != settled.rend(); ++at) {
     const std::uint32_t up = tree.parent[*at];
-    if (up == none) continue;
+    if (up == no_number) continue;
     tree.below[up] += tree.below[*at];
     tree.sibling[*at] = tree.child[up];
     tree.child[up] = *at;
@@ -59,7 +58,7 @@ void take_out(Tree& tree, std::uint32_t turn, std::vector<std::uint64_t>& paths,
               std::vector<std::uint32_t>& stack) {
   const std::uint32_t lost = tree.below[turn];
   if (lost == 0) return;
-  for (std::uint32_t up = tree.parent[turn]; up != none; up = tree.parent[up]) {
+  for (std::uint32_t up = tree.parent[turn]; up != no_number; up = tree.parent[up]) {
     tree.below[up] -= lost;
     paths[up] -= lost;
   }
@@ -69,7 +68,7 @@ void take_out(Tree& tree, std::uint32_t turn, std::vector<std::uint64_t>& paths,
     stack.pop_back();
     paths[at] -= tree.below[at];
     tree.below[at] = 0;
-    for (std::uint32_t child = tree.child[at]; child != none; child = tree.sibling[child]) {
+    for (std::uint32_t child = tree.child[at]; child != no_number; child = tree.sibling[child]) {
       if (tree.below[child] != 0) stack.push_back(child);
     }
   }

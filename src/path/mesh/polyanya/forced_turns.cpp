@@ -6,14 +6,12 @@
 namespace outrider::polyanya_search {
 namespace {
 
-constexpr std::uint32_t none = NavigationMesh::none, no_turn = NavigationMesh::no_turn;
-
 /// Returns the only side of a polygon towards the root of its tree; none if there is none or more than one.
 std::uint32_t only_side_up(const NavigationMesh& mesh, std::uint32_t polygon) {
-  std::uint32_t only = none;
+  std::uint32_t only = NavigationMesh::none;
   for (std::uint32_t s = mesh.first[polygon]; s < mesh.first[polygon + 1]; ++s) {
-    if (mesh.sides[s].polygon == none || mesh.sides[s].block != mesh.up[polygon]) continue;
-    if (only != none) return none;
+    if (mesh.sides[s].polygon == NavigationMesh::none || mesh.sides[s].block != mesh.up[polygon]) continue;
+    if (only != NavigationMesh::none) return NavigationMesh::none;
     only = s;
   }
   return only;
@@ -25,23 +23,23 @@ bool nearer(Arrow a, Arrow b) { return std::abs(a.x) + std::abs(a.y) < std::abs(
 /// A corner of a side, as seen.
 struct Edge {
   Arrow way;
-  std::uint32_t turn = no_turn;
+  std::uint32_t turn = NavigationMesh::no_turn;
 };
 
 }  // namespace
 
 void ForcedTurns::find(const NavigationMesh& mesh, const std::stop_token& stop) {
-  std::vector<std::uint32_t> by_order(mesh.polygons(), none), behind(mesh.polygons(), 0);
+  std::vector<std::uint32_t> by_order(mesh.polygons(), NavigationMesh::none), behind(mesh.polygons(), 0);
   for (std::uint32_t p = 0; p < mesh.polygons(); ++p) {
     if (!mesh.is_gone(p)) by_order[mesh.order[p]] = p;
   }
-  std::erase(by_order, none);
+  std::erase(by_order, NavigationMesh::none);
   last_ = mesh.order;
-  up_.assign(mesh.polygons(), none);
+  up_.assign(mesh.polygons(), NavigationMesh::none);
   for (const std::uint32_t p : by_order) up_[p] = only_side_up(mesh, p);
   for (auto p = by_order.rbegin(); p != by_order.rend(); ++p) {
     last_[*p] = mesh.order[*p] + behind[*p];
-    if (mesh.up[*p] != none) behind[mesh.top[mesh.up[*p]]] += behind[*p] + 1;
+    if (mesh.up[*p] != NavigationMesh::none) behind[mesh.top[mesh.up[*p]]] += behind[*p] + 1;
   }
 
   after_.assign(mesh.turns.size(), {});
@@ -63,7 +61,7 @@ ForcedTurn ForcedTurns::from(const NavigationMesh& mesh, Cell corner, std::uint3
   };
   for (bool begins = true;; begins = false) {
     const std::uint32_t s = up_[polygon];
-    if (s == none) return {};
+    if (s == NavigationMesh::none) return {};
     const std::uint32_t next = s + 1 == mesh.first[polygon + 1] ? mesh.first[polygon] : s + 1;
     const NavigationMesh::Side &from = mesh.sides[s], &to = mesh.sides[next];
     const Edge now_right{arrow(corner, from.at), from.turn}, now_left{arrow(corner, to.at), to.turn};

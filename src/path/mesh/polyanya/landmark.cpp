@@ -7,7 +7,6 @@
 namespace outrider::polyanya_search {
 namespace {
 
-constexpr std::uint32_t none = NavigationMesh::none, no_turn = NavigationMesh::no_turn;
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 /// A departure that waits to be expanded.
@@ -30,14 +29,15 @@ double gap(const Gate& p, const Gate& q) {
 
 void Landmark::find(const NavigationMesh& mesh) {
   distances_.assign(mesh.turns.size(), unknown);
-  std::vector<std::uint32_t> gates(mesh.top.size(), none), count(mesh.top.size(), 0);  // sides by block
+  std::vector<std::uint32_t> gates(mesh.top.size(), NavigationMesh::none),
+      count(mesh.top.size(), 0);  // sides by block
   for (std::uint32_t polygon = 0; polygon < mesh.polygons();
        ++polygon) {  // roots come before what hangs on them
     if (mesh.is_gone(polygon)) continue;
     for (std::uint32_t s = mesh.first[polygon]; s < mesh.first[polygon + 1]; ++s) {
       const NavigationMesh::Side& side = mesh.sides[s];
-      if (side.turn != no_turn && distances_[side.turn] == unknown) search(mesh, side.turn);
-      if (side.polygon == none || s > side.behind) continue;
+      if (side.turn != NavigationMesh::no_turn && distances_[side.turn] == unknown) search(mesh, side.turn);
+      if (side.polygon == NavigationMesh::none || s > side.behind) continue;
       gates[side.block] = s;
       ++count[side.block];
     }
@@ -63,7 +63,8 @@ double Landmark::most_to(const NavigationMesh& mesh, std::uint32_t polygon, Cell
   double most = unknown;
   for (std::uint32_t s = mesh.first[polygon]; s < mesh.first[polygon + 1]; ++s) {
     const NavigationMesh::Side& side = mesh.sides[s];
-    if (side.turn != no_turn) most = std::min(most, distances_[side.turn] + length(side.at, corner));
+    if (side.turn != NavigationMesh::no_turn)
+      most = std::min(most, distances_[side.turn] + length(side.at, corner));
   }
   return most;
 }
@@ -74,7 +75,8 @@ double Landmark::least_to(const NavigationMesh& mesh, const std::vector<std::uin
   for (const std::uint32_t polygon : polygons) {
     for (std::uint32_t s = mesh.first[polygon]; s < mesh.first[polygon + 1]; ++s) {
       const NavigationMesh::Side& side = mesh.sides[s];
-      if (side.turn != no_turn) least = std::max(least, distances_[side.turn] - length(side.at, corner));
+      if (side.turn != NavigationMesh::no_turn)
+        least = std::max(least, distances_[side.turn] - length(side.at, corner));
     }
   }
   return least;

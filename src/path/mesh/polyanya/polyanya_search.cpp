@@ -11,8 +11,6 @@
 namespace outrider::polyanya_search {
 namespace {
 
-constexpr std::uint32_t none = NavigationMesh::none;
-
 /// Number of sides whose blocks are found in the time of one expansion (measured).
 constexpr std::size_t sides_an_expansion = 16;
 /// Number of blocks between start and goal from which on there are gates worth a bound.
@@ -77,7 +75,7 @@ void Memory::find_what_is_worth() {
 }
 
 void Memory::begin_query() {
-  if (++query == none) marks.clear();
+  if (++query == NavigationMesh::none) marks.clear();
   if (marks.empty()) query = 1;
   marks.resize(mesh.top.size());
   bounds.clear();
@@ -103,7 +101,7 @@ Outcome<std::vector<Cell>> Search::run(BudgetMeter& meter) {
   if (join_ends(true)) {
     if (trace_ != nullptr) open(start_);
     roots_.open(first_, first_, 0.0);
-    add({0.0, start_, {}, first_, 0, none}, length(start_, goal_));
+    add({0.0, start_, {}, first_, 0, NavigationMesh::none}, length(start_, goal_));
   }
   while (memory_.frontier.pop(node_, least_)) {
     if (roots_.g(node_.root) < node_.g) continue;
@@ -130,13 +128,13 @@ std::vector<Cell> Search::way_to(std::uint32_t root) const {
 /// Finds the polygons around a corner, and returns one of each connected set: two at a pinch.
 std::array<std::uint32_t, 2> Search::polygons_around(Cell v, std::vector<std::uint32_t>& found) const {
   found.clear();
-  std::array<std::uint32_t, 2> sets{none, none};
-  for (unsigned q = 0; q < 4 && sets[ground_.pinch(v) ? 1 : 0] == none; ++q) {
+  std::array<std::uint32_t, 2> sets{NavigationMesh::none, NavigationMesh::none};
+  for (unsigned q = 0; q < 4 && sets[ground_.pinch(v) ? 1 : 0] == NavigationMesh::none; ++q) {
     const Cell c{v.x - ((q & 1U) != 0 ? 0 : 1), v.y - ((q & 2U) != 0 ? 0 : 1)};
     if (ground_.blocked(c)) continue;
     const std::size_t before = found.size();
     mesh_.polygons_at(v, c, ground_.frame, found);
-    sets[sets[0] == none ? 0 : 1] = found[before];
+    sets[sets[0] == NavigationMesh::none ? 0 : 1] = found[before];
   }
   return sets;
 }
@@ -144,7 +142,7 @@ std::array<std::uint32_t, 2> Search::polygons_around(Cell v, std::vector<std::ui
 /// Marks the block towards the root and moves there, except at the root or into the core.
 bool Search::climb(std::uint32_t& polygon, std::vector<std::uint32_t>& blocks) {
   const std::uint32_t block = mesh_.up[polygon];
-  if (block == none || mesh_.top[block] == none) return false;
+  if (block == NavigationMesh::none || mesh_.top[block] == NavigationMesh::none) return false;
   memory_.marks[block] = {memory_.query, LandmarkBounds::no_exit};
   blocks.push_back(block);
   polygon = mesh_.top[block];
@@ -161,7 +159,7 @@ bool Search::join(std::uint32_t a, std::uint32_t b) {
   if (a == b) return true;
   while (climb(a, memory_.up) || climb(b, memory_.down)) {
   }
-  if (mesh_.up[a] == none || mesh_.up[b] == none) return false;
+  if (mesh_.up[a] == NavigationMesh::none || mesh_.up[b] == NavigationMesh::none) return false;
   for (const std::uint32_t block : mesh_.core) memory_.marks[block].query = memory_.query;
   return true;
 }
@@ -174,14 +172,14 @@ std::uint32_t Search::advance(Cell& end, std::vector<std::uint32_t>& around, std
       *std::min_element(around.begin(), around.end(),
                         [this](std::uint32_t a, std::uint32_t b) { return mesh_.order[a] < mesh_.order[b]; });
   ForcedTurn next = memory_.forced.from(mesh_, end, first);
-  std::uint32_t turn = none;
+  std::uint32_t turn = NavigationMesh::none;
   while (next.on_way_to(mesh_.order[other])) {
     way.push_back(end);
     turn = next.turn;
     end = mesh_.turns[turn].at;
     next = memory_.forced.after(turn);
   }
-  if (turn == none) return around.front();
+  if (turn == NavigationMesh::none) return around.front();
   around.clear();
   const auto begin = mesh_.around.begin() + mesh_.turns[turn].around;
   std::for_each(begin, begin + mesh_.turns[turn].polygons,
@@ -193,7 +191,7 @@ bool Search::join_ends(bool begins) {
   auto from = polygons_around(start_, memory_.around_start);
   auto to = polygons_around(goal_, memory_.around_goal);
   const Landmark& landmark = memory_.landmark;
-  const bool simple = from[1] == none && to[1] == none;  // no end is a pinch
+  const bool simple = from[1] == NavigationMesh::none && to[1] == NavigationMesh::none;  // no end is a pinch
   const bool bounded = simple && landmark.known();
   if (simple && begins && memory_.forced.known()) {
     from[0] = advance(start_, memory_.around_start, to[0], memory_.before_start);
@@ -211,7 +209,8 @@ bool Search::join_ends(bool begins) {
   }
   bool joined = false;
   for (const std::uint32_t a : from) {
-    for (const std::uint32_t b : to) joined = (a != none && b != none && join(a, b)) || joined;
+    for (const std::uint32_t b : to)
+      joined = (a != NavigationMesh::none && b != NavigationMesh::none && join(a, b)) || joined;
   }
   if (joined && bounded) {
     memory_.bounds.begin(
@@ -246,7 +245,7 @@ void Search::add(const MeshNode& node, double f) {
 
 /// Expands the node unless the goal is in sight.
 bool Search::reaches_goal() {
-  const bool at_turn = node_.side == none && node_.root != first_;
+  const bool at_turn = node_.side == NavigationMesh::none && node_.root != first_;
   if (!at_turn || !memory_.keeps_legs || !memory_.legs.known(mesh_, Departure(node_.polygon))) {
     if (sees_goal()) return true;
     expand();
@@ -263,7 +262,8 @@ bool Search::reaches_goal() {
 
 /// Returns true if the goal lies in the polygon that the root looks into, and in the cone.
 bool Search::sees_goal() const {
-  if (node_.side != none) return holds_goal(node_.polygon) && node_.cone.holds(arrow(node_.at, goal_));
+  if (node_.side != NavigationMesh::none)
+    return holds_goal(node_.polygon) && node_.cone.holds(arrow(node_.at, goal_));
   if (node_.root == first_) {
     return std::any_of(memory_.around_start.begin(), memory_.around_start.end(),
                        [this](std::uint32_t p) { return holds_goal(p); });
@@ -281,7 +281,7 @@ bool Search::holds_goal(std::uint32_t polygon) const {
 }
 
 void Search::expand() {
-  if (node_.side != none) {
+  if (node_.side != NavigationMesh::none) {
     look_through(mesh_, node_.at, node_.cone, node_.polygon, node_.side, *this);
   } else if (node_.root == first_) {
     for (const std::uint32_t p : memory_.around_start) look_everywhere(mesh_, node_.at, p, *this);
@@ -307,7 +307,7 @@ void Search::reach(Departure departure, Arrow way, std::uint32_t block) {
   roots_.open(turn, node_.root, g);
   const double rest =
       std::max(length(at, goal_), memory_.bounds.remaining(turn, at, memory_.marks[block].exit));
-  add({g, at, departure.cone(way), turn, departure.number(), none}, g + rest);
+  add({g, at, departure.cone(way), turn, departure.number(), NavigationMesh::none}, g + rest);
 }
 
 void Search::pass(const NavigationMesh::Side& side, Arrow from, Arrow to, Arrow right, Arrow left) {

@@ -8,7 +8,6 @@
 namespace outrider {
 namespace {
 
-constexpr double no_length = 1e-9;   // radii
 constexpr double least_gain = 1e-6;  // relative
 
 /// Adds the arcs to one side whose tangent leads to the goal, which lies at `to_goal` as the robot sees it,

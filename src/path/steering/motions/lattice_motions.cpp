@@ -13,7 +13,7 @@ namespace outrider {
 namespace {
 
 constexpr Vec2 centre{0.5, 0.5};
-constexpr double no_length = 1e-9;
+constexpr double rounding = 1e-9;
 
 Vec2 vector_of(Cell c) { return {double(c.x), double(c.y)}; }
 
@@ -49,9 +49,9 @@ std::optional<Turn> turn_to(Cell shift, Vec2 from, Vec2 to, double least_radius)
   const double across = cross(from, to);
   const double s = cross(vector_of(shift), to) / across, t = cross(from, vector_of(shift)) / across;
   const double angle = std::abs(std::atan2(across, dot(from, to))), tangent = std::min(s, t);
-  if (!(tangent > no_length)) return std::nullopt;
+  if (!(tangent > rounding)) return std::nullopt;
   const double radius = tangent / std::tan(0.5 * angle);
-  if (radius < least_radius * (1.0 - no_length)) return std::nullopt;
+  if (radius < least_radius * (1.0 - rounding)) return std::nullopt;
   return Turn{shift, s - tangent, t - tangent, radius, s + t - 2.0 * tangent + radius * angle};
 }
 
@@ -111,13 +111,13 @@ void LatticeMotions::add_turns(std::uint32_t heading, std::uint32_t to) {
   for (const Turn& turn : turns) {
     std::vector<PathPiece> pieces;
     Vec2 at = centre;
-    if (turn.before > no_length) pieces.push_back({at, at + turn.before * out, {}, 0.0});
+    if (turn.before > rounding) pieces.push_back({at, at + turn.before * out, {}, 0.0});
     at = at + turn.before * out;
     const double side = cross(out, in) > 0.0 ? 1.0 : -1.0;
     const Vec2 middle = at + side * turn.radius * perpendicular(out);
     const Vec2 end = centre + vector_of(turn.shift) - turn.after * in;
     pieces.push_back({at, end, middle, side * angle});
-    if (turn.after > no_length) pieces.push_back({end, centre + vector_of(turn.shift), {}, 0.0});
+    if (turn.after > rounding) pieces.push_back({end, centre + vector_of(turn.shift), {}, 0.0});
     add(heading, to, turn.shift, std::move(pieces));
   }
 }

@@ -3,11 +3,6 @@
 #include <cmath>
 
 namespace outrider {
-namespace {
-
-constexpr double no_length = 1e-9;  // of the radius
-
-}  // namespace
 
 PathPiece piece_of(const Pose2& from, const TurningPiece& part, double radius_m) {
   const Pose2 end = after(from, part, radius_m);

@@ -8,6 +8,9 @@
 
 namespace outrider {
 
+/// Pieces that are shorter are none, radii.
+inline constexpr double no_length = 1e-9;
+
 /// Returns an arc or a straight piece that begins at the pose.
 PathPiece piece_of(const Pose2& from, const TurningPiece& part, double radius_m);
 
