@@ -9,6 +9,7 @@
 
 #include "outrider/geometry/pose.hpp"
 #include "outrider/motion/robot_model.hpp"
+#include "outrider/motion/twist.hpp"
 #include "outrider/robot/observation.hpp"
 
 namespace outrider {

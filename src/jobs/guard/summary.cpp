@@ -11,6 +11,10 @@ namespace {
 
 bool has_metric(const Report& report, std::string_view name) { return !std::isnan(metric(report, name)); }
 
+std::string counted(double count, std::string_view what) {
+  return fmt::format("{:.0f} {}{}", count, what, count == 1.0 ? "" : "s");
+}
+
 std::string arrivals_summary(const Report& report) {
   return fmt::format(
       "\n  drove {:.1f} m, fired {:.0f} shots, planned {:.0f} times\n"
@@ -116,11 +120,13 @@ std::string guard_summary(const Report& report) {
   for (const auto& values : targets.rows) text += target_row({targets, values}, width);
   if (has_metric(report, "expected_hits")) return text + walkers_summary(report) + planning_line(report);
   if (has_metric(report, "intruder_seconds")) return text + arrivals_summary(report) + planning_line(report);
-  text += fmt::format(
-      "\n  drove {:.1f} m, turned {:.0f} degrees, fired {:.0f} shots from {:.0f} stops\n"
-      "  planned {}\n",
-      metric(report, "driven_m"), degrees(metric(report, "turned_rad")), metric(report, "shots"),
-      metric(report, "stops"), duration_text(metric(report, "planned_s")));
+  text += fmt::format("\n  drove {:.1f} m, turned {:.0f} degrees, fired {}", metric(report, "driven_m"),
+                      degrees(metric(report, "turned_rad")), counted(metric(report, "shots"), "shot"));
+  if (has_metric(report, "stops")) {  // else it came to no plan
+    text += fmt::format(" from {}\n  planned {}", counted(metric(report, "stops"), "stop"),
+                        duration_text(metric(report, "planned_s")));
+  }
+  text += "\n";
   if (has_metric(report, "shots_in_passing")) text += passing_line(report);
   text += bounds_lines(report);
   if (has_metric(report, "robots")) text += team_lines(report);

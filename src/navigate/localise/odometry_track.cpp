@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "outrider/motion/limited_twist.hpp"
-#include "outrider/motion/twist.hpp"
 
 namespace outrider {
 namespace {

@@ -13,7 +13,7 @@ std::vector<Option> describe(RangeFinderModel& laser) {
       {"rate", "Hz", 0.1, 100.0, "turns a second", &laser.rate_hz},
       {"least", "m", 0.0, 10.0, "what is nearer gives no reading", &laser.least_m},
       {"most", "m", 0.1, 100.0, "what is farther is not seen", &laser.most_m},
-      {"noise", "m", 0.0, 1.0, "of a range, standard deviation", &laser.noise_m},
+      {"noise", "m", 0.0, 0.5, "of a range, standard deviation", &laser.noise_m},
       {"missed", "", 0.0, 1.0, "part of the beams that give no reading", &laser.missed},
       {"height", "m", 0.0, 10.0, "of the laser above the floor", &laser.height_m},
   };

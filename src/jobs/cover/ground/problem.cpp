@@ -15,6 +15,9 @@ constexpr double least_bar = 1e-3;        // of the width of a bar: its least le
 constexpr double most_bar = 100.0;        // widths of a bar: its length, and how far ahead it is
 constexpr double turning_room = 1.0002;   // for a bar: the judge's polygons about its turns
 constexpr double most_strips = 10'000.0;  // side by side: more would take days to put in order and to measure
+// The same of a robot that drives curves, times the strips side by side in a turning radius: each of as many
+// laps around the area is tried, and what they cover is measured, at some 0.07 s of processor time each.
+constexpr double most_turning_work = 5000.0, turning_work_s = 0.07;
 constexpr double transfer_margin = 10.0;  // widths around all areas that transfers may use
 
 Status check_outline(const AreaOutline& outline, const std::string& of) {
@@ -298,6 +301,17 @@ Status check_strips(const CoverProblem& problem, const std::vector<AreaOutline>&
     const Region area = region_of(outline.boundary, outline.holes);
     const Vec2 size = bounds_of(area).size();
     const double strips = std::max(size.x, size.y) / problem.stride_m();
+    const double turning_work = strips * problem.turning_radius_m / problem.stride_m();
+    if (turning_work > most_turning_work)
+      return bad_input(
+          fmt::format(
+              "its {:.4g} x {:.4g} m take up to {:.0f} strips {:.4g} m apart, and curves are {:.3g} strips "
+              "wide: "
+              "planning would take some {:.0f} min; give a wider robot or a smaller turning radius, or cover "
+              "the area in parts",
+              size.x, size.y, strips, problem.stride_m(), problem.turning_radius_m / problem.stride_m(),
+              turning_work * turning_work_s / 60.0),
+          "area");
     if (strips <= most_strips) continue;
     return bad_input(
         fmt::format(

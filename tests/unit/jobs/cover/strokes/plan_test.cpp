@@ -267,6 +267,13 @@ TEST(CoverPlan, HopelessAreasAreRefusedWithTheEstimate) {
   }
   field.width_m = 20.0;
   EXPECT_TRUE(cover_ground(field)) << "500 strips are not many";
+  field.turning_radius_m = 500.0;
+  const auto curves = cover_ground(field);
+  ASSERT_FALSE(curves) << "curves that are many strips wide make them hopeless";
+  EXPECT_NE(curves.error().sentence.find("curves are 27.8 strips wide"), std::string::npos)
+      << curves.error().sentence;
+  field.turning_radius_m = 40.0;
+  EXPECT_TRUE(cover_ground(field));
 }
 
 TEST(CoverPlan, EveryMethodHearsAStop) {
