@@ -91,8 +91,8 @@ std::optional<LaserScan> Navigator::usable(const std::optional<LaserScan>& seen)
   if (!seen || !check(*seen) || std::abs(seen->step_rad) < least_step_rad) return std::nullopt;
   LaserScan scan = *seen;
   scan.time_s = odometry_.time_of(scan.time_s);
-  return std::abs(scan.time_s - now_s()) <= OdometryTrack::remembered_s ? std::optional(std::move(scan))
-                                                                        : std::nullopt;
+  return std::abs(scan.time_s - now_s()) <= RecentOdometry::remembered_s ? std::optional(std::move(scan))
+                                                                         : std::nullopt;
 }
 
 Situation Navigator::perceive(const Observation& seen) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
-#include <unordered_set>
 #include <utility>
 
 #include "outrider/core/units.hpp"
@@ -131,21 +130,20 @@ bool better(const HitNode& a, const HitNode& b) {
 
 /// Leaves the best `beam`, no two with the same key, in their order.
 void keep_best(std::vector<HitNode>& nodes, std::size_t beam) {
-  const auto hash = [](const std::tuple<std::uint64_t, std::size_t, std::size_t>& key) {
-    constexpr std::uint64_t odd = 0x9E3779B97F4A7C15ULL;
-    return ((std::get<0>(key) * odd + std::get<1>(key)) * odd + std::get<2>(key)) * odd;
-  };
   std::vector<const HitNode*> order;
   order.reserve(nodes.size());
   for (const HitNode& node : nodes) order.push_back(&node);
-  std::sort(order.begin(), order.end(), [](const HitNode* a, const HitNode* b) { return better(*a, *b); });
-  std::unordered_set<std::tuple<std::uint64_t, std::size_t, std::size_t>, decltype(hash)> seen(
-      std::min(beam, nodes.size()), hash);
+  std::ranges::sort(order, [](const HitNode* a, const HitNode* b) {
+    return a->key() != b->key() ? a->key() < b->key() : better(*a, *b);
+  });
+  const auto same = std::ranges::unique(order, {}, [](const HitNode* node) { return node->key(); });
+  order.erase(same.begin(), same.end());
+  const auto kept = static_cast<std::ptrdiff_t>(std::min(beam, order.size()));
+  std::ranges::partial_sort(order, order.begin() + kept,
+                            [](const HitNode* a, const HitNode* b) { return better(*a, *b); });
   std::vector<HitNode> best;
-  for (const HitNode* const node : order) {
-    if (best.size() == beam) break;
-    if (seen.insert(node->key()).second) best.push_back(*node);
-  }
+  best.reserve(static_cast<std::size_t>(kept));
+  for (auto node = order.begin(); node != order.begin() + kept; ++node) best.push_back(**node);
   nodes = std::move(best);
 }
 

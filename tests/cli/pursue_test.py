@@ -80,7 +80,7 @@ class Pursue(ToolTest):
         self.assertEqual((first.returncode, second.returncode), (0, 0), first.stderr + second.stderr)
         self.same_mission("a", "b")
         self.assertEqual(self.json_of(first)["metrics"]["cost"], self.json_of(first)["metrics"]["lower_bound"])
-        self.refused("run", str(scenario), "--robot-radius", "1", says=["--robot-radius"])
+        self.refused("run", str(scenario), "--gun-length", "1", says=["--gun-length"])
         self.write("own.yaml", self.run_tool("schema", "--job", "pursue", "--as", "scenario").stdout.replace(
             'map: ""', 'map: "small.txt"'))
         self.assertEqual(self.json_of(self.run_tool("run", "own.yaml", "--json"))["metrics"]["cost"], 11)

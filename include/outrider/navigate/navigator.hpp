@@ -31,8 +31,8 @@
 #include "outrider/navigate/allowed_ground.hpp"
 #include "outrider/navigate/local_motion.hpp"
 #include "outrider/navigate/map_field.hpp"
-#include "outrider/navigate/odometry_track.hpp"
 #include "outrider/navigate/place_search.hpp"
+#include "outrider/navigate/recent_odometry.hpp"
 #include "outrider/navigate/robot_localiser.hpp"
 #include "outrider/navigate/track_follower.hpp"
 #include "outrider/navigate/zones.hpp"
@@ -241,7 +241,7 @@ class Navigator {
   std::optional<MapField> far_;  // on the known map
   Twist2 commanded_;
 
-  OdometryTrack odometry_;
+  RecentOdometry odometry_;
   std::optional<double> scan_s_;
   double image_s_ = -1.0;  // of the last image that was used
 

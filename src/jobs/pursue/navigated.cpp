@@ -10,6 +10,7 @@
 #include "outrider/io/scenario/things.hpp"
 #include "outrider/job/navigation_log.hpp"
 #include "outrider/job/scene.hpp"
+#include "outrider/job/scene_markers.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/sim/sensors/simulated_laser.hpp"
 #include "outrider/world/blocks.hpp"
@@ -129,6 +130,7 @@ Outcome<NavigatedPursuer> NavigatedPursuer::make(const PursuitProblem& problem, 
 
 void NavigatedPursuer::log_to(Log& log, std::stop_token stop) {
   log_solids(log, body_.world(), wall_height_m);
+  log_markers(log);
   log_pose(log, 0.0, body_.pose());
   body_.watch(
       [this, &log, navigation = NavigationLog(log)](const Observation& seen, const Situation& now,

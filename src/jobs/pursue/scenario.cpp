@@ -26,7 +26,7 @@ Status check_names(const PursuitScenario& scenario) {
   return {};
 }
 
-/// What does not go together with the robot that is simulated.
+/// Refuses what does not go together with the robot that is simulated.
 Status check_sim(const PursuitScenario& scenario) {
   const NavigationOptions& navigation = scenario.pursuer.navigation;
   if (scenario.sim != "navigator") {

@@ -127,7 +127,7 @@ double best_of_orders(const SequenceCase& c, ArrivalObjective objective, bool in
   return best;
 }
 
-/// Those who come to one place at different times are hit in turn, by which nothing is lost.
+/// Nothing is lost by hitting those in turn who come to one place at different times.
 TEST(BestSequence, HitsInTurnWhereSeveralAreAtOnePlace) {
   Rng rng(33);
   for (int i = 0; i < cases(60); ++i) {

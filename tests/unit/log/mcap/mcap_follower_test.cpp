@@ -11,7 +11,11 @@ namespace {
 
 class McapFollowerTest : public ::testing::Test {
  protected:
-  McapFollowerTest() : path_(::testing::TempDir() + "follower.mcap") { std::ofstream(path_).close(); }
+  McapFollowerTest()  // a file of its own, since tests run at the same time
+      : path_(::testing::TempDir() + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
+              ".mcap") {
+    std::ofstream(path_).close();
+  }
   ~McapFollowerTest() override { std::filesystem::remove(path_); }
 
   void append(std::string_view bytes) const {

@@ -1,4 +1,4 @@
-#include "outrider/navigate/odometry_track.hpp"
+#include "outrider/navigate/recent_odometry.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,8 @@ bool makes_sense(const Pose2& pose) {
 
 }  // namespace
 
-void OdometryTrack::note(const Observation& seen, const Twist2& commanded, const RobotModel& robot,
-                         double period_s) {
+void RecentOdometry::note(const Observation& seen, const Twist2& commanded, const RobotModel& robot,
+                          double period_s) {
   const TimedOdometry last = track_.empty() ? TimedOdometry{} : track_.back();
   Pose2 odometry = makes_sense(seen.odometry) ? seen.odometry : last.odometry;
   double time_s = std::abs(seen.time_s) <= most_time_s ? seen.time_s + ahead_s_ : last.time_s;
@@ -49,7 +49,7 @@ void OdometryTrack::note(const Observation& seen, const Twist2& commanded, const
   time_s_ = time_s;
 }
 
-Pose2 OdometryTrack::at(double time_s) const {
+Pose2 RecentOdometry::at(double time_s) const {
   for (std::size_t i = track_.size() - 1; i > 0; --i) {
     const TimedOdometry &from = track_[i - 1], &to = track_[i];
     if (time_s < from.time_s) continue;

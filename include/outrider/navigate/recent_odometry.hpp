@@ -1,4 +1,4 @@
-// OdometryTrack: where a robot was lately by its odometry, in a time that never goes back, and how fast it
+// RecentOdometry: where a robot was lately by its odometry, in a time that never goes back, and how fast it
 // is.
 //
 // The clock of a robot may be put back: times of the track go on from there. Its twist is believed to be as
@@ -14,7 +14,7 @@
 
 namespace outrider {
 
-class OdometryTrack {
+class RecentOdometry {
  public:
   static constexpr double remembered_s = 1.0;  ///< of the track, for scans that come late
 
