@@ -110,11 +110,10 @@ std::vector<OptionGroup> describe(PursuitScenario& scenario) {
          &scenario.starts},
         {"call", "s", 0.01, 1.9, "of a planning call on the wall clock", &scenario.call_s},
         {"seed", "", 0, 1e15, "seed of what faults and sensors draw; nothing else is random", &scenario.seed},
-        choice_option(
-            "sim",
-            "ideal: robots step from cell to cell; navigator: one robot on wheels with a range finder "
-            "drives there, around what stands in its way",
-            &scenario.sim, {"ideal", "navigator"}),
+        choice_option("sim",
+                      "ideal: steps from cell to cell; navigator: a robot on wheels drives there, around "
+                      "what is in its way",
+                      &scenario.sim, {"ideal", "navigator"}),
         {"cell", "m", 0.05, 1000, "side of a cell, for sim: navigator", &scenario.pursuer.cell_m},
         {"things", "", 0, 0,
          "on no map: boxes x,y,length,width and posts x,y,radius in m, with blanks between; for sim: "
