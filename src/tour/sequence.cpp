@@ -147,32 +147,53 @@ void keep_best(std::vector<HitNode>& nodes, std::size_t beam) {
   nodes = std::move(best);
 }
 
-/// One hit more for each of the sequences; the best `beam`, no two with the same key. Not many more than
-/// these are held meanwhile, since what is worse than `beam` others is not among the best.
+/// The best `beam` sequences of one layer, no two with the same key. Not many more than these are held, since
+/// what is worse than `beam` others is not among the best.
+class Layer {
+ public:
+  explicit Layer(std::size_t beam) : beam_(beam) {}
+
+  [[nodiscard]] bool takes(double rank) const { return rank <= worst_; }
+  void add(const HitNode& node) {
+    nodes_.push_back(node);
+    if (nodes_.size() < 4 * beam_ + 1024) return;
+    keep_best(nodes_, beam_);
+    if (nodes_.size() == beam_) worst_ = nodes_.back().rank;
+  }
+  std::vector<HitNode> best() {
+    keep_best(nodes_, beam_);
+    return std::move(nodes_);
+  }
+
+ private:
+  std::size_t beam_;
+  double worst_ = inf;
+  std::vector<HitNode> nodes_;
+};
+
+/// Adds each hit from a stop after the sequence, which is that of the parent.
+void add_hits(const Asked& asked, const std::vector<Offer>& offers, std::size_t stop, const HitNode& before,
+              std::size_t parent, Layer& next) {
+  for (const auto& [who, service, others] : offers) {
+    if ((before.hit >> who & 1U) != 0 || (others & ~before.hit) != 0) continue;
+    HitNode node = extended(asked, before, stop, who, *service);
+    node.rank = rank_of(asked, node);
+    node.parent = parent;
+    if (std::isfinite(node.time_s) && next.takes(node.rank)) next.add(node);
+  }
+}
+
+/// One hit more for each of the sequences, which are in the order of their ranks; the best `beam`.
 std::vector<HitNode> next_layer(const Asked& asked, const Offers& offers, const std::vector<HitNode>& layer,
                                 std::size_t beam) {
-  const std::size_t most_held = 4 * beam + 1024;
-  std::vector<HitNode> next;
-  double worst = inf;
-  for (std::size_t i = 0; i < layer.size() && layer[i].rank <= worst + rounding_s; ++i) {
+  Layer next(beam);
+  for (std::size_t i = 0; i < layer.size() && next.takes(layer[i].rank - rounding_s); ++i) {
     for (std::size_t stop = 0; stop < offers.size(); ++stop) {
-      if (offers[stop].empty() || least_rank(asked, layer[i], stop) > worst + rounding_s) continue;
-      for (const auto& [who, service, others] : offers[stop]) {
-        if ((layer[i].hit >> who & 1U) != 0 || (others & ~layer[i].hit) != 0) continue;
-        HitNode node = extended(asked, layer[i], stop, who, *service);
-        if (!std::isfinite(node.time_s)) continue;
-        node.rank = rank_of(asked, node);
-        if (node.rank > worst) continue;
-        node.parent = i;
-        next.push_back(node);
-        if (next.size() < most_held) continue;
-        keep_best(next, beam);
-        if (next.size() == beam) worst = next.back().rank;
-      }
+      if (!offers[stop].empty() && next.takes(least_rank(asked, layer[i], stop) - rounding_s))
+        add_hits(asked, offers[stop], stop, layer[i], i, next);
     }
   }
-  keep_best(next, beam);
-  return next;
+  return next.best();
 }
 
 /// A tour as far as it is about those pending.

@@ -30,9 +30,8 @@ Status check_names(const PursuitScenario& scenario) {
 Status check_sim(const PursuitScenario& scenario) {
   const NavigationOptions& navigation = scenario.pursuer.navigation;
   if (scenario.sim != "navigator") {
-    const char* asked = !scenario.pursuer.things.empty() ? "things"
-                        : navigation.faults.any()        ? "robot_faults"
-                                                         : nullptr;
+    const char* asked = navigation.faults.any() ? "robot_faults" : nullptr;
+    if (!scenario.pursuer.things.empty()) asked = "things";
     if (asked == nullptr) return {};
     return bad_input("robots that step from cell to cell meet nothing; give sim: navigator, or leave it out",
                      asked);
