@@ -195,13 +195,13 @@ class Navigator {
   struct Planned {
     std::optional<double> window_s = {}, far_s = {};  ///< in the window and on the known map
     Vec2 at = {};
-    std::uint64_t changes = 0;  ///< of the live map
+    std::uint64_t changes = 0;  ///< changes of the live map until then
   };
   /// The time that is left on the way to the place.
   struct TimeLeft {
     std::optional<double> now_s = {};  ///< nothing if there is no way
-    double least_s = 0.0;              ///< since the last recovery
-    double best_s = 0.0;               ///< of the whole order
+    double least_s = 0.0;              ///< least since the last recovery
+    double best_s = 0.0;               ///< least since the order began
     double nearer_s = 0.0;             ///< when it last became less, or a recovery began
   };
   /// The track of a Follow, and the way back to it.
@@ -209,7 +209,7 @@ class Navigator {
     std::optional<TrackFollower> follower = {};
     std::optional<TrackPlace> comes_back = {};  ///< to that place of the track, by the present GoTo
     bool comes_in = false;                      ///< it was beside the track, and is steered to it
-    double skip_m = 0.0;                        ///< of the track, where no way leads back to it
+    double skip_m = 0.0;                        ///< length that is left out where no way leads back
     TrackPlace came_in = {};                    ///< where it came back to the track
     Pose2 stood = {};                           ///< on the track, until it moved from there
     double moved_s = 0.0;                       ///< when it last moved there
@@ -219,7 +219,7 @@ class Navigator {
     std::optional<TrackFollower> way = {};
     std::string why_none = {};
     double planned_s = 0.0;
-    std::uint64_t changes = 0;       ///< of the live map, when they were planned
+    std::uint64_t changes = 0;       ///< changes of the live map until then
     std::optional<Twist2> arc = {};  ///< away from where it stands, as a recovery
   };
 

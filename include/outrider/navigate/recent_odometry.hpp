@@ -16,7 +16,7 @@ namespace outrider {
 
 class RecentOdometry {
  public:
-  static constexpr double remembered_s = 1.0;  ///< of the track, for scans that come late
+  static constexpr double remembered_s = 1.0;  ///< length of the track, for scans that come late
 
   /// Notes the odometry and the time of an observation, `period_s` after the one before if the clock was put
   /// back. `commanded` is the twist since then. What makes no sense is not noted. O(1).

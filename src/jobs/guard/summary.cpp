@@ -122,7 +122,7 @@ std::string guard_summary(const Report& report) {
   if (has_metric(report, "intruder_seconds")) return text + arrivals_summary(report) + planning_line(report);
   text += fmt::format("\n  drove {:.1f} m, turned {:.0f} degrees, fired {}", metric(report, "driven_m"),
                       degrees(metric(report, "turned_rad")), counted(metric(report, "shots"), "shot"));
-  if (has_metric(report, "stops")) {  // else it came to no plan
+  if (has_metric(report, "stops")) {  // a mission without a plan has none
     text += fmt::format(" from {}\n  planned {}", counted(metric(report, "stops"), "stop"),
                         duration_text(metric(report, "planned_s")));
   }

@@ -1,11 +1,11 @@
 // NavigatedPursuer: a robot on two wheels that its navigator takes from cell to cell, around what no map has.
 //
-// The costs of a pursuit are a yard then: cells that are walls to the robot are walls, and so is the edge of
-// the map. A step is a drive towards the middle of its cell for a second, and on to that of the next one.
-// Where the robot then is decides, and the mission plans from there. A robot that is slow, or has to go
-// around something, is not where it was sent; one that is early waits in the cell. Cells in which it sees
-// something that the map does not have are closed while it stands there, and so is one that it cannot get
-// into for 3 s.
+// The cells that are walls to the robot are walls, and so is the edge of the map. In each second the robot is
+// driven towards the middle of the cell to which it is sent, or on to the next one if it need not stop. The
+// mission plans from the cell that it has reached: a robot that is slow, or goes around something, is not
+// where it was sent, and a quick one may be a cell ahead. A cell counts as closed while something stands in
+// it that the map does not have, and for 30 s if the robot cannot get into it for 3 s, or if it lies behind
+// two walls that meet at a corner.
 #pragma once
 
 #include <map>

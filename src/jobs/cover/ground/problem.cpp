@@ -15,9 +15,8 @@ constexpr double least_bar = 1e-3;        // of the width of a bar: its least le
 constexpr double most_bar = 100.0;        // widths of a bar: its length, and how far ahead it is
 constexpr double turning_room = 1.0002;   // for a bar: the judge's polygons about its turns
 constexpr double most_strips = 10'000.0;  // side by side: more would take days to put in order and to measure
-// The same of a robot that drives curves, times the strips side by side in a turning radius: each of as many
-// laps around the area is tried, and what they cover is measured, at some 0.07 s of processor time each.
-constexpr double most_turning_work = 5000.0, turning_work_s = 0.07;
+constexpr double most_turning =
+    5000.0;  // the same times the strips in a turning radius: some 6 min of planning
 constexpr double transfer_margin = 10.0;  // widths around all areas that transfers may use
 
 Status check_outline(const AreaOutline& outline, const std::string& of) {
@@ -297,29 +296,18 @@ Status connect(CoverageArea& made, const CoverProblem& problem) {
 
 /// Refuses areas whose strips are hopelessly many.
 Status check_strips(const CoverProblem& problem, const std::vector<AreaOutline>& outlines) {
+  const double stride_m = problem.stride_m(), turning = problem.turning_radius_m / stride_m;
+  const double most = std::min(most_strips, most_turning / turning);
   for (const AreaOutline& outline : outlines) {
     const Region area = region_of(outline.boundary, outline.holes);
     const Vec2 size = bounds_of(area).size();
-    const double strips = std::max(size.x, size.y) / problem.stride_m();
-    const double turning_work = strips * problem.turning_radius_m / problem.stride_m();
-    if (turning_work > most_turning_work)
-      return bad_input(
-          fmt::format(
-              "its {:.4g} x {:.4g} m take up to {:.0f} strips {:.4g} m apart, and curves are {:.3g} strips "
-              "wide: "
-              "planning would take some {:.0f} min; give a wider robot or a smaller turning radius, or cover "
-              "the area in parts",
-              size.x, size.y, strips, problem.stride_m(), problem.turning_radius_m / problem.stride_m(),
-              turning_work * turning_work_s / 60.0),
-          "area");
-    if (strips <= most_strips) continue;
-    return bad_input(
-        fmt::format(
-            "its {:.4g} x {:.4g} m take up to {:.0f} strips {:.4g} m apart, {:.3g} km in all, and at most "
-            "{:.0f} strips are planned; give a wider robot, or cover the area in parts",
-            size.x, size.y, strips, problem.stride_m(), 1e-3 * area_of(area) / problem.stride_m(),
-            most_strips),
-        "area");
+    const double strips = std::max(size.x, size.y) / stride_m;
+    if (strips <= most) continue;
+    auto what = fmt::format("its {:.4g} x {:.4g} m take up to {:.0f} strips {:.4g} m apart, {:.3g} km in all",
+                            size.x, size.y, strips, stride_m, 1e-3 * area_of(area) / stride_m);
+    if (most < most_strips) what += fmt::format(", and curves are {:.3g} strips wide", turning);
+    what += fmt::format("; at most {:.0f} are planned: give a wider robot, or cover it in parts", most);
+    return bad_input(what, "area");
   }
   return {};
 }
