@@ -14,9 +14,6 @@ ifneq ($(wildcard ../shared/data),)
 export OUTRIDER_DATA ?= $(abspath ../shared/data)
 endif
 
-# Tests that wait for a browser or a process leave half of a processor idle.
-TEST_JOBS ?= $(shell echo $$(($(JOBS) + ($(JOBS) + 1) / 2)))
-
 # The names of the tests of some units as a pattern for ctest; without units, of every test.
 space := $() $()
 tests_of = ^($(subst $(space),|,$(strip $(patsubst %,unit_%,$(1)))))$(if $(1),[.])
@@ -61,7 +58,7 @@ test:  ## build everything and run every test
 	$(INSTALL) build test physics cbc ompl page browser python notebook
 	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
 	@ninja -C build -j $(JOBS)
-	@ctest --preset release -j $(TEST_JOBS) && echo "Every test passed." || \
+	@ctest --preset release -j $(JOBS) && echo "Every test passed." || \
 	  { echo "Some tests failed; the list above names them."; exit 1; }
 
 research:  ## build the reference methods of research/ and their tests, and run these; then `outrider research` has them
