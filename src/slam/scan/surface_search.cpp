@@ -200,10 +200,13 @@ class Search {
     }
   }
 
+  /// Returns true if any pose was asked for, apart from `except_`, and one is found.
+  [[nodiscard]] bool is_decided() const { return except_ != nullptr && found_; }
+
   void descend(std::vector<Block>& blocks, int level) {
     std::sort(blocks.begin(), blocks.end(), better);
     for (const Block& block : blocks) {
-      if (block.bound <= best_.score || tried_ > window_.most_blocks) return;
+      if (is_decided() || block.bound <= best_.score || tried_ > window_.most_blocks) return;
       if (level == 0) {
         take(block);
         continue;

@@ -13,6 +13,7 @@ namespace outrider {
 namespace {
 
 constexpr double near_m = 1.8;         ///< ends of beams within that are kept
+constexpr std::size_t most_gaps = 24;  ///< of the map; what holds more together is odometry alone
 constexpr double remembered_s = 10.0;  ///< of odometry; scans that come later than that are taken for new
 
 /// Returns true if the scan is usable.
@@ -118,6 +119,8 @@ void ScanLocaliser::take_scan(const LaserScan& scan, Localised& result) {
   learn(std::move(step->update));
   result.closed_loop = step->closed_loop;
   result.undid_loop = step->undid_loop;
+  if (step->kept && !step->matched && slam_.gaps().size() > most_gaps)
+    result.lost = fmt::format("it is lost: its map has more than {} gaps that no scan spans", most_gaps);
   const Eigen::Matrix3d p = slam_.pose_covariance();
   const double sigma_m = std::sqrt(std::max(p(0, 0), p(1, 1)));
   if (sigma_m > lost_m_)
