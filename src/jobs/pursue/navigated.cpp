@@ -12,7 +12,6 @@
 #include "outrider/job/scene.hpp"
 #include "outrider/job/scene_markers.hpp"
 #include "outrider/log/append.hpp"
-#include "outrider/sim/sensors/simulated_laser.hpp"
 #include "outrider/world/blocks.hpp"
 #include "outrider/world/collision_map.hpp"
 #include "outrider/world/occupancy.hpp"
@@ -116,15 +115,10 @@ Outcome<NavigatedPursuer> NavigatedPursuer::make(const PursuitProblem& problem, 
   setup.known = map_of(problem);
   auto navigator = Navigator::make(std::move(setup), start);
   if (!navigator) return pass_on(navigator);
-  const Rng rng(seed);
-  const ExplorerSimParams devices = devices_of(options.navigation, footprint);
-  TwistBody wheels(*world, start, options.robot, devices.wheels, rng.child("wheels"), devices.faults,
-                   rng.child("walk-ins"));
-  SimulatedLaser laser(*world, devices.laser, rng.child("laser"), devices.faults);
   return NavigatedPursuer(
       problem, known_s,
-      NavigatedBody(std::move(world), std::move(wheels), std::move(laser), std::move(*navigator),
-                    within_part * frame.resolution_m, devices.faults.kidnapping),
+      NavigatedBody(std::move(world), start, options.robot, devices_of(options.navigation, footprint), seed,
+                    std::move(*navigator), within_part * frame.resolution_m),
       options.robot.radius_m);
 }
 

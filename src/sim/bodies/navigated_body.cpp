@@ -9,14 +9,16 @@
 
 namespace outrider {
 
-NavigatedBody::NavigatedBody(std::unique_ptr<const World> world, TwistBody body, SimulatedLaser laser,
-                             Navigator navigator, double within_m, const Kidnapping& kidnapping)
+NavigatedBody::NavigatedBody(std::unique_ptr<const World> world, const Pose2& start, const RobotModel& robot,
+                             const ExplorerSimParams& params, std::uint64_t seed, Navigator navigator,
+                             double within_m)
     : world_(std::move(world)),
-      body_(std::move(body)),
-      laser_(std::move(laser)),
+      body_(*world_, start, robot, params.wheels, Rng(seed).child("wheels"), params.faults,
+            Rng(seed).child("walk-ins"), params.footprint),
+      laser_(*world_, params.laser, Rng(seed).child("laser"), params.faults),
       navigator_(std::move(navigator)),
       within_m_(within_m),
-      kidnapping_(kidnapping) {
+      kidnapping_(params.faults.kidnapping) {
   perceive();
 }
 

@@ -15,7 +15,7 @@
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/navigate/navigator.hpp"
 #include "outrider/sim/bodies/twist_body.hpp"
-#include "outrider/sim/faults/kidnapping.hpp"
+#include "outrider/sim/faults/explorer_sim_params.hpp"
 #include "outrider/sim/sensors/simulated_laser.hpp"
 
 namespace outrider {
@@ -26,8 +26,8 @@ class NavigatedBody {
   using Look = std::function<void(const Observation&, const Situation&, const Navigator&)>;
 
   /// It stands at the start. A drive has arrived `within_m` of its goal.
-  NavigatedBody(std::unique_ptr<const World> world, TwistBody body, SimulatedLaser laser, Navigator navigator,
-                double within_m, const Kidnapping& kidnapping = {});
+  NavigatedBody(std::unique_ptr<const World> world, const Pose2& start, const RobotModel& robot,
+                const ExplorerSimParams& params, std::uint64_t seed, Navigator navigator, double within_m);
 
   /// Lets a watcher see each period, and ends drives that it stops.
   void watch(Look look, std::stop_token stop);

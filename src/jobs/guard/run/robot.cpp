@@ -41,8 +41,9 @@ SimulatedDevices devices_of(const GuardProblem& problem, const GunScene& scene, 
   return devices;
 }
 
-/// Returns what goes wrong with the wheels, and who walks there, with what holds the robot up.
+/// Returns what goes wrong with the wheels, and who walks there, with what holds the robot up or carries it.
 ExplorerFaults with_hindrance(ExplorerFaults faults, const WayFaults& way) {
+  faults.kidnapping = way.kidnapping;
   faults.stuck_from_s = way.stuck_from_s;
   faults.stuck_for_s = way.stuck_for_s;
   if (way.blocked_at_s > faults.walk_ins.blocked_at_s) return faults;
@@ -91,17 +92,14 @@ Outcome<SimulatedRobot> navigated_guard(const NavigatedYard& yard, const FiringM
   auto navigator = Navigator::make(std::move(setup), problem.start);
   if (!navigator) return pass_on(navigator);
   const Rng rng(seed);
-  const ExplorerSimParams sensors = devices_of(navigation, footprint);
-  const ExplorerFaults hindered = with_hindrance(sensors.faults, faults.way);
-  auto world = std::make_unique<const World>(driving_world(problem));
-  TwistBody wheels(*world, problem.start, problem.robot, sensors.wheels, rng.child("wheels"), hindered,
-                   rng.child("walk-ins"));
-  SimulatedLaser laser(*world, sensors.laser, rng.child("laser"), hindered);
+  ExplorerSimParams devices = devices_of(navigation, footprint);
+  devices.faults = with_hindrance(devices.faults, faults.way);
   const GunScene scene{known.rules, yard.spaces, problem.targets};
   return SimulatedRobot(
       log,
-      NavigatedBody(std::move(world), std::move(wheels), std::move(laser), std::move(*navigator),
-                    std::max(least_within_m, problem.errors.position_m), faults.way.kidnapping),
+      NavigatedBody(std::make_unique<const World>(driving_world(problem)), problem.start, problem.robot,
+                    devices, seed, std::move(*navigator),
+                    std::max(least_within_m, problem.errors.position_m)),
       devices_of(problem, scene, rng, seed, std::move(targets), levels, faults));
 }
 

@@ -22,12 +22,14 @@ NavigatedBody body_among(std::vector<Solid> solids) {
   World world;
   world.bounds = {{-5, -5}, {5, 5}};
   world.solids = std::move(solids);
-  auto truth = std::make_unique<const World>(std::move(world));
-  const ExplorerSimParams sensors = devices_of(options, footprint);
-  TwistBody wheels(*truth, {}, robot, sensors.wheels, Rng(1));
-  SimulatedLaser laser(*truth, sensors.laser, Rng(2));
   auto navigator = Navigator::make(setup_of(options, robot, footprint), Pose2{});
-  return {std::move(truth), std::move(wheels), std::move(laser), std::move(*navigator), within_m};
+  return {std::make_unique<const World>(std::move(world)),
+          {},
+          robot,
+          devices_of(options, footprint),
+          1,
+          std::move(*navigator),
+          within_m};
 }
 
 const auto on_and_on = [] { return true; };
