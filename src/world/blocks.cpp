@@ -65,4 +65,14 @@ std::vector<Solid> blocks(const Grid<std::uint8_t>& occupancy, double low_z_m, d
   return solids;
 }
 
+Grid<std::uint8_t> bordered(const Grid<std::uint8_t>& occupancy, Occupancy border) {
+  GridFrame frame = occupancy.frame;
+  frame.origin = frame.corner({-1, -1});
+  frame.width += 2;
+  frame.height += 2;
+  Grid<std::uint8_t> result(frame);
+  result.cells = moved_cells<std::uint8_t>(occupancy.cells, occupancy.frame, frame, {1, 1}, border);
+  return result;
+}
+
 }  // namespace outrider

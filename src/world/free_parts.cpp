@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "inner_rings.hpp"
+#include "outrider/world/blocks.hpp"
 #include "outrider/world/clearance.hpp"
 #include "outrider/world/occupancy.hpp"
 
@@ -117,15 +118,11 @@ std::int64_t double_area(const LatticeRing& ring) {
 }  // namespace
 
 Grid<std::uint8_t> reach_of_disk(const Grid<std::uint8_t>& map, double radius_m) {
-  GridFrame wide = map.frame;  // a ring of cells that are not free about the map
-  wide.width += 2;
-  wide.height += 2;
   const double radius = radius_m / map.frame.resolution_m;
   const double least = std::max(0.0, radius - half_diagonal + 0.5), most = radius + 2.0 * half_diagonal;
-  Grid<std::uint8_t> blocked(wide, 1);
-  blocked.cells = moved_cells<std::uint8_t>(map.cells, map.frame, wide, {1, 1}, 1);
+  const Grid<std::uint8_t> blocked = bordered(map, occupied_cell);
   const Grid<std::uint32_t> clearance = squared_clearance(blocked);
-  Grid<std::uint8_t> stands(wide);
+  Grid<std::uint8_t> stands(blocked.frame);
   for (std::size_t i = 0; i < stands.cells.size(); ++i)
     stands.cells[i] = blocked.cells[i] == free_cell && clearance.cells[i] >= least * least;
   const Grid<std::uint32_t> away = squared_clearance(stands);

@@ -59,27 +59,13 @@ Status add_walls(World& world, const std::string& text, double height_m) {
   return {};
 }
 
-/// Returns the map with a ring of unknown cells around it.
-Grid<std::uint8_t> ringed(const Grid<std::uint8_t>& occupancy) {
-  GridFrame frame = occupancy.frame;
-  frame.origin = frame.corner({-1, -1});
-  frame.width += 2;
-  frame.height += 2;
-  Grid<std::uint8_t> ringed(frame, unknown_cell);
-  for (std::size_t i = 0; i < occupancy.cells.size(); ++i) {
-    const Cell c = occupancy.frame.cell(i);
-    ringed[{c.x + 1, c.y + 1}] = occupancy.cells[i];
-  }
-  return ringed;
-}
-
 Outcome<World> world_of(const MapServerMap& map, const std::string& path, double height_m) {
   if (std::ranges::find(map.occupancy.cells, free_cell) == map.occupancy.cells.end()) {
     return bad_input("the map has no free cell; check its thresholds and whether it is negated", path);
   }
   const Vec2 origin = map.occupancy.frame.origin;
   World world;
-  for (Solid& block : blocks(ringed(map.occupancy), 0.0, height_m)) {
+  for (Solid& block : blocks(bordered(map.occupancy, unknown_cell), 0.0, height_m)) {
     Vec3& place = block.world_T_solid.position;
     const Vec2 turned = origin + rotated(map.yaw_rad, xy(place) - origin);
     place = {turned.x, turned.y, place.z};

@@ -30,16 +30,11 @@ constexpr int seen_for_s = 2;     // after something was seen in it
 
 /// Returns the cells that the robot may enter, with a ring around them.
 Grid<std::uint8_t> walled(const PursuitProblem& problem) {
-  GridFrame frame = problem.costs->frame;
-  frame.origin = frame.corner({-1, -1});
-  frame.width += 2;
-  frame.height += 2;
-  Grid<std::uint8_t> cells(frame, occupied_cell);
-  for (std::size_t i = 0; i < problem.costs->cells.size(); ++i) {
-    const Cell cell = problem.costs->frame.cell(i);
-    if (!problem.wall(cell)) cells[{cell.x + 1, cell.y + 1}] = free_cell;
-  }
-  return cells;
+  const GridFrame& frame = problem.costs->frame;
+  Grid<std::uint8_t> cells(frame);
+  for (std::size_t i = 0; i < cells.cells.size(); ++i)
+    cells.cells[i] = problem.wall(frame.cell(i)) ? occupied_cell : free_cell;
+  return bordered(cells, occupied_cell);
 }
 
 Outcome<World> world_of(const PursuitProblem& problem, const PursuerOptions& options) {

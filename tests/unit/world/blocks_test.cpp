@@ -34,6 +34,15 @@ TEST(Blocks, CoverEachCellThatIsNotFreeOnce) {
   }
 }
 
+TEST(Blocks, ABorderLeavesTheMapWhereItIs) {
+  Grid<std::uint8_t> grid({{1.0, -2.0}, 0.5, 2, 1});
+  grid.cells = {occupied_cell, free_cell};
+  const Grid<std::uint8_t> wide = bordered(grid, unknown_cell);
+  EXPECT_EQ(wide.cells, (std::vector<std::uint8_t>{2, 2, 2, 2, 2, 1, 0, 2, 2, 2, 2, 2}));
+  EXPECT_EQ(wide.frame.centre({1, 1}), grid.frame.centre({0, 0}));
+  EXPECT_EQ(wide.frame.resolution_m, 0.5);
+}
+
 TEST(Blocks, OfAFullMapAreOne) {
   const Grid<std::uint8_t> grid({{0.0, 0.0}, 0.1, 30, 20}, unknown_cell);
   ASSERT_EQ(blocks(grid, 0.0, 1.0).size(), 1U);

@@ -95,12 +95,11 @@ Outcome<SimulatedRobot> navigated_guard(const NavigatedYard& yard, const FiringM
   ExplorerSimParams devices = devices_of(navigation, footprint);
   devices.faults = with_hindrance(devices.faults, faults.way);
   const GunScene scene{known.rules, yard.spaces, problem.targets};
-  return SimulatedRobot(
-      log,
-      NavigatedBody(std::make_unique<const World>(driving_world(problem)), problem.start, problem.robot,
-                    devices, seed, std::move(*navigator),
-                    std::max(least_within_m, problem.errors.position_m)),
-      devices_of(problem, scene, rng, seed, std::move(targets), levels, faults));
+  return SimulatedRobot(log,
+                        NavigatedBody(std::make_unique<const World>(driving_world(problem)), problem.start,
+                                      problem.robot, devices, seed, std::move(*navigator),
+                                      std::max(least_within_m, problem.errors.position_m)),
+                        devices_of(problem, scene, rng, seed, std::move(targets), levels, faults));
 }
 
 RigidScene rigid_scene(const GuardProblem& problem) {
