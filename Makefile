@@ -26,7 +26,7 @@ MISSIONS ?= 1000
 TIMES ?= 10
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build build-times tool-and-page serve pictures test research asan sanitized tsan docs site soak cancel loops replays totality growth flaky writes load hostile fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build build-times tool-and-page serve pictures test mutants research asan sanitized tsan docs site soak cancel loops replays totality growth flaky writes load hostile fuzz wasm packages check-packages check-debian check-python-asan check-ros2 bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 }' Makefile
@@ -60,6 +60,12 @@ test:  ## build everything and run every test
 	@ninja -C build -j $(JOBS)
 	@ctest --preset release -j $(JOBS) && echo "Every test passed." || \
 	  { echo "Some tests failed; the list above names them."; exit 1; }
+
+mutants: COUNT = 200
+mutants: SEED = 1
+mutants:  ## change COUNT lines of guard, navigate, path and slam one at a time, 200 unless given, and tell how many of the changes the unit tests find
+	$(INSTALL) build test
+	@scripts/mutants $(COUNT) $(SEED)
 
 research:  ## build the reference methods of research/ and their tests, and run these; then `outrider research` has them
 	$(INSTALL) build test

@@ -82,6 +82,18 @@ TEST(PlanView, TheLegendNamesExactlyWhatIsDrawn) {
   EXPECT_EQ(count(svg, "y=\"12\">"), 4U);
 }
 
+TEST(PlanView, DrawsARobotWithAnOutlineAsThat) {
+  Log log = run_log();
+  auto info = *log.latest<outrider_msgs::RunInfo>(topic::run);
+  info.outline = {{-0.5, -0.5}, {2.0, -0.5}, {2.0, 0.5}, {-0.5, 0.5}};
+  log.append(topic::run, 0.0, info);
+  log_pose(log, 0.0, {{5.0, 5.0}, 0.5 * pi});
+  log_pose(log, 1.0, {{5.0, 6.0}, 0.5 * pi});
+  const std::string svg = plan_view(log, {.width_px = 1040.0});
+  EXPECT_TRUE(has(svg, "d=\"M440 440 440 240 360 240 360 440 440 440Z\"")) << "at the start, 80 px a metre";
+  EXPECT_TRUE(has(svg, "d=\"M440 360 440 160 360 160 360 360 440 360Z\"")) << "at the end";
+}
+
 TEST(PlanView, DrawsMapsWithTheirUpdatesAsRuns) {
   Log log;
   log.append(topic::map, 0.0, grid(4, 2, {0, 0, 0, 0, -1, -1, -1, -1}));

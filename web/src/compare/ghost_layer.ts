@@ -2,7 +2,7 @@
 import { lastNotAfter } from "../log/track";
 import { theme } from "../base/theme";
 import type { Run } from "../log/run";
-import { disk, traceWay, type Layer } from "../watch/layer";
+import { traceRobot, traceWay, type Layer } from "../watch/layer";
 
 /** Dashes of the second run, the third and so on; compare.css has the same. */
 const dashes = [[7, 4], [2, 3], [10, 3, 2, 3]];
@@ -14,7 +14,7 @@ export function ghostsOf(runs: Run[]): Layer {
 }
 
 function ghostOf(run: Run, index: number): Layer {
-  const { track, radius } = run;
+  const { track } = run;
   return {
     moving(pen) {
       const { ctx, camera, now } = pen;
@@ -29,8 +29,7 @@ function ghostOf(run: Run, index: number): Layer {
       ctx.lineTo(at.x, at.y);
       ctx.stroke();
       ctx.setLineDash([]);
-      const r = Math.max(Number.isFinite(radius) ? radius : 0, camera.px(6));
-      disk(ctx, at.x, at.y, r);
+      const r = traceRobot(pen, run, at.x, at.y, at.heading);
       ctx.fillStyle = theme.yard;
       ctx.fill();
       ctx.stroke();

@@ -39,6 +39,8 @@ export interface RunInfo {
   /** Length of a bar; absent or 0: a disk covers. */
   coverage_length?: number;
   coverage_forward?: number;
+  /** Corners of the robot, in its own frame; absent or none: a disk. */
+  outline?: Point2[];
 }
 export interface RoundedPolygon { points: Point2[]; radius: number }
 export interface Solid { name: string; kind: string; footprint: RoundedPolygon[]; low_z: number; high_z: number; blocks_driving: boolean }

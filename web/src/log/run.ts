@@ -47,6 +47,9 @@ export class Run {
   /** Radius of the robot; 0 where it is not known. */
   get radius(): number { return finite(this.info.robot_radius); }
 
+  /** Corners of the robot, in its own frame; none: it is a disk. */
+  get outline(): Vec2[] { return (this.info.outline ?? []).map(({ x, y }) => [x, y]); }
+
   /** Until then the robot goes by what it believes. */
   get believedUntil(): number { return beliefsOf(this).until; }
 

@@ -5,7 +5,7 @@ import type { Run } from "../log/run";
 import { topic } from "../log/topics";
 import { beliefsOf, type Belief } from "../log/beliefs";
 import { deviations, ellipseOf, enlargedOf } from "./ellipse";
-import { disk, type Layer, type Pen } from "./layer";
+import { traceRobot, type Layer, type Pen } from "./layer";
 
 export function believed(run: Run): Layer | null {
   const beliefs = beliefsOf(run);
@@ -60,9 +60,8 @@ export function believed(run: Run): Layer | null {
       ctx.globalAlpha = 1;
       ctx.lineWidth = camera.px(1.6);
       ctx.stroke();
-      const r = Math.max(radius, camera.px(7));
       ctx.setLineDash([camera.px(3), camera.px(3)]);
-      disk(ctx, x, y, r);
+      const r = traceRobot(pen, run, x, y, heading);
       ctx.moveTo(x, y);
       ctx.lineTo(x + r * Math.cos(heading), y + r * Math.sin(heading));
       ctx.stroke();

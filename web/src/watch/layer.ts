@@ -40,6 +40,20 @@ export function disk(ctx: Ink, x: number, y: number, radius: number): void {
   ctx.arc(x, y, radius, 0, 2 * Math.PI);
 }
 
+/** Begins the path of the robot's outline there, or of a disk of its size where that is too small to see. Returns the radius, m. */
+export function traceRobot({ ctx, camera }: Pen, run: Run, x: number, y: number, heading: number): number {
+  const r = Math.max(run.radius, camera.px(7));
+  if (run.outline.length === 0 || run.radius < r) {
+    disk(ctx, x, y, r);
+    return r;
+  }
+  const [ahead, left] = [Math.cos(heading), Math.sin(heading)];
+  ctx.beginPath();
+  for (const [a, l] of run.outline) ctx.lineTo(x + ahead * a - left * l, y + left * a + ahead * l);
+  ctx.closePath();
+  return r;
+}
+
 /** A line through the first places, without those that stand too close to the one before to be told from it. */
 export function traceWay({ ctx, camera }: Pen, x: ArrayLike<number>, y: ArrayLike<number>, count: number): void {
   const least = camera.px(1.5);

@@ -4,12 +4,12 @@ import type { Run } from "../log/run";
 import { teamOf, type TeamRobot } from "../log/team";
 import { topic } from "../log/topics";
 import { lastNotAfter } from "../log/track";
-import { disk, traceWay, type Found, type Layer, type Pen } from "./layer";
+import { disk, traceRobot, traceWay, type Found, type Layer, type Pen } from "./layer";
 
-/** A disk of the robot's size with a wedge that shows its heading. In metres. */
-export function drawBody({ ctx, camera }: Pen, x: number, y: number, heading: number, radius: number, colour: string): number {
-  const r = Math.max(radius, camera.px(7));
-  disk(ctx, x, y, r);
+/** The robot's outline, or a disk of its size, with a wedge that shows its heading. In metres. */
+function drawBody(pen: Pen, run: Run, x: number, y: number, heading: number, colour: string): number {
+  const { ctx, camera } = pen;
+  const r = traceRobot(pen, run, x, y, heading);
   ctx.fillStyle = theme.yard;
   ctx.fill();
   ctx.lineWidth = camera.px(2);
@@ -71,7 +71,7 @@ function oneRobot(run: Run, { name, poseTopic, track }: TeamRobot, index: number
       ctx.lineWidth = camera.px(2.2);
       ctx.lineJoin = ctx.lineCap = "round";
       ctx.stroke();
-      const r = drawBody(pen, at.x, at.y, at.heading, radius, colour());
+      const r = drawBody(pen, run, at.x, at.y, at.heading, colour());
       if (gunLength <= 0) return;
       ctx.translate(at.x, at.y);
       ctx.rotate(at.yaw);

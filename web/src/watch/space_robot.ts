@@ -1,5 +1,5 @@
 // The robot in space, on the ground as it is: its body, its gun, the way it drove; and where it believed to be.
-import { BoxGeometry, CircleGeometry, CylinderGeometry, EdgesGeometry, EllipseCurve, Group, LineBasicMaterial, LineSegments, Mesh, Vector3 } from "three";
+import { BoxGeometry, type BufferGeometry, CircleGeometry, CylinderGeometry, EdgesGeometry, EllipseCurve, ExtrudeGeometry, Group, LineBasicMaterial, LineSegments, Mesh, Shape, Vector2, Vector3 } from "three";
 import { mix } from "../base/numbers";
 import { teamColours, theme } from "../base/theme";
 import { beliefsOf } from "../log/beliefs";
@@ -67,13 +67,19 @@ export function robotActor(run: Run): Actor[] {
   return teamOf(run).flatMap(({ track }, i) => oneRobot(run, track, teamColours()[i % teamColours().length]!));
 }
 
+/** The robot's body on the ground, enlarged by a factor. */
+function hullOf(run: Run, height: number, factor: number): BufferGeometry {
+  if (run.outline.length > 0)
+    return new ExtrudeGeometry(new Shape(run.outline.map(([x, y]) => new Vector2(factor * x, factor * y))), { depth: height, bevelEnabled: false });
+  const radius = factor * radiusOf(run);
+  return new CylinderGeometry(radius, radius, height, 36).rotateX(Math.PI / 2).translate(0, 0, height / 2);
+}
+
 function oneRobot(run: Run, track: Track, colour: string): Actor[] {
   const radius = radiusOf(run);
   const height = Math.max(0.08, 0.8 * radius);
   const body = new Group();
-  const hull = new Mesh(new CylinderGeometry(radius, radius, height, 36), lambert(colour));
-  hull.rotation.x = Math.PI / 2;
-  hull.position.z = height / 2;
+  const hull = new Mesh(hullOf(run, height, 1), lambert(colour));
   const nose = new Mesh(new BoxGeometry(0.5 * radius, 0.24 * radius, 0.02), lambert(theme.yard));
   nose.position.set(0.6 * radius, 0, height + 0.01);
   body.add(hull, nose);
@@ -107,8 +113,7 @@ export function beliefActor(run: Run): Actor[] {
   const radius = radiusOf(run);
   const height = Math.max(0.08, 0.8 * radius);
   const ghost = new Group();
-  const hull = new CylinderGeometry(1.02 * radius, 1.02 * radius, height, 36);
-  hull.rotateX(Math.PI / 2).translate(0, 0, height / 2);
+  const hull = hullOf(run, height, 1.02);
   const nose = lineOf([[0, 0, height + 0.02], [1.5 * radius, 0, height + 0.02]], theme.belief);
   ghost.add(new Mesh(hull, glass(theme.belief, 0.25)), new LineSegments(new EdgesGeometry(hull, 30), new LineBasicMaterial({ color: theme.belief })), nose);
   const ellipse = new Group();

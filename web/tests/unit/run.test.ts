@@ -101,6 +101,11 @@ describe("a run", () => {
     expect(runOf().bounds).toBeNull();
   });
 
+  it("has a robot that is a disk, or has corners", () => {
+    expect(runOf({ [topic.run]: [[0, info()]] }).outline).toEqual([]);
+    expect(runOf({ [topic.run]: [[0, info({ outline: [{ x: 1, y: 2 }] })]] }).outline).toEqual([[1, 2]]);
+  });
+
   it("drives a path until the next, or until an empty one ends it", () => {
     const path = (...places: [number, number][]) => ({ poses: places.map(([x, y]) => pose(x, y)) });
     const run = runOf({ [topic.plan]: [[1, path([0, 0], [1, 0])], [3, path([1, 0], [1, 1])], [5, path()]], [topic.goal]: [[3, pose(1, 1, 0.5)]], [topic.pose]: poses([[9, 0, 0, 0]]) });

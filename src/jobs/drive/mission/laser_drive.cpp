@@ -21,7 +21,8 @@ namespace outrider {
 namespace {
 
 constexpr double log_every_s = 0.2;
-constexpr double most_way_m = 20.0;  // of the planned way that is logged
+constexpr double most_way_m = 20.0;         // of the planned way that is logged
+constexpr double corner_rad = radians(15);  // of the outline that is logged, at most, where it is round
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 bool sees_tags(const LaserDriveOptions& options) { return options.navigator.localiser == "tags"; }
@@ -254,8 +255,10 @@ Outcome<Report> run_laser_drive(const DriveTask& task, double height_m, const La
   const NavigatorSetup setup = setup_of(task, height_m, options, *footprint);
   auto navigator = Navigator::make(setup, options.start_unknown ? std::nullopt : std::optional(task.start));
   if (!navigator) return pass_on(navigator);
-  // Its picture is the disk that fits into it: the least that cannot be driven through.
-  log_scene(log, run_info("drive", seed, task.world, footprint->inner_m()), task.world, height_m);
+  // What is too near for its centre is drawn by the disk that fits into it: the least that is.
+  outrider_msgs::RunInfo info = run_info("drive", seed, task.world, footprint->inner_m());
+  if (footprint->shape().core.size() > 1) info.outline = points_of(inscribed(footprint->shape(), corner_rad));
+  log_scene(log, std::move(info), task.world, height_m);
   log_mount(log, "laser", options.laser.robot_T_laser, options.laser.height_m);
   if (sees_tags(options)) log_tags(log, task);
   log_zones(log, task.zones);
