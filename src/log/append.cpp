@@ -66,4 +66,11 @@ std::vector<Pose2> poses_of(const Log& log) {
   return poses;
 }
 
+void log_footprint(Log& log, const std::vector<Vec2>& outline) {
+  geometry_msgs::PolygonStamped message{header_of(0.0, "base_link"), {}};
+  for (const Vec2 corner : outline)
+    message.polygon.points.push_back({static_cast<float>(corner.x), static_cast<float>(corner.y), 0.0F});
+  log.append(topic::footprint, 0.0, std::move(message));
+}
+
 }  // namespace outrider

@@ -125,18 +125,33 @@ void draw_belief(Sheet& sheet,
   }
 }
 
-void draw_robot(Sheet& sheet, Kind kind, const Pose2& pose, const RunInfo& info) {
+/// A disk, or an outline in the frame of the robot.
+struct Body {
+  double radius_m = 0.0;
+  std::vector<Vec2> outline;
+};
+
+Body body_of(const Log& log) {
+  Body body;
+  if (const auto* info = log.latest<RunInfo>(topic::run)) body.radius_m = info->robot_radius;
+  if (const auto* footprint = log.latest<geometry_msgs::PolygonStamped>(topic::footprint)) {
+    for (const geometry_msgs::Point32& corner : footprint->polygon.points)
+      body.outline.push_back({corner.x, corner.y});
+  }
+  return body;
+}
+
+void draw_robot(Sheet& sheet, Kind kind, const Pose2& pose, const Body& body) {
   sheet.mark(kind, pose);
   std::vector<Vec2> outline;
-  for (const Point2& corner : info.outline) outline.push_back(pose * vec2_of(corner));
-  if (outline.empty() && info.robot_radius > 0.0)
-    outline = circumscribed({{pose.position}, info.robot_radius}, radians(15.0));
+  for (const Vec2 corner : body.outline) outline.push_back(pose * corner);
+  if (outline.empty() && body.radius_m > 0.0)
+    outline = circumscribed({{pose.position}, body.radius_m}, radians(15.0));
   if (!outline.empty()) sheet.area(kind, {outline});
 }
 
 /// Draws a track, with arrows, and with the robot at both ends. The only one is the darker the later.
-void draw_track(Sheet& sheet, const Track& track, const std::string& words, bool is_only,
-                const RunInfo& info) {
+void draw_track(Sheet& sheet, const Track& track, const std::string& words, bool is_only, const Body& body) {
   const std::vector<Vec2> points = points_of(track);
   if (is_only) sheet.line("track", points, {words + ", at first"});
   if (!is_only) sheet.line("coloured", points, {words});
@@ -147,13 +162,13 @@ void draw_track(Sheet& sheet, const Track& track, const std::string& words, bool
                {words + ", at last", static_cast<double>(i) / static_cast<double>(points.size())});
   }
   for (std::size_t i = stride / 2; i < track.size(); i += stride) sheet.mark("arrow", track[i]);
-  draw_robot(sheet, "start", track.front(), info);
-  draw_robot(sheet, "end", track.back(), info);
+  draw_robot(sheet, "start", track.front(), body);
+  draw_robot(sheet, "end", track.back(), body);
 }
 
 /// Draws the true tracks and the settled one, or else the believed one. The odometry is drawn as if it had
 /// begun with the first of them: its own frame begins anywhere.
-void draw_tracks(Sheet& sheet, const Log& log, const RunInfo& info) {
+void draw_tracks(Sheet& sheet, const Log& log, const Body& body) {
   std::vector<std::pair<std::string, Track>> tracks;
   for (const Channel& channel : log.channels()) {
     if (!channel.topic.ends_with(topic::pose) && !channel.topic.ends_with(topic::trajectory)) continue;
@@ -166,7 +181,7 @@ void draw_tracks(Sheet& sheet, const Log& log, const RunInfo& info) {
   std::erase_if(tracks, [](const auto& track) { return track.second.size() < 2; });
   if (tracks.empty()) tracks.emplace_back("believed track", track_on(log, topic::belief));
   for (const auto& [words, track] : tracks) {
-    if (!track.empty()) draw_track(sheet, track, words, tracks.size() == 1, info);
+    if (!track.empty()) draw_track(sheet, track, words, tracks.size() == 1, body);
   }
   Track odometry = track_on(log, topic::odometry);
   const Track& first = tracks.front().second;
@@ -248,8 +263,7 @@ void show_newest(Sheet& sheet, const Log& log, std::string_view topic) {
 }  // namespace
 
 void draw_events(Sheet& sheet, const Log& log) {
-  const auto* told = log.latest<RunInfo>(topic::run);
-  const RunInfo info = told == nullptr ? RunInfo{} : *told;
+  const Body body = body_of(log);
   for (const auto& [time_ns, path] : log.messages<nav_msgs::Path>(topic::plan))
     sheet.line("plan", points_of(path));
   for (const Channel& channel : log.channels()) {
@@ -265,10 +279,10 @@ void draw_events(Sheet& sheet, const Log& log) {
   sheet.line("pursued", points_of(track_on(log, topic::target_pose)));
   sheet.line("belief", points_of(track_on(log, topic::belief)));
   draw_belief(sheet, log.messages<geometry_msgs::PoseWithCovarianceStamped>(topic::belief));
-  draw_tracks(sheet, log, info);
+  draw_tracks(sheet, log, body);
   show_newest<Loops>(sheet, log, topic::loops);
 
-  for (const Pose2& pose : track_on(log, topic::start)) draw_robot(sheet, "start", pose, info);
+  for (const Pose2& pose : track_on(log, topic::start)) draw_robot(sheet, "start", pose, body);
   for (const Pose2& pose : track_on(log, topic::goal)) sheet.mark("goal", {pose.position});
   for (const auto& [time_ns, refusal] : log.messages<Refusal>(topic::refusals))
     sheet.mark("refusal", {vec2_of(refusal.position)});

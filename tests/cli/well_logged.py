@@ -5,7 +5,7 @@ import math
 from mcap_log import McapLog
 
 # Topics with messages at time 0 only. /run of the job slam comes again in the end, with the bounds.
-STILL = {"/solids", "/terrain", "/walls", "/scene", "/supplies", "/tags", "/tf_static", "/camera/camera_info",
+STILL = {"/solids", "/terrain", "/walls", "/scene", "/footprint", "/supplies", "/tags", "/tf_static", "/camera/camera_info",
          "/cost_grid", "/costmap", "/expanded", "/initialpose"}
 IN_BETWEEN = {"/target_positions", "/targets"}  # known only after the step in which they lie
 

@@ -35,4 +35,7 @@ std::vector<Stamped<rcl_interfaces::Log>> events_of(const Log& log, std::string_
 /// Returns the true poses of the robot so far.
 std::vector<Pose2> poses_of(const Log& log);
 
+/// Appends the outline of the robot, in its own frame, at time 0. A robot without one is a disk.
+void log_footprint(Log& log, const std::vector<Vec2>& outline);
+
 }  // namespace outrider

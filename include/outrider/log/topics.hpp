@@ -14,6 +14,7 @@ inline constexpr std::string_view corrections = "/corrections";  ///< geometry_m
 inline constexpr std::string_view odometry = "/odom";            ///< nav_msgs/Odometry
 inline constexpr std::string_view joints = "/joint_states";      ///< sensor_msgs/JointState: the gun
 inline constexpr std::string_view scan = "/scan";                ///< sensor_msgs/LaserScan
+inline constexpr std::string_view footprint = "/footprint";      ///< geometry_msgs/PolygonStamped, at time 0
 inline constexpr std::string_view camera = "/camera/camera_info";  ///< sensor_msgs/CameraInfo
 inline constexpr std::string_view plan = "/plan";  ///< nav_msgs/Path: path of the present drive
 /// geometry_msgs/PoseWithCovarianceStamped: start of a planned path

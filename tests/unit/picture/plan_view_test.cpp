@@ -84,9 +84,7 @@ TEST(PlanView, TheLegendNamesExactlyWhatIsDrawn) {
 
 TEST(PlanView, DrawsARobotWithAnOutlineAsThat) {
   Log log = run_log();
-  auto info = *log.latest<outrider_msgs::RunInfo>(topic::run);
-  info.outline = {{-0.5, -0.5}, {2.0, -0.5}, {2.0, 0.5}, {-0.5, 0.5}};
-  log.append(topic::run, 0.0, info);
+  log_footprint(log, {{-0.5, -0.5}, {2.0, -0.5}, {2.0, 0.5}, {-0.5, 0.5}});
   log_pose(log, 0.0, {{5.0, 5.0}, 0.5 * pi});
   log_pose(log, 1.0, {{5.0, 6.0}, 0.5 * pi});
   const std::string svg = plan_view(log, {.width_px = 1040.0});

@@ -17,6 +17,7 @@ export interface JointState { name: string[]; position: ArrayLike<number> }
 export interface LaserScan { angle_min: number; angle_increment: number; range_min: number; range_max: number; ranges: Float32Array }
 export interface CameraInfo { width: number; height: number; k: ArrayLike<number> }
 export interface OccupancyGrid { info: { resolution: number; width: number; height: number; origin: Pose3 }; data: Int8Array }
+export interface PolygonStamped { polygon: { points: Point3[] } }
 export interface OccupancyGridUpdate { x: number; y: number; width: number; height: number; data: Int8Array }
 /** A line of /rosout: `name` is the kind of an event. */
 export interface LogLine { name: string; msg: string }
@@ -39,8 +40,6 @@ export interface RunInfo {
   /** Length of a bar; absent or 0: a disk covers. */
   coverage_length?: number;
   coverage_forward?: number;
-  /** Corners of the robot, in its own frame; absent or none: a disk. */
-  outline?: Point2[];
 }
 export interface RoundedPolygon { points: Point2[]; radius: number }
 export interface Solid { name: string; kind: string; footprint: RoundedPolygon[]; low_z: number; high_z: number; blocks_driving: boolean }

@@ -5,7 +5,7 @@ import { typeset } from "../base/typeset";
 import { beliefsOf } from "./beliefs";
 import { flightsOf } from "./flights";
 import type { Vec2, Vec3 } from "./geometry";
-import type { LogLine, RunInfo, Terrain } from "./messages";
+import type { LogLine, PolygonStamped, RunInfo, Terrain } from "./messages";
 import { Relief } from "./relief";
 import { indexAt, type RunLog, type Stamped } from "./run_log";
 import { topic } from "./topics";
@@ -48,7 +48,7 @@ export class Run {
   get radius(): number { return finite(this.info.robot_radius); }
 
   /** Corners of the robot, in its own frame; none: it is a disk. */
-  get outline(): Vec2[] { return (this.info.outline ?? []).map(({ x, y }) => [x, y]); }
+  get outline(): Vec2[] { return (this.log.latest<PolygonStamped>(topic.footprint)?.polygon.points ?? []).map(({ x, y }) => [x, y]); }
 
   /** Until then the robot goes by what it believes. */
   get believedUntil(): number { return beliefsOf(this).until; }

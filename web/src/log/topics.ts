@@ -19,6 +19,7 @@ export const topic = {
   mapUpdates: "/map_updates",
   targetPose: "/target_pose",
   events: "/rosout",
+  footprint: "/footprint",
   run: "/run",
   solids: "/solids",
   terrain: "/terrain",

@@ -103,7 +103,7 @@ describe("a run", () => {
 
   it("has a robot that is a disk, or has corners", () => {
     expect(runOf({ [topic.run]: [[0, info()]] }).outline).toEqual([]);
-    expect(runOf({ [topic.run]: [[0, info({ outline: [{ x: 1, y: 2 }] })]] }).outline).toEqual([[1, 2]]);
+    expect(runOf({ [topic.footprint]: [[0, { polygon: { points: [{ x: 1, y: 2, z: 0 }] } }]] }).outline).toEqual([[1, 2]]);
   });
 
   it("drives a path until the next, or until an empty one ends it", () => {

@@ -53,6 +53,27 @@ struct Point {
   OUTRIDER_MESSAGE(Point, "geometry_msgs/msg/Point", (x, "m"), (y, "m"), (z, "m"))
 };
 
+struct Point32 {
+  float x = 0.0F;
+  float y = 0.0F;
+  float z = 0.0F;
+
+  OUTRIDER_MESSAGE(Point32, "geometry_msgs/msg/Point32", (x, "m"), (y, "m"), (z, "m"))
+};
+
+struct Polygon {
+  std::vector<Point32> points;
+
+  OUTRIDER_MESSAGE(Polygon, "geometry_msgs/msg/Polygon", points)
+};
+
+struct PolygonStamped {
+  std_msgs::Header header;
+  Polygon polygon;
+
+  OUTRIDER_MESSAGE(PolygonStamped, "geometry_msgs/msg/PolygonStamped", header, polygon)
+};
+
 struct Quaternion {
   double x = 0.0;
   double y = 0.0;

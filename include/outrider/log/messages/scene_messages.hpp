@@ -58,12 +58,10 @@ struct RunInfo {
   double coverage_width = 0.0;    ///< width of the strip that the robot covers; 0: none
   double coverage_length = 0.0;   ///< of a bar that covers, along the heading; 0: a disk covers
   double coverage_forward = 0.0;  ///< of the middle of the bar, ahead of the robot
-  std::vector<Point2> outline;    ///< of the robot, in its own frame; empty: a disk of robot_radius
 
   OUTRIDER_MESSAGE(RunInfo, "outrider_msgs/msg/RunInfo", job, sim, engine, seeded, seed, world, low, high,
                    (gravity, "m/s2"), (robot_radius, "m"), (gun_length, "m"), (ball_radius, "m"),
-                   (margin, "m"), (coverage_width, "m"), (coverage_length, "m"), (coverage_forward, "m"),
-                   outline)
+                   (margin, "m"), (coverage_width, "m"), (coverage_length, "m"), (coverage_forward, "m"))
 };
 
 /// A solid of the world.

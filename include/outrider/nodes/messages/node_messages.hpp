@@ -48,27 +48,6 @@ struct TwistStamped {
   OUTRIDER_MESSAGE(TwistStamped, "geometry_msgs/msg/TwistStamped", header, twist)
 };
 
-struct Point32 {
-  float x = 0.0F;
-  float y = 0.0F;
-  float z = 0.0F;
-
-  OUTRIDER_MESSAGE(Point32, "geometry_msgs/msg/Point32", (x, "m"), (y, "m"), (z, "m"))
-};
-
-struct Polygon {
-  std::vector<Point32> points;
-
-  OUTRIDER_MESSAGE(Polygon, "geometry_msgs/msg/Polygon", points)
-};
-
-struct PolygonStamped {
-  std_msgs::Header header;
-  Polygon polygon;
-
-  OUTRIDER_MESSAGE(PolygonStamped, "geometry_msgs/msg/PolygonStamped", header, polygon)
-};
-
 }  // namespace geometry_msgs
 
 namespace diagnostic_msgs {

@@ -256,9 +256,8 @@ Outcome<Report> run_laser_drive(const DriveTask& task, double height_m, const La
   auto navigator = Navigator::make(setup, options.start_unknown ? std::nullopt : std::optional(task.start));
   if (!navigator) return pass_on(navigator);
   // What is too near for its centre is drawn by the disk that fits into it: the least that is.
-  outrider_msgs::RunInfo info = run_info("drive", seed, task.world, footprint->inner_m());
-  if (footprint->shape().core.size() > 1) info.outline = points_of(inscribed(footprint->shape(), corner_rad));
-  log_scene(log, std::move(info), task.world, height_m);
+  log_scene(log, run_info("drive", seed, task.world, footprint->inner_m()), task.world, height_m);
+  if (footprint->shape().core.size() > 1) log_footprint(log, inscribed(footprint->shape(), corner_rad));
   log_mount(log, "laser", options.laser.robot_T_laser, options.laser.height_m);
   if (sees_tags(options)) log_tags(log, task);
   log_zones(log, task.zones);

@@ -56,11 +56,11 @@ TEST(LaserDrive, ACarStopsWithItsHeadings) {
   EXPECT_EQ(report.status, "done") << report.reason;
   EXPECT_EQ(metric(report, "contacts"), 0.0);
   EXPECT_EQ(metric(report, "false_arrivals"), 0.0);
-  const auto* info = log.latest<outrider_msgs::RunInfo>(topic::run);
-  ASSERT_NE(info, nullptr);
-  ASSERT_EQ(info->outline.size(), 4U);
-  EXPECT_EQ(info->outline[1].x, 0.45);
-  EXPECT_NEAR(info->robot_radius, 0.2, 1e-12);
+  const auto* outline = log.latest<geometry_msgs::PolygonStamped>(topic::footprint);
+  ASSERT_NE(outline, nullptr);
+  ASSERT_EQ(outline->polygon.points.size(), 4U);
+  EXPECT_EQ(outline->polygon.points[1].x, 0.45F);
+  EXPECT_NEAR(log.latest<outrider_msgs::RunInfo>(topic::run)->robot_radius, 0.2, 1e-12);
 }
 
 TEST(LaserDrive, ACarSaysThatItsRadiusIsTooLarge) {
