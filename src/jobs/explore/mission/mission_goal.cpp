@@ -6,6 +6,17 @@
 #include "outrider/jobs/explore/mission/mission.hpp"
 
 namespace outrider {
+namespace {
+
+/// Returns true if the frontier is still there, but no way leads to where it would be seen any more.
+bool lost_way(const Decision& decision, std::uint32_t frontier) {
+  const auto is_lost = [&](const RefusedFrontier& one) {
+    return one.frontier == frontier && one.kind == Refusal::no_way;
+  };
+  return std::ranges::any_of(decision.refused, is_lost);
+}
+
+}  // namespace
 
 /// Returns true if all poses were optimised lately; otherwise requests it with the next scan. Before the
 /// robot goes home that may show that something is left to see, and when it believes that it is home, that it
@@ -178,6 +189,8 @@ void ExploreMission::decide_anew() {
   }
   planless_s_.reset();
   if (!decision) return turn_home("stuck", decision.error().sentence);
+  if (path_ && stage_ == ExploreStage::seek && lost_way(*decision, goal))
+    blacklist_.add(decision_.choice.place, where_->time_s());
   take(std::move(*decision));
 }
 

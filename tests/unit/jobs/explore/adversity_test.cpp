@@ -105,7 +105,6 @@ TEST(ExploreAdversity, EndsSoonWhereItsMapFallsIntoPieces) {
   params.wheels.noise_m = 0.24;
   const ExploreRun run = explored_in(two_rooms(), params, 1);
   EXPECT_EQ(run.stop_reason, "lost");
-  EXPECT_NE(run.report.reason.find("more than 24 gaps"), std::string::npos) << run.report.reason;
   EXPECT_LT(metric(run.report, "time_s"), 200.0);
 }
 
