@@ -255,7 +255,7 @@ Outcome<Report> run_laser_drive(const DriveTask& task, double height_m, const La
   const NavigatorSetup setup = setup_of(task, height_m, options, *footprint);
   auto navigator = Navigator::make(setup, options.start_unknown ? std::nullopt : std::optional(task.start));
   if (!navigator) return pass_on(navigator);
-  // What is too near for its centre is drawn by the disk that fits into it: the least that is.
+  // Its radius is that of the disk that fits into it: no place nearer to a thing can be driven through.
   log_scene(log, run_info("drive", seed, task.world, footprint->inner_m()), task.world, height_m);
   if (footprint->shape().core.size() > 1) log_footprint(log, inscribed(footprint->shape(), corner_rad));
   log_mount(log, "laser", options.laser.robot_T_laser, options.laser.height_m);
