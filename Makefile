@@ -107,16 +107,17 @@ check-ros2:  ## build with ROS 2 over Cyclone DDS, and run the tests of its node
 	@ninja -C build-ros2 -j $(JOBS) outrider unit_nodes unit_ros2 fastdds_test
 	@ctest --preset ros2 -R '$(call tests_of,nodes ros2)|^FastDds|^ros2[.]' && 	  echo "Every test of ROS 2 passed." || { echo "Some tests of ROS 2 failed; the list above names them."; exit 1; }
 
-# Scripts of the tool in which threads meet: those of the server, and sweeps.
+# Units in which threads meet, and scripts of the tool; the others run on one thread (architecture.Style checks that).
+THREADED_UNITS = core io job jobs_guard jobs_plan nodes path server sweep tour
 THREADED = serve serve_plan serve_yard serve_live serve_safety serve_confinement sweep
 
 # UNITS="core server" runs only the tests of these units.
-tsan:  ## run the test programs, costly tests in part, and the tool where its threads meet, under the thread sanitizer
+tsan:  ## run the tests of what has threads, costly ones in part, under the thread sanitizer
 	$(INSTALL) build test cbc
 	$(CONFIGURE) tsan build-tsan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=8
-	@ninja -C build-tsan -j $(JOBS) outrider $(or $(UNITS:%=unit_%),test_programs)
+	@ninja -C build-tsan -j $(JOBS) outrider $(patsubst %,unit_%,$(or $(UNITS),$(THREADED_UNITS)))
 	@OUTRIDER_CASES=0.1 ctest --preset tsan -j $(JOBS) \
-	    -R "$(if $(UNITS),$(call tests_of,$(UNITS)),^unit_)|^cli[.]($(subst $(space),|,$(THREADED)))$$" && \
+	    -R "$(call tests_of,$(or $(UNITS),$(THREADED_UNITS)))|^cli[.]($(subst $(space),|,$(THREADED)))$$" && \
 	  echo "No race was found." || { echo "Some tests failed under the thread sanitizer; the list above names them."; exit 1; }
 
 docs: build  ## write the pages of options and the schemas of scenarios to build/docs

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "sources.hpp"
 
@@ -104,6 +106,24 @@ TEST(Style, NoPathOfOneMachine) {
   const std::regex machine(joined("[\"<](/home/|/ro", "ot/|/wo") + joined("rk/|/Use", "rs/)"));
   for (const Source& source : sources({"include", "src", "apps", "research", "tests", "bench", "examples"})) {
     EXPECT_FALSE(std::regex_search(source.text, machine)) << source.path;
+  }
+}
+
+TEST(Style, UnitsWithThreadsRunUnderTheThreadSanitizer) {
+  const std::regex threads(R"(std::(jthread|thread|async|atomic|mutex|condition_variable)\b|core/parallel)");
+  std::ifstream makefile(OUTRIDER_SOURCE_DIR "/Makefile");
+  std::set<std::string> named;
+  for (std::string line; std::getline(makefile, line);) {
+    if (!line.starts_with("THREADED_UNITS = ")) continue;
+    std::istringstream words(line.substr(line.find('=') + 1));
+    for (std::string word; words >> word;) named.insert(word);
+  }
+  ASSERT_FALSE(named.empty());
+  for (const Source& source : sources({"include", "src", "apps/server"})) {
+    if (!std::regex_search(source.text, threads)) continue;
+    std::string unit = source.in_library() ? source.layer : "server";
+    std::ranges::replace(unit, '/', '_');
+    EXPECT_TRUE(named.contains(unit)) << source.path;
   }
 }
 
