@@ -108,7 +108,7 @@ check-ros2:  ## build with ROS 2 over Cyclone DDS, and run the tests of its node
 	@ctest --preset ros2 -R '$(call tests_of,nodes ros2)|^FastDds|^ros2[.]' && 	  echo "Every test of ROS 2 passed." || { echo "Some tests of ROS 2 failed; the list above names them."; exit 1; }
 
 # Units in which threads meet, and scripts of the tool; the others run on one thread (architecture.Style checks that).
-THREADED_UNITS = core io job jobs_guard jobs_plan nodes path server sweep tour
+THREADED_UNITS = core io job jobs_guard jobs_plan path server sweep tour
 THREADED = serve serve_plan serve_yard serve_live serve_safety serve_confinement sweep
 
 # UNITS="core server" runs only the tests of these units.
