@@ -128,6 +128,16 @@ TEST(LiveMap, KeepsWhatWasTouchedAlthoughBeamsPass) {
   EXPECT_TRUE(stands_at(map, {1.0, 0.0}));
 }
 
+TEST(LiveMap, ForgetsWhatBeamsPassBesideWhatWasTouched) {
+  LiveMap map({}, {});
+  map.note_touch({0.0, 1.0}, 0.0);
+  for (int i = 0; i < 10; ++i) map.note(all_around(2.0), {});
+  ASSERT_TRUE(stands_at(map, {2.0, 0.0}));
+  for (int i = 0; i < 10; ++i) map.note(all_around(4.0), {});
+  EXPECT_TRUE(stands_at(map, {0.0, 1.0}));
+  EXPECT_FALSE(stands_at(map, {2.0, 0.0}));
+}
+
 TEST(LiveMap, IsOpenWhereTheRobotIs) {
   LiveMap map({}, {});
   map.note(all_around(0.2), {});

@@ -62,6 +62,21 @@ TEST_P(EachRule, ArrivesOnOpenGround) {
   }
 }
 
+TEST(Steer, DrivesTheArcToWhereItAims) {
+  const ObedientRobot one;
+  const Vec2 goal{0.5, 0.1};  // nearer than it looks ahead
+  GoalField field;
+  field.compute({one.map.frame(), one.map.places()}, body, one.robot, {goal}, one.pose.position);
+  Surroundings near;
+  near.look(one.map, one.pose.position, 4.0);
+  near.find_distances();
+  const auto steer = find_row(local_motions(), "rule", "steer", "")->make({});
+  const Twist2 chosen = steer->choose({one.pose, {}, body, one.robot, near, field, goal});
+  ASSERT_GT(chosen.ahead_mps, 0.0);
+  const double radius_m = chosen.ahead_mps / chosen.turn_radps;
+  EXPECT_NEAR(distance(goal, Vec2{0.0, radius_m}), radius_m, 1e-9);
+}
+
 TEST_P(EachRule, NeverTouchesWhatIsMarked) {
   Rng rng(7);
   for (int world = 0; world < 12; ++world) {
