@@ -18,6 +18,8 @@ export class Run {
   readonly info: RunInfo;
   readonly track: Track;
   readonly duration: number;
+  /** Corners of the robot, in its own frame; none: it is a disk. */
+  readonly outline: readonly Vec2[];
   readonly terrain: Terrain | undefined;
   readonly events: readonly Stamped<LogLine>[];
   private relief: Relief | null;
@@ -26,6 +28,7 @@ export class Run {
   constructor(readonly log: RunLog, readonly goesOn = false) {
     this.info = log.latest<RunInfo>(topic.run) ?? nothingKnown;
     this.track = new Track(posesOf(log), gunOf(log));
+    this.outline = (log.latest<PolygonStamped>(topic.footprint)?.polygon.points ?? []).map(({ x, y }) => [x, y]);
     this.terrain = log.latest<Terrain>(topic.terrain);
     this.relief = Relief.of(this.terrain);
     this.events = log.messages<LogLine>(topic.events);
@@ -46,9 +49,6 @@ export class Run {
 
   /** Radius of the robot; 0 where it is not known. */
   get radius(): number { return finite(this.info.robot_radius); }
-
-  /** Corners of the robot, in its own frame; none: it is a disk. */
-  get outline(): Vec2[] { return (this.log.latest<PolygonStamped>(topic.footprint)?.polygon.points ?? []).map(({ x, y }) => [x, y]); }
 
   /** Until then the robot goes by what it believes. */
   get believedUntil(): number { return beliefsOf(this).until; }

@@ -1,4 +1,4 @@
-// The robot, or each of a team: the way it drove, and the disk with its heading and its gun.
+// The robot, or each of a team: the way it drove, and its outline or disk with its heading and its gun.
 import { teamColours, theme } from "../base/theme";
 import type { Run } from "../log/run";
 import { teamOf, type TeamRobot } from "../log/team";
