@@ -154,16 +154,19 @@ TEST(LaserDriveOnMap, PassesPeopleWhoDoNotHeedIt) {
             19 * runs);  // who is there within the first second may run into it while it brakes
 }
 
+/// Returns the key for which a drive to a goal is refused after a change; else "loaded".
+std::string refused_key(const std::string& goal, const auto& change) {
+  DriveJob job;
+  job.scenario.loop = "laser";
+  job.scenario.bounds = "-5,-5,5,5";
+  job.scenario.goal = goal;
+  change(job.scenario);
+  const auto loaded = job.load();
+  return loaded ? std::string("loaded") : loaded.error().where;
+}
+
 TEST(LaserDriveOnMap, WhatDoesNotGoTogetherIsRefusedByKey) {
-  const auto where = [](const auto& change) {
-    DriveJob job;
-    job.scenario.loop = "laser";
-    job.scenario.bounds = "-5,-5,5,5";
-    job.scenario.goal = "1,0,0";
-    change(job.scenario);
-    const auto loaded = job.load();
-    return loaded ? std::string("loaded") : loaded.error().where;
-  };
+  const auto where = [](const auto& change) { return refused_key("1,0,0", change); };
   EXPECT_EQ(where([](DriveScenario&) {}), "loaded");
   EXPECT_EQ(where([](DriveScenario& s) { s.things = "2,1,0.5,0.4 3,1,0.2"; }), "loaded");
   EXPECT_EQ(where([](DriveScenario& s) { s.things = "2,1"; }), "things");
@@ -249,15 +252,7 @@ TEST(LaserDriveInZones, WhoTrulyEntersOneIsNotDone) {
 }
 
 TEST(LaserDriveInZones, WhatMakesNoSenseIsRefusedByKey) {
-  const auto where = [](const auto& change) {
-    DriveJob job;
-    job.scenario.loop = "laser";
-    job.scenario.bounds = "-5,-5,5,5";
-    job.scenario.goal = "2,0,0";
-    change(job.scenario);
-    const auto loaded = job.load();
-    return loaded ? std::string("loaded") : loaded.error().where;
-  };
+  const auto where = [](const auto& change) { return refused_key("2,0,0", change); };
   EXPECT_EQ(where([](DriveScenario& s) { s.zones.areas = "keep_out 1,1 2,1 2,2"; }), "loaded");
   EXPECT_EQ(where([](DriveScenario& s) { s.zones.areas = "keep_out 1,1 2,2 2,1 1,2"; }), "zones.areas");
   EXPECT_EQ(where([](DriveScenario& s) { s.zones.areas = "keep_out 1,-1 3,-1 3,1 1,1"; }), "waypoints");
