@@ -24,6 +24,7 @@ constexpr double moved_on_m = 0.04, turned_on_rad = 0.3;  // that count as movin
 }  // namespace
 
 ExplorerNodeOptions::ExplorerNodeOptions() : robot(burger()) {
+  explore.least_gain_m2 = 0.05;    // looks at walls from nearer, or holes are left in them that it asks about
   explore.frontier.patience = 24;  // maps, of which one comes in a second
 }
 
@@ -173,7 +174,12 @@ void ExplorerNode::nothing_to_reach(const Decision& decision) {
                fmt::format("to {:.2f}, {:.2f} to look at a narrow place from near", stand.x, stand.y));
     return send_goal();
   }
-  const LeftOvers hidden = take_out_of_sight(left);
+  const LeftOvers behind = take_behind_gaps(left, narrow_);
+  for (const LeftOver& one : behind.places) {
+    tell(NodeLevel::info,
+         fmt::format("behind a gap at {:.2f}, {:.2f}: the gap at {:.2f}, {:.2f} is {:.2f} m wide",
+                     one.place.x, one.place.y, one.narrowest.x, one.narrowest.y, one.width_m));
+  }
   for (const LeftOver& one : left.places) {
     tell(NodeLevel::info, fmt::format("left over at {:.2f}, {:.2f}: up to {:.1f} m2: {}", one.place.x,
                                       one.place.y, one.area_m2, one.sentence));
@@ -182,31 +188,9 @@ void ExplorerNode::nothing_to_reach(const Decision& decision) {
     go_home("left_over", left.sentence(wanted_width_m(options_.robot, options_.explore)));
     return;
   }
-  go_home("complete",
-          hidden.places.empty()
-              ? decision.sentence
-              : fmt::format("{}; out of sight: up to {:.1f} m2 behind {} gap{} too narrow for the "
-                            "robot, which takes {:.2f} m with its clearance",
-                            decision.sentence, hidden.area_m2(), hidden.places.size(),
-                            hidden.places.size() == 1 ? "" : "s", 2.0 * wanted_room_m()));
-}
-
-/// Takes out what the robot sees from nowhere, since it lies behind gaps that are too narrow: as was measured
-/// from near, or as the map shows though its walls may be drawn too thick.
-LeftOvers ExplorerNode::take_out_of_sight(LeftOvers& left) {
-  LeftOvers hidden;
-  std::erase_if(left.places, [&](const LeftOver& one) {
-    const bool in_doubt = std::ranges::any_of(narrow_, [&](const NarrowPlace& looked) {
-      return !looked.measured && distance(looked.place, one.narrowest) <= same_place_m;
-    });
-    if (one.reason != LeftReason::narrow || in_doubt) return false;
-    tell(NodeLevel::info,
-         fmt::format("out of sight at {:.2f}, {:.2f}: the gap at {:.2f}, {:.2f} is {:.2f} m wide",
-                     one.place.x, one.place.y, one.narrowest.x, one.narrowest.y, one.width_m));
-    hidden.places.push_back(one);
-    return true;
-  });
-  return hidden;
+  go_home("complete", behind.places.empty()
+                          ? decision.sentence
+                          : decision.sentence + "; " + behind.behind_gaps(2.0 * wanted_room_m()));
 }
 
 /// Returns the least room on each side of its centre where the robot drives.

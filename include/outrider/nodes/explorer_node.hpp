@@ -11,13 +11,12 @@
 // since the noise of the scans makes many; the robot does not pass them. If scans come, their width is
 // measured there (gap_measure.hpp).
 //
-// The exploration is complete if nothing is left over (jobs/explore/choose/left_over.hpp) but what the robot
-// sees from nowhere: it lies behind gaps that were measured to be too narrow for the robot with its
-// clearance, the radius and `explore.margin` on each side, or that are so on the map though its walls may be
-// drawn too thick. Without scans no gap is measured. It is not called complete if the mapper doubts its map,
+// The exploration is complete if nothing is left over (jobs/explore/choose/left_over.hpp) but what lies
+// behind gaps that were measured to be too narrow for the robot with its clearance, the radius and
+// `explore.margin` on each side, or that are so on the map though its walls may be drawn too thick. Without scans no gap is measured. It is not called complete if the mapper doubts its map,
 // for which it is asked in the end; the sentence says if no mapper answers. States: exploring, going_home,
 // asking, complete, left_over, lost, leak, stuck, map_lost. The sentence of an end says what is left over or
-// out of sight, or why. A goal is sent again every second, since messages get lost.
+// behind gaps, or why. A goal is sent again every second, since messages get lost.
 #pragma once
 
 #include <optional>
@@ -64,7 +63,6 @@ class ExplorerNode final : public Node {
   void decide_where(const Decision& decision);
   Outcome<Decision> decision_with_tries();
   void nothing_to_reach(const Decision& decision);
-  LeftOvers take_out_of_sight(LeftOvers& left);
   [[nodiscard]] double wanted_room_m() const;
   void judge_goal();
   void moved_on();

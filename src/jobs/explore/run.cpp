@@ -108,14 +108,16 @@ Table left_over_table(const LeftOvers& left) {
   return table;
 }
 
-/// Returns the reason why a map that is called complete differs from the world; empty if it does not.
-std::string why_wrong(const MapQuality& quality) {
+/// Returns the reason why a map that is called complete differs from the world; empty if it does not. What lies
+/// behind gaps does not count if the robot names them.
+std::string why_wrong(const MapQuality& quality, bool names_gaps) {
   constexpr double least_part = 0.9, most_error_m = 0.1;
   if (quality.map_error_m > most_error_m)
     return fmt::format("its map is wrong: its walls are off by {:.2f} m on average", quality.map_error_m);
-  if (quality.explored_fraction < least_part) {
-    return fmt::format("its map is wrong: it has {:.0f} % of what can be seen, and is called complete",
-                       100.0 * quality.explored_fraction);
+  const double part = names_gaps ? quality.explored_before_gaps : quality.explored_fraction;
+  if (part < least_part) {
+    return fmt::format("its map is wrong: it has {:.0f} % of what can be seen{}, and is called complete",
+                       100.0 * part, names_gaps ? " before the gaps that it names" : "");
   }
   return {};
 }
@@ -156,10 +158,11 @@ void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& rob
   const bool back = home || !mission.task().rules.return_home;
   const bool complete = mission.stop_reason() == "complete";
   const MapQuality quality = map_quality(truth, at_end.finder, run.map);
-  const std::string wrong = why_wrong(quality);
+  const std::string wrong = why_wrong(quality, !mission.left().places.empty());
   const bool claims_done = complete && (mission.is_home() || !mission.task().rules.return_home);
   report.status = complete && back && visible_contacts == 0 && wrong.empty() ? "done" : "not_done";
-  if (mission.stop_reason() == "leak" && truth.leaks) {
+  // Far outside nothing is in sight any more.
+  if (truth.leaks && (mission.stop_reason() == "leak" || mission.stop_reason() == "blind")) {
     report.reason = fmt::format(
         "{}. The robot can leave the box of all that stands at about {:.2f},{:.2f}; close the gap on the way "
         "there, for instance with the key walls",
@@ -178,6 +181,7 @@ void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& rob
   const auto number = [](auto value) { return static_cast<double>(value); };
   report.metrics = {
       {"explored_fraction", quality.explored_fraction},
+      {"explored_before_gaps", quality.explored_before_gaps},
       {"time_s", robot.time_s()},
       {"distance_m", body.driven_m()},
       {"turned_rad", body.turned_rad()},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "map/narrow.hpp"
@@ -55,13 +56,15 @@ class Area {
   RayFan fan_;
 };
 
+/// Returns a narrow place on the way, one that was measured if there is one; null if there is none.
 const NarrowPlace* find_near(const std::vector<NarrowPlace>& places, const std::vector<Vec2>& way) {
+  const NarrowPlace* found = nullptr;
   for (const NarrowPlace& one : places) {
-    for (const Vec2 point : way) {
-      if (distance(one.place, point) <= same_place_m) return &one;
-    }
+    const auto is_near = [&](Vec2 point) { return distance(one.place, point) <= same_place_m; };
+    if ((found == nullptr || (one.measured && !found->measured)) && std::ranges::any_of(way, is_near))
+      found = &one;
   }
-  return nullptr;
+  return found;
 }
 
 /// Judges one frontier after another.
@@ -104,7 +107,8 @@ class Judge {
   void explain(const Frontier& frontier, const RefusedFrontier* refused, LeftOver& left, LeftOvers& found) {
     if (refused == nullptr) {
       set_reason(left, LeftReason::not_tried, "the robot did not come to go there");
-    } else if (refused->kind == Refusal::given_up) {
+    } else if (refused->kind == Refusal::given_up &&
+               free_.room_m[free_.roomiest(frontier.cells)] == WidestWays::drivable) {
       set_reason(left, LeftReason::not_seen, refused->reason);
     } else if (refused->kind == Refusal::banned) {
       set_reason(left, LeftReason::failed, refused->reason);
@@ -207,6 +211,31 @@ std::string LeftOvers::sentence(double wanted_m) const {
             : std::string());
   }
   return fmt::format("left over: up to {:.1f} m2, because: {}", area_m2(), because);
+}
+
+std::string LeftOvers::behind_gaps(double wanted_m) const {
+  double widest_m = 0.0;
+  std::vector<Vec2> gaps;
+  for (const LeftOver& one : places) {
+    widest_m = std::max(widest_m, one.width_m);
+    const auto is_same = [&](Vec2 gap) { return distance(gap, one.narrowest) <= same_place_m; };
+    if (std::ranges::none_of(gaps, is_same)) gaps.push_back(one.narrowest);
+  }
+  return fmt::format(
+      "up to {:.1f} m2 lie behind {} gap{} too narrow for the robot, at most {:.3f} m wide where it wants "
+      "{:.3f} m",
+      area_m2(), gaps.size(), gaps.size() == 1 ? "" : "s", widest_m, wanted_m);
+}
+
+LeftOvers take_behind_gaps(LeftOvers& left, const std::vector<NarrowPlace>& narrow) {
+  LeftOvers behind;
+  const auto is_behind = [&](const LeftOver& one) {
+    const NarrowPlace* tried = find_near(narrow, {one.narrowest});
+    return one.reason == LeftReason::narrow && (tried == nullptr || tried->measured);
+  };
+  std::ranges::copy_if(left.places, std::back_inserter(behind.places), is_behind);
+  std::erase_if(left.places, is_behind);
+  return behind;
 }
 
 double wanted_width_m(const RobotModel& robot, const ExploreOptions& options) {

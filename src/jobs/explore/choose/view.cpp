@@ -56,6 +56,19 @@ struct Finder {
     return {best, banned};
   }
 
+  /// The seat that sees the most of a frontier of which no good seat can be reached, as through a gap that is
+  /// too narrow; null if none is worth the way.
+  [[nodiscard]] const Seat* best_of_poorer(const FrontierSight& sight) const {
+    const Seat* best = nullptr;
+    for (const Seat& seat : sight.poorer) {
+      if (!flood.settled(seat.block) || state.blacklist.find(centre(seat.cell), state.time_s)) continue;
+      if (best == nullptr || seat.seen > best->seen) best = &seat;
+    }
+    if (best == nullptr) return nullptr;
+    const double gain_m2 = gain_at(ground.frame().cell(best->cell), ground.known(), fan);
+    return gain_m2 >= options.least_left_m2 ? best : nullptr;
+  }
+
   [[nodiscard]] Vec2 centre(std::uint32_t cell) const {
     return ground.frame().centre(ground.frame().cell(cell));
   }
@@ -108,9 +121,10 @@ struct Finder {
   /// on.
   bool settle(const Ahead& ahead, bool more, Views& found) const {
     const Frontier& frontier = *ahead.frontier;
-    const auto [seat, ban] = first(*ahead.sight);
+    auto [seat, ban] = first(*ahead.sight);
+    if (seat == nullptr && more) return false;
+    if (seat == nullptr && ban == nullptr) seat = best_of_poorer(*ahead.sight);
     if (seat == nullptr) {
-      if (more) return false;
       found.refused.push_back(
           refusal(frontier, ban == nullptr ? Refusal::no_way : Refusal::banned,
                   ban == nullptr ? std::string("no known way leads to where it would be seen")

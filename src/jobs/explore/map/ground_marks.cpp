@@ -1,4 +1,4 @@
-// The marks of a TraversabilityGrid: where the robot touched something, and cells opened for it.
+// The marks of a TraversabilityGrid: where the robot touched something, and cells opened or shut for it.
 #include <optional>
 #include <utility>
 
@@ -15,19 +15,24 @@ void TraversabilityGrid::mark(Cell cell, std::uint8_t mark) {
   stale_.push_back(index);
 }
 
-void TraversabilityGrid::mark_touched(Vec2 point) {
+void TraversabilityGrid::mark_around(Vec2 point, double reach_m, std::uint8_t value) {
   const std::size_t settled = stale_.size();
   ++clock_;
-  const double apart_m = radius_m_ + touch_gap_m;
-  const Vec2 reach{apart_m, apart_m};
+  const Vec2 reach{reach_m, reach_m};
   const Cell low = known_.frame.cell_at(point - reach), high = known_.frame.cell_at(point + reach);
   for (int y = low.y; y <= high.y; ++y) {
     for (int x = low.x; x <= high.x; ++x) {
-      if (distance(known_.frame.centre({x, y}), point) < apart_m) mark({x, y}, touched_mark);
+      if (distance(known_.frame.centre({x, y}), point) < reach_m) mark({x, y}, value);
     }
   }
   settle(settled);
 }
+
+void TraversabilityGrid::mark_touched(Vec2 point) {
+  mark_around(point, radius_m_ + touch_gap_m, touched_mark);
+}
+
+void TraversabilityGrid::mark_shut(Vec2 point, double reach_m) { mark_around(point, reach_m, shut_mark); }
 
 bool TraversabilityGrid::mark_open(Segment way) {
   const std::size_t settled = stale_.size();

@@ -26,6 +26,19 @@ constexpr double rescue_m = 2.0;  // how far a better start is sought
 constexpr double farthest_error_m = 1.0;
 constexpr std::array<Cell, 4> sides = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
+/// How many of some places the map has.
+struct Share {
+  std::size_t places = 0, found = 0;
+
+  void count(bool is_found) {
+    ++places;
+    found += is_found ? 1 : 0;
+  }
+  [[nodiscard]] double value() const {
+    return places > 0 ? static_cast<double>(found) / static_cast<double>(places) : 1.0;
+  }
+};
+
 struct Survey {
   const RangeFinder& laser;
   const OpenGround& ground;
@@ -191,6 +204,34 @@ void flood_sight(const Survey& survey) {
   }
 }
 
+/// Marks what lies behind gaps that are too narrow.
+void mark_behind_gaps(const Survey& survey) {
+  Grid<std::uint8_t> behind(survey.places.frame);
+  Grid<std::uint8_t> visited(survey.places.frame);
+  std::vector<Cell> open;
+  for (std::size_t i = 0; i < behind.cells.size(); ++i) {
+    const std::uint8_t seeable = survey.places.cells[i];
+    const Cell c = behind.frame.cell(i);
+    behind.cells[i] = seeable == only_seeable && survey.ground.gap_m(survey.at(c)) >= 0.0 ? 1 : 0;
+    visited.cells[i] = seeable == reachable || behind.cells[i] != 0 ? 1 : 0;
+    if (visited.cells[i] != 0) open.push_back(c);
+  }
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const Cell c = open[i];
+    for (const Cell d : sides) {
+      const Cell next{c.x + d.x, c.y + d.y};
+      if (!visited.contains(next) || visited[next] != 0 || survey.places[next] == not_seeable) continue;
+      visited[next] = 1;
+      behind[next] = behind[c];
+      open.push_back(next);
+    }
+  }
+  for (std::size_t i = 0; i < behind.cells.size(); ++i) {
+    std::uint8_t& place = survey.places.cells[i];
+    if (place == only_seeable && behind.cells[i] != 0) place = behind_gap;
+  }
+}
+
 void add_up(ExplorationReference& truth) {
   const GridFrame& frame = truth.places.frame;
   const double cell_m2 = frame.resolution_m * frame.resolution_m;
@@ -221,6 +262,7 @@ Outcome<ExplorationReference> exploration_reference(const RangeFinder& laser, co
   const Survey survey{laser, ground, truth.places};
   const auto outside = flood_ground(survey, start, standing);
   flood_sight(survey);
+  mark_behind_gaps(survey);
   add_up(truth);
   truth.leaks = outside.has_value();
   truth.leaks_at = outside.value_or(Vec2{});
@@ -231,15 +273,17 @@ MapQuality map_quality(const ExplorationReference& truth, const RangeFinder& las
                        const Grid<std::uint8_t>& occupancy) {
   MapQuality quality;
   const GridFrame& places = truth.places.frame;
-  std::size_t counted = 0;
-  std::size_t found = 0;
+  Share all, before_gaps;
   for (std::size_t i = 0; i < truth.places.cells.size(); ++i) {
-    if (truth.places.cells[i] < only_seeable) continue;
-    ++counted;
+    const std::uint8_t place = truth.places.cells[i];
+    if (place < behind_gap) continue;
     const Cell cell = occupancy.frame.cell_at(places.centre(places.cell(i)));
-    found += occupancy.contains(cell) && occupancy[cell] == free_cell ? 1 : 0;
+    const bool is_found = occupancy.contains(cell) && occupancy[cell] == free_cell;
+    all.count(is_found);
+    if (place != behind_gap) before_gaps.count(is_found);
   }
-  quality.explored_fraction = counted > 0 ? static_cast<double>(found) / static_cast<double>(counted) : 1.0;
+  quality.explored_fraction = all.value();
+  quality.explored_before_gaps = before_gaps.value();
   const double cell_m2 = occupancy.frame.resolution_m * occupancy.frame.resolution_m;
   const auto near_seeable = [&](Vec2 p) {
     const Cell c = places.cell_at(p);

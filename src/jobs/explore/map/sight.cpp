@@ -64,11 +64,9 @@ FrontierSight made(const Frontier& frontier, const FrontierMap& map, SightMemory
     most = std::max(most, seat.seen);
   }
   const auto half = static_cast<std::uint32_t>((sight.sample.size() + 1) / 2);
-  for (const Seat& seat : memory.seats) {
-    if (seat.seen >= std::min(half, most)) sight.seats.push_back(seat);
-  }
-  std::sort(sight.seats.begin(), sight.seats.end(),
-            [](const Seat& a, const Seat& b) { return a.block < b.block; });
+  std::ranges::sort(memory.seats, {}, &Seat::block);
+  for (const Seat& seat : memory.seats)
+    (seat.seen >= std::min(half, most) ? sight.seats : sight.poorer).push_back(seat);
   return sight;
 }
 

@@ -20,6 +20,7 @@ struct Seat {
 struct FrontierSight {
   std::vector<std::uint32_t> sample;  ///< unknown cells, spread evenly over those beside the frontier
   std::vector<Seat> seats;            ///< those that see half of the sample, or as much as any; by block
+  std::vector<Seat> poorer;           ///< those that see less of it; by block
 };
 
 /// Results for one map that are kept between calls while their inputs do not change, and scratch memory.

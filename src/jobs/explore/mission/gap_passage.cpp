@@ -48,8 +48,10 @@ NarrowPlace& GapPassage::at(Vec2 place) {
   return places_.emplace_back(NarrowPlace{place, 0.0, false, 0});
 }
 
-std::optional<std::string> GapPassage::open_way(const LeftOvers& left, TraversabilityGrid& ground) {
+std::optional<std::string> GapPassage::open_way(const LeftOvers& left, Vec2 here, double most_m,
+                                                TraversabilityGrid& ground) {
   for (const NarrowWay& way : left.worth_a_try) {
+    if (distance(here, way.points.front()) > most_m) continue;
     bool opened = false;
     for (std::size_t i = 1; i < way.points.size(); ++i)
       opened = ground.mark_open({way.points[i - 1], way.points[i]}) || opened;
@@ -61,6 +63,12 @@ std::optional<std::string> GapPassage::open_way(const LeftOvers& left, Traversab
                        way.narrowest.y);
   }
   return std::nullopt;
+}
+
+void GapPassage::shut_gaps(TraversabilityGrid& ground) const {
+  for (const NarrowPlace& one : places_) {
+    if (one.measured) ground.mark_shut(one.place, 0.5 * one.width_m + ground.frame().resolution_m);
+  }
 }
 
 /// Notes that the robot does not fit through the gap ahead, as far as it knows its width.

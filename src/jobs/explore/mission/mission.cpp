@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "outrider/jobs/explore/choose/catalog.hpp"
@@ -80,6 +81,7 @@ void ExploreMission::update_frontiers() {
   const bool much = keeps ? frontiers_.update(explored_map(), where_->changed())
                           : frontiers_.update(where_->slam().map().occupancy(), where_->changed());
   touches_.mark(frontiers_.ground(), where_->slam());
+  gaps_.shut_gaps(frontiers_.ground());
   navigator_.note_touched(touches_.points());
   note_new_ground();
   if (!much || first) return;
@@ -179,10 +181,9 @@ std::string ExploreMission::home_doubt() {
 /// Judges what is left over on the map as it is in the end.
 void ExploreMission::judge_what_is_left() {
   if (frontiers_.frame().size() == 0) return;
-  const ExploreState now = state();
-  const auto decision = decide(now, task_.explore, workspace_);
+  const auto decision = explored() ? decide_with_tries() : decide(state(), task_.explore, workspace_);
   if (decision) decision_.refused = decision->refused;
-  left_ = left_over(now, task_.explore, decision_.refused, true, gaps_.places());
+  left_ = left_over(state(), task_.explore, decision_.refused, true, gaps_.places());
   if (!explored()) return;
   std::string doubt = map_doubt(where_->slam());
   if (doubt.empty()) doubt = home_doubt();
@@ -191,9 +192,7 @@ void ExploreMission::judge_what_is_left() {
     reason_ = "lost: " + doubt;
     return;
   }
-  const bool complete = left_.places.empty();
-  stop_reason_ = complete ? "complete" : "left_over";
-  if (!complete) reason_ = left_.sentence(wanted_width_m(task_.robot, task_.explore));
+  std::tie(stop_reason_, reason_) = verdict();
 }
 
 void ExploreMission::end(std::string stop_reason, std::string reason) {

@@ -91,6 +91,7 @@ void ExploreMission::look_close() {
 /// The gap ahead is too narrow: the way through it is closed again.
 void ExploreMission::too_narrow() {
   touches_.redraw();
+  gaps_.shut_gaps(frontiers_.ground());
   path_.reset();
 }
 

@@ -59,6 +59,7 @@ void ExploreMission::turn_home(const std::string& stop_reason, const std::string
     home_.arriving = true;
     return;
   }
+  if (home_.is_there && explored() && goes_out_again()) return;
   if (!task_.rules.return_home || home_.is_there) return end(stop_reason, reason);
   auto way = way_to(state(), task_.start.position, task_.explore, workspace_);
   stage_ = ExploreStage::go_home;
@@ -66,11 +67,21 @@ void ExploreMission::turn_home(const std::string& stop_reason, const std::string
   follow(way ? std::move(*way) : trail_home());
 }
 
-/// Goes home with the judgement of what is left over.
+/// Returns the reason to stop, and its sentence, by what is left over. What lies behind gaps that are too
+/// narrow is named, and not asked of the robot.
+std::pair<std::string, std::string> ExploreMission::verdict() const {
+  const double wanted_m = wanted_width_m(task_.robot, task_.explore);
+  LeftOvers asked = left_;
+  const LeftOvers behind = take_behind_gaps(asked, gaps_.places());
+  if (!asked.places.empty()) return {"left_over", left_.sentence(wanted_m)};
+  return {"complete", behind.places.empty() ? decision_.sentence
+                                            : decision_.sentence + "; " + behind.behind_gaps(wanted_m)};
+}
+
 void ExploreMission::nothing_to_reach() {
   if (!settled(std::numeric_limits<double>::infinity())) return;
-  if (left_.places.empty()) return turn_home("complete", decision_.sentence);
-  turn_home("left_over", left_.sentence(wanted_width_m(task_.robot, task_.explore)));
+  const auto [stop_reason, sentence] = verdict();
+  turn_home(stop_reason, sentence);
 }
 
 void ExploreMission::take(Decision decision) {
@@ -81,6 +92,7 @@ void ExploreMission::take(Decision decision) {
   if (decision_.kind == DecisionKind::leak) return turn_home("leak", decision_.sentence);
   if (elsewhere) {
     ++goal_changes_;
+    moved_on_s_ = where_->time_s();
     where_->forget_settling();
     home_.left_m.fill(no_way_m);
     add_event("goal", decision_.sentence);
@@ -100,29 +112,37 @@ bool ExploreMission::spent() const {
 
 bool ExploreMission::explored() const { return stop_reason_ == "complete" || stop_reason_ == "left_over"; }
 
-/// Opens the roomiest way that is worth a try. Returns false if there is none.
-bool ExploreMission::opens_narrow_way() {
-  const std::optional<std::string> sentence = gaps_.open_way(left_, frontiers_.ground());
+/// Opens the roomiest way that is worth a try and begins within `most_m`. Returns false if there is none.
+bool ExploreMission::opens_narrow_way(double most_m) {
+  const std::optional<std::string> sentence =
+      gaps_.open_way(left_, where_->pose().position, most_m, frontiers_.ground());
   if (sentence && !sentence->empty()) add_event("narrow", *sentence);
   return sentence.has_value();
 }
 
 /// Decides. Where nothing can be reached, it judges what is left over, and tries the narrow ways and the
-/// goals that failed once more.
+/// goals that failed once more; before it leaves for a goal far off, the narrow ways beside it, or it would
+/// come back for them.
 Outcome<Decision> ExploreMission::decide_with_tries() {
   constexpr int most_failures = 3;
+  constexpr double beside_m = 2.0, far_m = 3.0;
   constexpr int most_rounds = 4;
   constexpr double valid_s = 2.0;  // of a judgement on the way home
-  const ExploreOptions& options = task_.explore;
+  // On the way home it turns round only for what would count as left over.
+  ExploreOptions options = task_.explore;
+  if (explored()) options.least_gain_m2 = std::max(options.least_gain_m2, options.least_left_m2);
   for (int i = 0;; ++i) {
     auto decision = decide(state(), options, workspace_);
-    if (!decision || decision->kind != DecisionKind::complete) return decision;
+    if (!decision || decision->kind == DecisionKind::leak) return decision;
+    const bool goes = decision->kind == DecisionKind::go;
+    if (goes && (decision->way_m < far_m || decision->choice.frontier == decision_.choice.frontier))
+      return decision;
     if (stage_ == ExploreStage::go_home && where_->time_s() - left_s_ < valid_s) return decision;
     left_ = left_over(state(), options, decision->refused, false, gaps_.places());
     left_s_ = where_->time_s();
-    const bool failed = std::ranges::count(left_.places, LeftReason::failed, &LeftOver::reason) > 0;
-    if (i == most_rounds ||
-        (!opens_narrow_way() && !(failed && blacklist_.lift(most_failures, where_->time_s()))))
+    const bool failed = !goes && std::ranges::count(left_.places, LeftReason::failed, &LeftOver::reason) > 0;
+    if (i == most_rounds || (!opens_narrow_way(goes ? beside_m : std::numeric_limits<double>::infinity()) &&
+                             !(failed && blacklist_.lift(most_failures, where_->time_s()))))
       return decision;
   }
 }
@@ -130,7 +150,8 @@ Outcome<Decision> ExploreMission::decide_with_tries() {
 /// Decides at home, on the settled map, whether something is left to see.
 bool ExploreMission::goes_out_again() {
   constexpr int most_returns = 2;
-  if (home_.returns == most_returns) return false;
+  if (home_.returns == most_returns || !task_.rules.return_home) return false;
+  left_s_ = -1.0;  // what it knew on its way does not count
   auto decision = decide_with_tries();
   if (!decision || decision->kind != DecisionKind::go) return false;
   ++home_.returns;
@@ -175,10 +196,7 @@ void ExploreMission::decide_anew() {
                              learned_s_));
   }
   const bool for_good = stage_ == ExploreStage::go_home && !explored() && !planless_s_;
-  if (home_.arriving || for_good) {
-    if (home_.arriving && explored() && goes_out_again()) return;
-    return turn_home(stop_reason_, reason_);
-  }
+  if (home_.arriving || for_good) return turn_home(stop_reason_, reason_);
   // Looked at from where it was to be seen, and still there: it will not be seen.
   if (arrived && frontiers_.frontiers().contains(goal))
     blacklist_.add(decision_.choice.place, where_->time_s());

@@ -4,7 +4,8 @@
 // least_opening_m wide itself, and if some way over known free cells leads to it, however narrow. A smaller
 // one is a gap that noise has left in a wall. The reason is the first that holds: the robot has touched
 // something there; the way is too narrow; going there failed; looking at it showed nothing; there is no way;
-// the exploration ended before. An exploration is complete if nothing is left over.
+// the exploration ended before. An exploration is complete if nothing is left over but what lies behind gaps
+// that are too narrow.
 //
 // Areas are upper estimates: unknown cells within the range of the laser of a frontier that no occupied cell
 // hides from it. Each cell counts for one frontier only.
@@ -61,6 +62,8 @@ struct LeftOvers {
   /// Returns a sentence: "left over: up to 12.3 m2, because: ...", with how many places each reason holds of.
   /// The robot enters a gap that is `wanted_m` wide.
   [[nodiscard]] std::string sentence(double wanted_m) const;
+  /// Returns the same of places that all lie behind narrow gaps: "up to 12.3 m2 lie behind 1 gap, ...".
+  [[nodiscard]] std::string behind_gaps(double wanted_m) const;
 };
 
 /// Returns the width of the narrowest gap that the robot enters.
@@ -71,5 +74,9 @@ double wanted_width_m(const RobotModel& robot, const ExploreOptions& options);
 LeftOvers left_over(const ExploreState& state, const ExploreOptions& options,
                     const std::vector<RefusedFrontier>& refused, bool others,
                     const std::vector<NarrowPlace>& narrow);
+
+/// Takes out and returns the places behind gaps that are too narrow, as was measured from near, or as the map
+/// shows though its walls may be drawn too thick.
+LeftOvers take_behind_gaps(LeftOvers& left, const std::vector<NarrowPlace>& narrow);
 
 }  // namespace outrider

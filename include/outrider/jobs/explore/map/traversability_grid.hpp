@@ -56,7 +56,7 @@ class TraversabilityGrid {
   [[nodiscard]] const Grid<std::uint8_t>& known() const { return known_; }
   /// Returns true if the robot must not stand in the cell.
   [[nodiscard]] bool blocked(std::uint32_t cell) const {
-    if (marks_[cell] != 0) return (marks_[cell] & touched_mark) != 0;
+    if (marks_[cell] != 0) return (marks_[cell] & (touched_mark | shut_mark)) != 0;
     return crowded(cell);
   }
   /// Returns true if the map alone blocks the cell.
@@ -92,8 +92,11 @@ class TraversabilityGrid {
   static constexpr double touch_gap_m = 0.01;  ///< that the robot keeps from what it touched
   /// Blocks the cells nearer to the point than the radius and that gap. It may lie outside the frame.
   void mark_touched(Vec2 point);
-  /// Opens the cells that the segment meets, but for those that are blocked by a touch. Returns true if one
-  /// of them was not open before.
+  /// Blocks the cells whose centres are nearer to the point than `reach_m`, whatever the map shows: a gap
+  /// there is too narrow.
+  void mark_shut(Vec2 point, double reach_m);
+  /// Opens the cells that the segment meets, but for those that are blocked by a touch, or shut. Returns true
+  /// if one of them was not open before.
   bool mark_open(Segment way);
   /// Forgets all marks.
   void forget_marks();
@@ -102,12 +105,13 @@ class TraversabilityGrid {
   std::shared_ptr<const GridMap> grid();
 
  private:
-  enum : std::uint8_t { touched_mark = 1, open_mark = 2 };
+  enum : std::uint8_t { touched_mark = 1, open_mark = 2, shut_mark = 4 };
 
   void reframe(const GridFrame& frame, Cell shift);
   void set(std::uint32_t cell, std::uint8_t value);
   void count(Cell around, int by);
   void mark(Cell cell, std::uint8_t mark);
+  void mark_around(Vec2 point, double reach_m, std::uint8_t mark);
   void settle(std::size_t from);
   [[nodiscard]] std::uint64_t& tile_of(Cell cell);
 
@@ -117,7 +121,7 @@ class TraversabilityGrid {
   std::size_t known_cells_ = 0;
   std::vector<std::uint16_t> touching_;  // occupied cells within radius + margin
   std::vector<std::uint16_t> near_;      // occupied cells within the belt as well
-  std::vector<std::uint8_t> marks_;      // sums of touched_mark and open_mark
+  std::vector<std::uint8_t> marks_;      // sums of touched_mark, open_mark and shut_mark
   std::vector<Cell> disk_;               // offsets; the first `touch_` of them touch
   std::size_t touch_ = 0;
   Grid<std::uint8_t> blocks_;

@@ -30,9 +30,12 @@ class GapPassage {
   /// The path is another one.
   void forget_path() { centred_scan_ = -1; }
 
-  /// Opens the roomiest way that is worth a try. Returns the sentence of the try, which is empty for a place
-  /// that was tried before, or nothing if there is no such way.
-  std::optional<std::string> open_way(const LeftOvers& left, TraversabilityGrid& ground);
+  /// Opens the roomiest way that is worth a try and begins within `most_m` of the robot. Returns the sentence
+  /// of the try, which is empty for a place that was tried before, or nothing if there is no such way.
+  std::optional<std::string> open_way(const LeftOvers& left, Vec2 here, double most_m,
+                                      TraversabilityGrid& ground);
+  /// Shuts the gaps that were measured and found too narrow, whatever the map shows there.
+  void shut_gaps(TraversabilityGrid& ground) const;
   /// Notes that the robot got stuck at the narrowest place ahead. Returns true if that counts as too narrow.
   bool note_stuck(const ScanLocaliser& where, const TraversabilityGrid& ground);
   /// Returns the sentence about the gap that was last measured and found too narrow.

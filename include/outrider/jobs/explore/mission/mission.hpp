@@ -33,6 +33,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "outrider/core/planner_outage.hpp"
@@ -114,11 +115,12 @@ class ExploreMission {
   bool settled(double lately_m);
   [[nodiscard]] std::vector<Vec2> trail_home() const;
   void turn_home(const std::string& stop_reason, const std::string& reason);
+  [[nodiscard]] std::pair<std::string, std::string> verdict() const;
   void nothing_to_reach();
   void take(Decision decision);
   [[nodiscard]] bool spent() const;
   [[nodiscard]] bool explored() const;
-  bool opens_narrow_way();
+  bool opens_narrow_way(double most_m);
   Outcome<Decision> decide_with_tries();
   bool goes_out_again();
   void go_without_planner(const Fault& fault);

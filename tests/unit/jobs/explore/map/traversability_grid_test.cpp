@@ -108,6 +108,11 @@ TEST(TraversabilityGrid, MarksOverruleTheMapAndMoveWithItsFrame) {
   EXPECT_FALSE(ground.mark_open({{0.5, 1.02}, {1.5, 1.02}})) << "nothing is opened twice";
   for (double x = 0.5; x < 1.5; x += 0.01) ASSERT_FALSE(ground.blocked(at({x, 1.02}))) << x;
   EXPECT_TRUE(ground.crowded(at({1.02, 1.02})));
+  ground.mark_shut({0.7, 1.02}, 0.06);
+  EXPECT_TRUE(ground.blocked(at({0.7, 1.02}))) << "though it was opened";
+  EXPECT_FALSE(ground.touched(at({0.7, 1.02})));
+  ground.forget_marks();
+  EXPECT_TRUE(ground.mark_open({{0.5, 1.02}, {1.5, 1.02}}));
   ground.mark_touched({1.3, 1.02});
   for (double x = 0.5; x < 1.5; x += 0.01) {
     const Vec2 centre = ground.frame().centre(ground.frame().cell_at({x, 1.02}));
