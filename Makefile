@@ -123,11 +123,12 @@ tsan:  ## run the tests of what has threads, costly ones in part, under the thre
 docs: build  ## write the pages of options and the schemas of scenarios to build/docs
 	@ninja -C build docs
 
-soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz for an hour, load, hostile, cancel, loops, replays, totality and writes
+soak: CASES = 2
+soak:  ## run everything, the tool too, under the sanitizers, random tests on CASES times as many cases, 2 unless given; then fuzz for an hour, load, hostile, cancel, loops, replays, totality and writes
 	$(INSTALL) build test cbc
 	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=0
 	@ninja -C build-asan -j $(JOBS)
-	@OUTRIDER_CASES=100 ctest --preset soak -j $(JOBS) --timeout 3600
+	@OUTRIDER_CASES=$(CASES) ctest --preset soak -j $(JOBS) --timeout 3600
 	@$(MAKE) --no-print-directory fuzz FUZZ_SECONDS=$$((3600 * $(JOBS) / $(words $(wildcard tests/fuzz/*_fuzz.cpp))))
 	@$(MAKE) --no-print-directory load
 	@$(MAKE) --no-print-directory hostile
