@@ -13,10 +13,11 @@
 //
 // The exploration is complete if nothing is left over (jobs/explore/choose/left_over.hpp) but what lies
 // behind gaps that were measured to be too narrow for the robot with its clearance, the radius and
-// `explore.margin` on each side, or that are so on the map though its walls may be drawn too thick. Without scans no gap is measured. It is not called complete if the mapper doubts its map,
-// for which it is asked in the end; the sentence says if no mapper answers. States: exploring, going_home,
-// asking, complete, left_over, lost, leak, stuck, map_lost. The sentence of an end says what is left over or
-// behind gaps, or why. A goal is sent again every second, since messages get lost.
+// `explore.margin` on each side, or that are so on the map though its walls may be drawn too thick. Without
+// scans no gap is measured. It is not called complete if the mapper doubts its map, for which it is asked in
+// the end; the sentence says if no mapper answers. States: exploring, going_home, asking, complete,
+// left_over, lost, leak, stuck, map_lost. The sentence of an end says what is left over or behind gaps, or
+// why. A goal is sent again every second, since messages get lost.
 #pragma once
 
 #include <optional>

@@ -108,8 +108,8 @@ Table left_over_table(const LeftOvers& left) {
   return table;
 }
 
-/// Returns the reason why a map that is called complete differs from the world; empty if it does not. What lies
-/// behind gaps does not count if the robot names them.
+/// Returns the reason why a map that is called complete differs from the world; empty if it does not. What
+/// lies behind gaps does not count if the robot names them.
 std::string why_wrong(const MapQuality& quality, bool names_gaps) {
   constexpr double least_part = 0.9, most_error_m = 0.1;
   if (quality.map_error_m > most_error_m)

@@ -74,5 +74,29 @@ TEST(GoalField, ARobotThatStandsTooNearToSomethingCanLeave) {
   EXPECT_TRUE(field.time_s({}));
 }
 
+/// Returns the time for 8 m along a corridor whose walls are so far from its middle.
+double time_between_walls(double apart_m, const GoalQuery& query) {
+  LiveMap map({}, {});
+  for (double x = -6.0; x < 6.0; x += 0.04) {
+    map.note_touch({x, apart_m}, 0.0);
+    map.note_touch({x, -apart_m}, 0.0);
+  }
+  GoalField field;
+  field.compute({map.frame(), map.places()}, disk, fast(), query, Vec2{-4.0, 0.0});
+  return field.time_s({-4.0, 0.0}).value_or(1e9);
+}
+
+TEST(GoalField, TheSpeedGrowsWithTheRoomUntilTheRobotIsAsFastAsItCan) {
+  GoalQuery query{{4.0, 0.0}};
+  query.wide_m = 0.6;
+  query.margin_m = 0.1;
+  const double open_s = time_between_walls(0.3 + 0.75, query), half_s = time_between_walls(0.3 + 0.3, query),
+               least_s = time_between_walls(0.3 + 0.06, query);
+  EXPECT_NEAR(open_s, 8.0, 0.3);
+  EXPECT_NEAR(8.0 / half_s, 0.625, 0.06) << "half of what is between a quarter and all";
+  EXPECT_NEAR(8.0 / least_s, 0.325, 0.06);
+  EXPECT_EQ(time_between_walls(0.2, query), 1e9) << "it keeps its margin";
+}
+
 }  // namespace
 }  // namespace outrider

@@ -135,5 +135,19 @@ TEST(MovingThings, TwoWhoMeetAreTwoAgain) {
   EXPECT_LT(told.moving[0].velocity.y * told.moving[1].velocity.y, 0.0);
 }
 
+TEST(MovingThings, AThingIsAtLeastAsWideAsItIsSeen) {
+  constexpr double grows_s = 2.95;  // before the last scan
+  const auto scene = [](double t) {
+    auto things = room();
+    things.push_back(disk_at({-1.5 + 0.8 * t, 1.2}, t < grows_s ? 0.1 : 0.4));
+    return things;
+  };
+  const Told before = follow(scene, rests, grows_s), after = follow(scene, rests, grows_s + period_s);
+  ASSERT_EQ(before.moving.size(), 1U);
+  ASSERT_EQ(after.moving.size(), 1U);
+  EXPECT_LT(before.moving[0].radius_m, 0.2);
+  EXPECT_GT(after.moving[0].radius_m, 0.3);
+}
+
 }  // namespace
 }  // namespace outrider

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "outrider/core/rng.hpp"
+#include "outrider/navigate/navigator.hpp"
 #include "outrider/sim/sensors/simulated_tag_camera.hpp"
 #include "support/building.hpp"
 
@@ -170,6 +171,26 @@ TEST(TagLocaliser, SaysThatItIsLostWithoutTags) {
     localiser->see({0.1 * i, {}}, odometry);
   }
   EXPECT_NE(localiser->lost().find("no tag"), std::string::npos);
+}
+
+TEST(TagLocaliser, ANavigatorThatSeesNoTagSaysThatItIsLost) {
+  NavigatorSetup setup;
+  setup.options.localiser = "tags";
+  setup.tags = four_tags();
+  auto navigator = Navigator::make(setup, start);
+  ASSERT_TRUE(navigator) << navigator.error().sentence;
+  Observation seen;
+  Progress progress;
+  for (int i = 0; i < 4000 && progress.state == Progress::State::underway; ++i) {
+    seen.time_s = 0.1 * i;
+    seen.odometry.position.x = 0.02 * i;
+    seen.image = TagImage{seen.time_s, {}};
+    seen.scan = scan_at(seen.time_s);
+    progress = navigator->perceive(seen).progress;
+    navigator->act(GoTo{{5.0, 1.5}, 0.15});
+  }
+  EXPECT_EQ(progress.state, Progress::State::lost);
+  EXPECT_NE(progress.why.find("no tag"), std::string::npos) << progress.why;
 }
 
 }  // namespace

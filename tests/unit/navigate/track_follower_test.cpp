@@ -85,6 +85,29 @@ TEST(TrackFollower, StaysOnLegsAndArcsForwardsAndBackwards) {
   EXPECT_LT(driven.time_s, 35.0);
 }
 
+TEST(TrackFollower, BrakesInTimeOverManyShortPieces) {
+  TrackPieces track;
+  for (int i = 0; i < 40; ++i) track.push_back({{0.25 * i, 0.0}, {0.25 * (i + 1), 0.0}, {}, 0.0});
+  RobotModel robot = quick();
+  robot.speed_mps = 3.0;
+  TrackFollower follower(std::make_shared<const TrackPieces>(track));
+  constexpr double period_s = 0.05;
+  Pose2 pose;
+  Twist2 twist;
+  double fastest_mps = 0.0;
+  follower.go_on(pose);
+  for (int i = 0; i < 400 && !follower.is_done(); ++i) {
+    twist = twist_after(twist, follower.twist(pose, robot, period_s, 100.0), robot, period_s);
+    pose = moved(pose, twist, period_s);
+    fastest_mps = std::max(fastest_mps, twist.ahead_mps);
+    follower.note(pose);
+  }
+  EXPECT_TRUE(follower.is_done());
+  EXPECT_GT(fastest_mps, 2.0);
+  EXPECT_LT(twist.ahead_mps, 0.2);
+  EXPECT_LT(pose.position.x, 10.02);
+}
+
 TEST(TrackFollower, GoesAroundWhatStandsOnTheTrackAndSaysWhatItLeftOut) {
   World world;
   world.solids = {{"post", {{1.5, 0.0, 0.5}, {}}, CylinderShape{0.1, 0.5}}};

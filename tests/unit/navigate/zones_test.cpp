@@ -221,6 +221,23 @@ TEST(Zones, ARobotThatCannotLeaveOneSaysSo) {
   EXPECT_EQ(robot.body<TwistBody>().driven_m(), 0.0);
 }
 
+TEST(Zones, ARobotWhoseWheelsDoNotTurnSaysThatItCannotLeaveOne) {
+  const NavigatorSetup setup = setup_with({keep_out(rectangle({-2.0, -0.7}, {4.0, 2.0}))});
+  SimulatedRobot robot = simulated(hall(), setup);
+  auto navigator = Navigator::make(setup, Pose2{});
+  Progress progress;
+  bool tried = false;
+  while (robot.time_s() < 30.0 && progress.state == Progress::State::underway) {
+    progress = navigator->perceive(robot.sense()).progress;
+    const Command command = navigator->act(GoTo{{6.0, 0.5}, 0.15});
+    tried = tried || !(std::get<DriveTwist>(command).twist == Twist2{});
+    robot.act(DriveTwist{{}, robot.time_s() + setup.options.period_s});
+  }
+  EXPECT_TRUE(tried);
+  EXPECT_EQ(progress.state, Progress::State::blocked);
+  EXPECT_NE(progress.why.find("keep-out zone"), std::string::npos) << progress.why;
+}
+
 TEST(Zones, NoRecoveryLeadsIntoOne) {
   // The only way leads through a zone, so it recovers in all ways before it gives up.
   const Zone zone = keep_out({{1.0, -3.0}, {2.0, -3.0}, {2.0, 3.0}, {1.2, 3.0}, {1.0, 0.5}});

@@ -32,9 +32,10 @@ struct ExploreRun {
 /// names: left_over.hpp), the robot is home (if it has to return), it touched nothing that its laser can see,
 /// and the map is right: at least 0.9 of what can be seen, before the gaps if there are any, and walls that
 /// are off by at most 0.1 m on average. Touching what the laser cannot see, such as a glass door, is how the
-/// robot finds out about it. A world that the robot can leave is open: there the robot turns back with the reason "leak" once its map is larger than the box of all obstacles plus twice the range of the
-/// laser, whatever most_extent allows. A pure function of its arguments except for machine_times. Faults:
-/// those of begin() and of exploration_reference(). Metrics:
+/// robot finds out about it. A world that the robot can leave is open: there the robot turns back with the
+/// reason "leak" once its map is larger than the box of all obstacles plus twice the range of the laser,
+/// whatever most_extent allows. A pure function of its arguments except for machine_times. Faults: those of
+/// begin() and of exploration_reference(). Metrics:
 ///   explored_fraction, explored_before_gaps, map_error_m, mapped_free_m2   of reference.hpp; seeable_m2
 ///                                    and reachable_m2, too
 ///   time_s, distance_m, turned_rad   of the true robot, until the end

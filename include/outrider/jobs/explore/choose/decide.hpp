@@ -38,7 +38,7 @@ struct ExploreOptions {
   std::string planner = "jps";    ///< name of a path planner for the model `cells`
   FrontierOptions frontier;       ///< of the frontier map
   double view_m = 2.5;            ///< largest distance from a view to the unknown cells that it sees
-  double least_gain_m2 = 0.1;    ///< frontiers with less unknown area are refused
+  double least_gain_m2 = 0.1;     ///< frontiers with less unknown area are refused
   double least_left_m2 = 0.25;    ///< less unknown area in sight of a frontier that cannot be seen is nothing
   double least_opening_m = 0.2;   ///< a narrower frontier is a gap in a wall, which noise leaves
   double gap_margin_m = 0.015;    ///< room to either side of the robot without which it enters no gap

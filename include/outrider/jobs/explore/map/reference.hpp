@@ -5,8 +5,8 @@
 // place if its disk can be swept there, exactly, along steps between neighbouring places (four each), from a
 // place beside its start. A place is visible if a line of sight at the laser's height, no longer than its
 // range, leads from it to a reachable place: one of the nearest twelve, or one along 720 directions. Finds
-// visible neighbours of visible cells. A visible place lies behind a gap if fewer steps between visible places
-// lead to it from one where the disk fits but which it cannot reach than from one that it can.
+// visible neighbours of visible cells. A visible place lies behind a gap if fewer steps between visible
+// places lead to it from one where the disk fits but which it cannot reach than from one that it can.
 //
 // O(places x obstacles near them), plus O(directions x range / resolution) for each place that is visible
 // only from afar.
@@ -49,8 +49,8 @@ Outcome<ExplorationReference> exploration_reference(const RangeFinder& laser, co
 
 /// The quality of a map.
 struct MapQuality {
-  /// Fraction of the visible places farther than a cell from surfaces that are free in the map; 1 if there are
-  /// none.
+  /// Fraction of the visible places farther than a cell from surfaces that are free in the map; 1 if there
+  /// are none.
   double explored_fraction = 0.0;
   double explored_before_gaps = 0.0;  ///< the same without what lies behind gaps
   /// Mean distance from the centres of the occupied cells to the nearest surface at the laser's height; each

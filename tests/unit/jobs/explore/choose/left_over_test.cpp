@@ -14,8 +14,9 @@ TEST(LeftOver, WhatLiesBehindGapsIsTakenOutAndNamed) {
   left.places = {narrow_at({0.0, 0.0}, 2.0), narrow_at({0.1, 0.0}, 1.0), narrow_at({5.0, 0.0}, 0.5)};
   left.places.push_back({2, {9.0, 0.0}, LeftReason::touched, 0.0, {9.0, 0.0}, 4.0, "touched"});
   const LeftOvers behind = take_behind_gaps(left, {});
-  EXPECT_EQ(behind.behind_gaps(0.24),
-            "up to 3.5 m2 lie behind 2 gaps too narrow for the robot, at most 0.200 m wide where it wants 0.240 m");
+  EXPECT_EQ(
+      behind.behind_gaps(0.24),
+      "up to 3.5 m2 lie behind 2 gaps too narrow for the robot, at most 0.200 m wide where it wants 0.240 m");
   ASSERT_EQ(left.places.size(), 1U);
   EXPECT_EQ(left.places[0].reason, LeftReason::touched);
 }
