@@ -7,6 +7,7 @@
 #include <iterator>
 #include <memory>
 
+#include "map/rays.hpp"
 #include "outrider/geometry/polyline.hpp"
 
 namespace outrider {
@@ -19,6 +20,20 @@ bool is_narrow(const TraversabilityGrid& ground, Vec2 place) {
   const Cell cell = ground.frame().cell_at(place);
   return ground.frame().contains(cell) &&
          ground.crowded(static_cast<std::uint32_t>(ground.frame().index(cell)));
+}
+
+/// Returns true if a place is near another and in sight of it.
+bool is_beside(const TraversabilityGrid& ground, Vec2 place, Vec2 other) {
+  constexpr double beside_m = 2.0;
+  const GridFrame& frame = ground.frame();
+  if (distance(place, other) > beside_m || !frame.contains(frame.cell_at(place))) return false;
+  bool is_free = true;
+  const Cell end = frame.cell_at(other);
+  walk_ray(frame.cell_at(place), end, [&](Cell cell) {
+    is_free = is_free && frame.contains(cell) && ground.known()[cell] == free_cell;
+    return is_free && cell != end;
+  });
+  return is_free;
 }
 
 /// Returns true if the next part of the path leads over ground on which the map leaves no room, or within
@@ -48,10 +63,10 @@ NarrowPlace& GapPassage::at(Vec2 place) {
   return places_.emplace_back(NarrowPlace{place, 0.0, false, 0});
 }
 
-std::optional<std::string> GapPassage::open_way(const LeftOvers& left, Vec2 here, double most_m,
+std::optional<std::string> GapPassage::open_way(const LeftOvers& left, std::optional<Vec2> beside,
                                                 TraversabilityGrid& ground) {
   for (const NarrowWay& way : left.worth_a_try) {
-    if (distance(here, way.points.front()) > most_m) continue;
+    if (beside && !is_beside(ground, *beside, way.points.front())) continue;
     bool opened = false;
     for (std::size_t i = 1; i < way.points.size(); ++i)
       opened = ground.mark_open({way.points[i - 1], way.points[i]}) || opened;

@@ -112,10 +112,10 @@ bool ExploreMission::spent() const {
 
 bool ExploreMission::explored() const { return stop_reason_ == "complete" || stop_reason_ == "left_over"; }
 
-/// Opens the roomiest way that is worth a try and begins within `most_m`. Returns false if there is none.
-bool ExploreMission::opens_narrow_way(double most_m) {
-  const std::optional<std::string> sentence =
-      gaps_.open_way(left_, where_->pose().position, most_m, frontiers_.ground());
+/// Opens the roomiest way that is worth a try, or of those beside the robot. Returns false if there is none.
+bool ExploreMission::opens_narrow_way(bool beside) {
+  const std::optional<std::string> sentence = gaps_.open_way(
+      left_, beside ? std::optional(where_->pose().position) : std::nullopt, frontiers_.ground());
   if (sentence && !sentence->empty()) add_event("narrow", *sentence);
   return sentence.has_value();
 }
@@ -125,7 +125,7 @@ bool ExploreMission::opens_narrow_way(double most_m) {
 /// come back for them.
 Outcome<Decision> ExploreMission::decide_with_tries() {
   constexpr int most_failures = 3;
-  constexpr double beside_m = 2.0, far_m = 3.0;
+  constexpr double far_m = 3.0;
   constexpr int most_rounds = 4;
   constexpr double valid_s = 2.0;  // of a judgement on the way home
   // On the way home it turns round only for what would count as left over.
@@ -141,8 +141,8 @@ Outcome<Decision> ExploreMission::decide_with_tries() {
     left_ = left_over(state(), options, decision->refused, false, gaps_.places());
     left_s_ = where_->time_s();
     const bool failed = !goes && std::ranges::count(left_.places, LeftReason::failed, &LeftOver::reason) > 0;
-    if (i == most_rounds || (!opens_narrow_way(goes ? beside_m : std::numeric_limits<double>::infinity()) &&
-                             !(failed && blacklist_.lift(most_failures, where_->time_s()))))
+    if (i == most_rounds ||
+        (!opens_narrow_way(goes) && !(failed && blacklist_.lift(most_failures, where_->time_s()))))
       return decision;
   }
 }

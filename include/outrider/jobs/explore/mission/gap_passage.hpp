@@ -30,9 +30,10 @@ class GapPassage {
   /// The path is another one.
   void forget_path() { centred_scan_ = -1; }
 
-  /// Opens the roomiest way that is worth a try and begins within `most_m` of the robot. Returns the sentence
-  /// of the try, which is empty for a place that was tried before, or nothing if there is no such way.
-  std::optional<std::string> open_way(const LeftOvers& left, Vec2 here, double most_m,
+  /// Opens the roomiest way that is worth a try, or of those that begin in sight of a place and within 2 m.
+  /// Returns the sentence of the try, which is empty for a place that was tried before, or nothing if there
+  /// is no such way.
+  std::optional<std::string> open_way(const LeftOvers& left, std::optional<Vec2> beside,
                                       TraversabilityGrid& ground);
   /// Shuts the gaps that were measured and found too narrow, whatever the map shows there.
   void shut_gaps(TraversabilityGrid& ground) const;

@@ -120,7 +120,7 @@ class ExploreMission {
   void take(Decision decision);
   [[nodiscard]] bool spent() const;
   [[nodiscard]] bool explored() const;
-  bool opens_narrow_way(double most_m);
+  bool opens_narrow_way(bool beside);
   Outcome<Decision> decide_with_tries();
   bool goes_out_again();
   void go_without_planner(const Fault& fault);
