@@ -61,8 +61,8 @@ struct Finder {
   [[nodiscard]] const Seat* best_of_poorer(const FrontierSight& sight) const {
     const Seat* best = nullptr;
     for (const Seat& seat : sight.poorer) {
-      if (!flood.settled(seat.block) || state.blacklist.find(centre(seat.cell), state.time_s)) continue;
-      if (best == nullptr || seat.seen > best->seen) best = &seat;
+      if (!flood.settled(seat.block) || (best != nullptr && seat.seen <= best->seen)) continue;
+      if (state.blacklist.find(centre(seat.cell), state.time_s) == nullptr) best = &seat;
     }
     if (best == nullptr) return nullptr;
     const double gain_m2 = gain_at(ground.frame().cell(best->cell), ground.known(), fan);

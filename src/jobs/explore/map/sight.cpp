@@ -28,6 +28,26 @@ std::vector<std::uint32_t> spread(const std::vector<std::uint32_t>& all, std::si
   return some;
 }
 
+/// Notes that a cell sees the cell of the sample with that number.
+void note_seat(std::uint32_t block, std::uint32_t cell, std::uint32_t number, SightMemory& memory) {
+  std::uint32_t& entry = memory.entry[block];
+  if (entry == 0) {
+    memory.seats.push_back({block, cell, 0});
+    memory.last.push_back(0);
+    entry = static_cast<std::uint32_t>(memory.seats.size());
+  }
+  if (std::exchange(memory.last[entry - 1], number) != number) ++memory.seats[entry - 1].seen;
+}
+
+/// Divides the seats into those that see half of the sample, or as much as any, and the poorer.
+void sort_seats(std::vector<Seat>& seats, FrontierSight& sight) {
+  std::uint32_t most = 0;
+  for (const Seat& seat : seats) most = std::max(most, seat.seen);
+  const std::uint32_t enough = std::min(static_cast<std::uint32_t>((sight.sample.size() + 1) / 2), most);
+  std::ranges::sort(seats, {}, &Seat::block);
+  for (const Seat& seat : seats) (seat.seen >= enough ? sight.seats : sight.poorer).push_back(seat);
+}
+
 /// Computes the sight from a frontier on the ground as it is now.
 FrontierSight made(const Frontier& frontier, const FrontierMap& map, SightMemory& memory) {
   const TraversabilityGrid& ground = map.ground();
@@ -47,26 +67,12 @@ FrontierSight made(const Frontier& frontier, const FrontierMap& map, SightMemory
         const auto cell = static_cast<std::uint32_t>(known.frame.index(at));
         if (known.cells[cell] != free_cell) break;
         if (ground.blocked(cell)) continue;
-        const std::uint32_t block = ground.block_of(cell);
-        std::uint32_t& entry = memory.entry[block];
-        if (entry == 0) {
-          memory.seats.push_back({block, cell, 0});
-          memory.last.push_back(0);
-          entry = static_cast<std::uint32_t>(memory.seats.size());
-        }
-        if (std::exchange(memory.last[entry - 1], number) != number) ++memory.seats[entry - 1].seen;
+        note_seat(ground.block_of(cell), cell, number, memory);
       }
     }
   }
-  std::uint32_t most = 0;
-  for (const Seat& seat : memory.seats) {
-    memory.entry[seat.block] = 0;
-    most = std::max(most, seat.seen);
-  }
-  const auto half = static_cast<std::uint32_t>((sight.sample.size() + 1) / 2);
-  std::ranges::sort(memory.seats, {}, &Seat::block);
-  for (const Seat& seat : memory.seats)
-    (seat.seen >= std::min(half, most) ? sight.seats : sight.poorer).push_back(seat);
+  for (const Seat& seat : memory.seats) memory.entry[seat.block] = 0;
+  sort_seats(memory.seats, sight);
   return sight;
 }
 

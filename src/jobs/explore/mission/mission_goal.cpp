@@ -196,7 +196,10 @@ void ExploreMission::decide_anew() {
                              learned_s_));
   }
   const bool for_good = stage_ == ExploreStage::go_home && !explored() && !planless_s_;
-  if (home_.arriving || for_good) return turn_home(stop_reason_, reason_);
+  if (home_.arriving || for_good) {
+    turn_home(stop_reason_, reason_);
+    return;
+  }
   // Looked at from where it was to be seen, and still there: it will not be seen.
   if (arrived && frontiers_.frontiers().contains(goal))
     blacklist_.add(decision_.choice.place, where_->time_s());

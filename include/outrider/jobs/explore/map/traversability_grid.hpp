@@ -111,7 +111,7 @@ class TraversabilityGrid {
   void set(std::uint32_t cell, std::uint8_t value);
   void count(Cell around, int by);
   void mark(Cell cell, std::uint8_t mark);
-  void mark_around(Vec2 point, double reach_m, std::uint8_t mark);
+  void mark_around(Vec2 point, double reach_m, std::uint8_t value);
   void settle(std::size_t from);
   [[nodiscard]] std::uint64_t& tile_of(Cell cell);
 
