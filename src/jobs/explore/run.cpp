@@ -126,6 +126,12 @@ double count(const LeftOvers& left, LeftReason reason) {
   return static_cast<double>(std::ranges::count(left.places, reason, &LeftOver::reason));
 }
 
+/// Returns the room in a gap that the robot surely finds to be enough: it sees surfaces to 3 mm.
+double sure_room_m(const ExploreTask& task) {
+  constexpr double error_m = 0.003;
+  return task.explore.gap_margin_m + error_m;
+}
+
 /// The reference for the world as it is at the end, and a range finder in that world.
 struct Truth {
   ExplorationReference reference;
@@ -143,7 +149,7 @@ Truth truth_at_end(const World& world, const ExplorationReference& before, const
       world.with({"post", {{at.x, at.y, 0.5 * height_m}, {}}, CylinderShape{post->radius_m, 0.5 * height_m}});
   Truth truth{before, RangeFinder(after, params.laser)};
   auto reference = exploration_reference(truth.finder, OpenGround(after, task.robot, params.wheels.climbs_m),
-                                         task.start.position);
+                                         task.start.position, sure_room_m(task));
   if (reference) truth.reference = std::move(*reference);
   return truth;
 }
@@ -215,8 +221,9 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
                                 std::uint64_t seed, Log& log, const RunWatch& watch,
                                 const ScanHook& scanned) {
   SimulatedRobot robot = simulated_explorer(world, given.start, given.robot, params, seed);
-  const auto reference = exploration_reference(robot.devices().laser->finder(),
-                                               robot.body<TwistBody>().ground(), given.start.position);
+  const auto reference =
+      exploration_reference(robot.devices().laser->finder(), robot.body<TwistBody>().ground(),
+                            given.start.position, sure_room_m(given));
   if (!reference) return pass_on(reference);
   auto begun = begin(bounded(given, *reference, params.laser), params.faults.planner);
   if (!begun) return pass_on(begun);

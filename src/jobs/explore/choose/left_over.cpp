@@ -107,7 +107,7 @@ class Judge {
   void explain(const Frontier& frontier, const RefusedFrontier* refused, LeftOver& left, LeftOvers& found) {
     if (refused == nullptr) {
       set_reason(left, LeftReason::not_tried, "the robot did not come to go there");
-    } else if (refused->kind == Refusal::given_up &&
+    } else if (refused->kind == Refusal::given_up &&  // seen in vain through a gap, the gap is the reason
                free_.room_m[free_.roomiest(frontier.cells)] == WidestWays::drivable) {
       set_reason(left, LeftReason::not_seen, refused->reason);
     } else if (refused->kind == Refusal::banned) {

@@ -12,6 +12,7 @@
 #include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/world/clearance.hpp"
+#include "outrider/world/nearest_cell.hpp"
 #include "outrider/world/occupancy.hpp"
 
 namespace outrider {
@@ -204,31 +205,56 @@ void flood_sight(const Survey& survey) {
   }
 }
 
-/// Marks what lies behind gaps that are too narrow.
-void mark_behind_gaps(const Survey& survey) {
-  Grid<std::uint8_t> behind(survey.places.frame);
-  Grid<std::uint8_t> visited(survey.places.frame);
-  std::vector<Cell> open;
-  for (std::size_t i = 0; i < behind.cells.size(); ++i) {
-    const std::uint8_t seeable = survey.places.cells[i];
-    const Cell c = behind.frame.cell(i);
-    behind.cells[i] = seeable == only_seeable && survey.ground.gap_m(survey.at(c)) >= 0.0 ? 1 : 0;
-    visited.cells[i] = seeable == reachable || behind.cells[i] != 0 ? 1 : 0;
-    if (visited.cells[i] != 0) open.push_back(c);
+enum Side : std::uint8_t { unsorted = 0, before_gaps = 1, behind_gaps = 2 };
+
+/// Tells the places before all gaps: those with that much room to which steps between such places lead from
+/// the one that is nearest to the start. None if there is no such place.
+std::vector<Cell> flood_before_gaps(const Survey& survey, Vec2 start, double room_m,
+                                    Grid<std::uint8_t>& side) {
+  const auto has_room = [&](Cell c) {
+    return survey.is(c, reachable) && survey.ground.gap_m(survey.at(c)) >= room_m - 1e-9;
+  };
+  const auto first = nearest_cell(side.frame, start, rescue_m, has_room);
+  if (!first) return {};
+  std::vector<Cell> open{*first};
+  side[*first] = before_gaps;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const Cell c = open[i];
+    for (const Cell d : sides) {
+      const Cell next{c.x + d.x, c.y + d.y};
+      if (!has_room(next) || side[next] != unsorted) continue;
+      if (!survey.ground.free({survey.at(c), survey.at(next)})) continue;
+      side[next] = before_gaps;
+      open.push_back(next);
+    }
+  }
+  return open;
+}
+
+/// Marks what lies behind gaps that leave the robot less than that room.
+void mark_behind_gaps(const Survey& survey, Vec2 start, double room_m) {
+  Grid<std::uint8_t> side(survey.places.frame, unsorted);
+  std::vector<Cell> open = flood_before_gaps(survey, start, room_m, side);
+  if (open.empty()) return;
+  for (std::size_t i = 0; i < side.cells.size(); ++i) {
+    const Cell c = side.frame.cell(i);
+    if (survey.places[c] < only_seeable || side[c] != unsorted || survey.ground.gap_m(survey.at(c)) < room_m)
+      continue;
+    side[c] = behind_gaps;
+    open.push_back(c);
   }
   for (std::size_t i = 0; i < open.size(); ++i) {
     const Cell c = open[i];
     for (const Cell d : sides) {
       const Cell next{c.x + d.x, c.y + d.y};
-      if (!visited.contains(next) || visited[next] != 0 || survey.places[next] == not_seeable) continue;
-      visited[next] = 1;
-      behind[next] = behind[c];
+      if (!side.contains(next) || side[next] != unsorted || survey.places[next] == not_seeable) continue;
+      side[next] = side[c];
       open.push_back(next);
     }
   }
-  for (std::size_t i = 0; i < behind.cells.size(); ++i) {
+  for (std::size_t i = 0; i < side.cells.size(); ++i) {
     std::uint8_t& place = survey.places.cells[i];
-    if (place == only_seeable && behind.cells[i] != 0) place = behind_gap;
+    if (place >= only_seeable && side.cells[i] == behind_gaps) place = behind_gap;
   }
 }
 
@@ -245,7 +271,7 @@ void add_up(ExplorationReference& truth) {
 }  // namespace
 
 Outcome<ExplorationReference> exploration_reference(const RangeFinder& laser, const OpenGround& ground,
-                                                    Vec2 start, double resolution_m) {
+                                                    Vec2 start, double room_m, double resolution_m) {
   if (auto ok = check_start(ground, start, resolution_m); !ok) return pass_on(ok);
   Box2 standing;
   for (const Box2& box : {laser.bounds(), ground.bounds()}) {
@@ -262,8 +288,8 @@ Outcome<ExplorationReference> exploration_reference(const RangeFinder& laser, co
   const Survey survey{laser, ground, truth.places};
   const auto outside = flood_ground(survey, start, standing);
   flood_sight(survey);
-  mark_behind_gaps(survey);
   add_up(truth);
+  mark_behind_gaps(survey, start, room_m);
   truth.leaks = outside.has_value();
   truth.leaks_at = outside.value_or(Vec2{});
   return truth;

@@ -13,7 +13,7 @@ namespace outrider {
 namespace {
 
 constexpr double near_m = 1.8;         ///< ends of beams within that are kept
-constexpr std::size_t most_gaps = 24;  ///< of the map; odometry alone joins the parts
+constexpr std::size_t most_gaps = 24;  ///< between parts of the map that odometry alone joins
 constexpr double remembered_s = 10.0;  ///< of odometry; scans that come later than that are taken for new
 
 /// Returns true if the scan is usable.

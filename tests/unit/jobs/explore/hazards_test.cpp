@@ -52,7 +52,7 @@ bool reaches(const World& world, double radius_m, Vec2 place) {
   RobotModel robot = burger();
   robot.radius_m = radius_m;
   const auto truth =
-      exploration_reference(RangeFinder(world, {}), OpenGround(world, robot), {0.7, 1.0}, 0.01);
+      exploration_reference(RangeFinder(world, {}), OpenGround(world, robot), {0.7, 1.0}, 0.0, 0.01);
   return truth->places[truth->places.frame.cell_at(place)] == reachable;
 }
 
@@ -86,6 +86,17 @@ TEST(ExploreHazards, IsDoneBeforeACorridorThatIsTooNarrowAndSaysHowWideItIs) {
     EXPECT_NEAR(widest_m, 0.4, 0.03) << run->report.reason;
     EXPECT_EQ(metric(run->report, "returned_home"), 1.0);
   }
+}
+
+TEST(ExploreHazards, MayLeaveAGapInWhichItFitsWithLessRoomThanItWants) {
+  const double radius_m = burger().radius_m;
+  const World world = rooms(2.0 * radius_m + 0.015, 0.975);
+  ASSERT_TRUE(reaches(world, radius_m, {4.0, 0.975}));
+  const auto run = explored(world, radius_m, 2);
+  ASSERT_TRUE(run);
+  EXPECT_EQ(run->report.status, "done") << run->report.reason;
+  EXPECT_EQ(metric(run->report, "false_complete"), 0.0);
+  EXPECT_TRUE(metric(run->report, "left_narrow") > 0.0 || metric(run->report, "explored_fraction") >= 0.99);
 }
 
 TEST(ExploreHazards, NeverSaysCompleteWhereTheRobotCouldHaveSeenMore) {

@@ -6,7 +6,8 @@
 // place beside its start. A place is visible if a line of sight at the laser's height, no longer than its
 // range, leads from it to a reachable place: one of the nearest twelve, or one along 720 directions. Finds
 // visible neighbours of visible cells. A visible place lies behind a gap if fewer steps between visible
-// places lead to it from one where the disk fits but which it cannot reach than from one that it can.
+// places lead to it from one where the robot has room but comes by a gap only, or not at all, than from
+// others with room.
 //
 // O(places x obstacles near them), plus O(directions x range / resolution) for each place that is visible
 // only from afar.
@@ -26,7 +27,7 @@ namespace outrider {
 enum Seeable : std::uint8_t {
   not_seeable = 0,
   beside_surface = 1,  ///< visible, but within a cell of a surface, where a map shows the surface
-  behind_gap = 2,      ///< visible, and nearer to where the robot would fit again but cannot come
+  behind_gap = 2,  ///< visible, and nearer to where the robot would have room again but comes by a gap only
   only_seeable = 3,
   reachable = 4,
 };
@@ -41,11 +42,13 @@ struct ExplorationReference {
   Vec2 leaks_at;              ///< the place outside that the robot reaches in the fewest steps
 };
 
-/// Computes the reference. Faults: start_blocked when the robot touches something at its start, with the
-/// nearest place where it would not, and when the start is farther from the box of all obstacles than the
-/// laser sees; bad_input when nothing stands in the world, or when it is larger than 25 million places.
+/// Computes the reference. A gap is one that leaves the robot less than `room_m` to either side. Faults:
+/// start_blocked when the robot touches something at its start, with the nearest place where it would not,
+/// and when the start is farther from the box of all obstacles than the laser sees; bad_input when nothing
+/// stands in the world, or when it is larger than 25 million places.
 Outcome<ExplorationReference> exploration_reference(const RangeFinder& laser, const OpenGround& ground,
-                                                    Vec2 start, double resolution_m = 0.05);
+                                                    Vec2 start, double room_m = 0.0,
+                                                    double resolution_m = 0.05);
 
 /// The quality of a map.
 struct MapQuality {

@@ -69,6 +69,20 @@ TEST(ExplorationReference, WhatLiesBehindANarrowGapIsTold) {
   EXPECT_LT(truth->seeable_m2, 8.0);
 }
 
+TEST(ExplorationReference, AGapIsOneThatLeavesLessRoomThanWanted) {
+  World world = room(4.0, 2.0);  // a wall across with a gap of 25 cm; the robot is 21 cm wide
+  world.solids.push_back(block({2.0, 0.0}, {2.1, 0.90}));
+  world.solids.push_back(block({2.0, 1.15}, {2.1, 2.0}));
+  const Eyes it = eyes(world);
+  const auto at = [&](double room_m, Vec2 p) {
+    const auto truth = exploration_reference(it.laser, it.ground, {1.0, 1.0}, room_m);
+    return truth->places[truth->places.frame.cell_at(p)];
+  };
+  EXPECT_EQ(at(0.015, {3.0, 1.0}), reachable);
+  EXPECT_EQ(at(0.03, {3.0, 1.0}), behind_gap);
+  EXPECT_EQ(at(0.03, {1.5, 0.15}), reachable) << "beside a wall there is less room, too";
+}
+
 TEST(ExplorationReference, AnOpenDoorLeaks) {
   World world = room(3.0, 2.0);
   world.solids.back() = block({3.0, 0.5}, {3.1, 2.0});
