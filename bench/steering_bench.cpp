@@ -55,7 +55,9 @@ SteeringOptions robot() {
   return robot;
 }
 
-std::vector<Problem> queries_on(const std::shared_ptr<const GridMap>& ground) {
+/// Queries that hybrid_a_star answers for a robot with that outline, or for a disk.
+std::vector<Problem> queries_on(const std::shared_ptr<const GridMap>& ground,
+                                const std::vector<Vec2>& outline = {}) {
   Rng rng = Rng(5).child("queries");
   std::vector<Problem> queries;
   Workspace workspace;
@@ -64,6 +66,7 @@ std::vector<Problem> queries_on(const std::shared_ptr<const GridMap>& ground) {
     Problem problem{ground, point(), point()};
     problem.start_heading_rad = rng.uniform(-3.0, 3.0);
     problem.goal_heading_rad = rng.uniform(-3.0, 3.0);
+    problem.outline = outline;
     HybridAStarOptions options;
     options.steering = robot();
     if (hybrid_a_star(problem, options, {}, workspace)) queries.push_back(problem);
@@ -189,7 +192,29 @@ void run() {
   print(all);
 }
 
+/// The same for a robot of 0.6 x 0.4 m, on queries of its own.
+void run_outline() {
+  const auto queries = queries_on(yard(), {{-0.1, -0.2}, {0.5, -0.2}, {0.5, 0.2}, {-0.1, 0.2}});
+  std::vector<Answers> all;
+  Workspace workspace;
+  HybridAStarOptions hybrid;
+  hybrid.steering = robot();
+  all.push_back(measure("hybrid_a_star, 0.6 x 0.4 m", queries, [&](const Problem& problem) {
+    return checked(hybrid_a_star(problem, hybrid, {}, workspace), problem);
+  }));
+  StateLatticeOptions lattice;
+  lattice.steering = robot();
+  lattice.weight = hybrid.weight;
+  all.push_back(measure("state_lattice, 0.6 x 0.4 m", queries, [&](const Problem& problem) {
+    return checked(state_lattice(problem, lattice, {}, workspace), problem);
+  }));
+  print(all);
+}
+
 }  // namespace
 }  // namespace outrider
 
-int main() { outrider::run(); }
+int main() {
+  outrider::run();
+  outrider::run_outline();
+}

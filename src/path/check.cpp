@@ -18,6 +18,7 @@ namespace {
 
 constexpr double relative = 1e-9;
 constexpr double quadrature = 0.01;  // relative error of an exposure
+constexpr double touching_m = 1e-9;
 
 /// A point in half cells: the cell c covers [2 c, 2 c + 2], so centres and corners are whole numbers.
 struct Half {
@@ -202,6 +203,8 @@ Status check(const Plan& plan, const Problem& problem, const std::stop_token& st
     return check_numbers(plan, problem, stop);
   }
   if (!problem.grid) return bad_input("the problem has no grid to check the plan on");
+  if (!plan.steering && !problem.outline.empty())
+    return refused("it is for a disk, and the robot has an outline");
   if (plan.steering) {
     if (auto good = check_steering(plan, problem); !good) return good;
     return check_numbers(plan, problem, stop);
@@ -232,16 +235,13 @@ Status check(const Plan& plan, const Problem& problem, const std::stop_token& st
   return check_numbers(plan, problem, stop);
 }
 
-Status check(const Plan& plan, const CollisionMap& ground, double radius_m) {
+Status check(const Plan& plan, const CollisionMap& ground, double radius_m,
+             const std::vector<Vec2>& outline) {
   if (plan.waypoints.empty()) return refused("it has no waypoints");
-  const double swept_m = std::max(0.0, radius_m - disk_way_error_m(plan));
-  for (const std::vector<Vec2>& way : disk_ways(plan)) {
-    for (std::size_t i = 0; i < way.size(); ++i) {
-      if (ground.segment_free({way[i == 0 ? 0 : i - 1], way[i]}, swept_m)) continue;
-      return refused(fmt::format("a disk of {} m touches an obstacle on leg {}", short_number(radius_m), i));
-    }
-  }
-  return {};
+  const double least_m = clearance_m(plan, ground, outline);
+  if (least_m >= radius_m - hulls_error_m(plan, outline) - touching_m) return {};
+  return refused(fmt::format("it comes within {} m of an obstacle, nearer than the {} m of the robot",
+                             short_number(least_m), short_number(radius_m)));
 }
 
 }  // namespace outrider

@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "outrider/core/units.hpp"
+#include "outrider/geometry/convex.hpp"
+#include "outrider/geometry/pose.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double way_step_rad = radians(1.0);
+constexpr double hull_step_rad = radians(1.0);
 
 double heading_at(const PathPiece& piece, Vec2 p) {
   const double looks = piece.backward ? -1.0 : 1.0;
@@ -92,34 +94,53 @@ Box2 bounds_of(const PathPiece& piece) {
   return box;
 }
 
-std::vector<PathPiece> carried(const std::vector<PathPiece>& pieces, double ahead_m) {
-  std::vector<PathPiece> other = pieces;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    other[i].from = pieces[i].from + ahead_m * direction(heading_in(pieces[i]));
-    other[i].to = pieces[i].to + ahead_m * direction(heading_out(pieces[i]));
-  }
+PathPiece carried(const PathPiece& piece, double heading_rad, Vec2 at) {
+  PathPiece other = piece;
+  other.from = piece.from + rotated(heading_rad, at);
+  other.to = piece.to + rotated(heading_rad + piece.turn_rad, at);
   return other;
 }
 
-std::vector<std::vector<Vec2>> disk_ways(const Plan& plan) {
-  if (!plan.steering || plan.pieces.empty()) return {plan.waypoints};
-  std::vector<std::vector<Vec2>> ways;
-  for (const double ahead_m : plan.steering->disks_m) {
-    const std::vector<PathPiece> pieces = carried(plan.pieces, ahead_m);
-    ways.push_back(points_along(pieces.front().from, pieces, way_step_rad));
-  }
-  return ways;
+PathPiece seen_from(const PathPiece& piece, double heading_rad, Vec2 place) {
+  const Pose2 begin{piece.from, heading_rad}, end{piece.to, heading_rad + piece.turn_rad};
+  return {begin.to_local(place), end.to_local(place), begin.to_local(piece.centre), -piece.turn_rad};
 }
 
-double disk_way_error_m(const Plan& plan) {
+std::vector<std::vector<Vec2>> swept_hulls(const Plan& plan, const std::vector<Vec2>& outline) {
+  std::vector<std::vector<Vec2>> hulls;
+  const auto add = [&](const Pose2& a, const Pose2& b) {
+    std::vector<Vec2> points{a.position, b.position};
+    for (const Vec2 corner : outline) {
+      points.push_back(a * corner);
+      points.push_back(b * corner);
+    }
+    hulls.push_back(convex_hull(std::move(points)));
+  };
+  if (!plan.steering || plan.pieces.empty()) {
+    for (std::size_t i = 0; i < plan.waypoints.size(); ++i)
+      add({plan.waypoints[i == 0 ? 0 : i - 1], 0.0}, {plan.waypoints[i], 0.0});
+    return hulls;
+  }
+  for (const PathPiece& piece : plan.pieces) {
+    const double begin_rad = heading_in(piece);
+    const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(piece.turn_rad) / hull_step_rad)));
+    const auto pose = [&](int step) {
+      const double part = static_cast<double>(step) / steps;
+      return Pose2{point_on(piece, part), begin_rad + part * piece.turn_rad};
+    };
+    for (int i = 0; i < steps; ++i) add(pose(i), pose(i + 1));
+  }
+  return hulls;
+}
+
+double hulls_error_m(const Plan& plan, const std::vector<Vec2>& outline) {
   if (!plan.steering) return 0.0;
-  double radius_m = 0.0;
+  double radius_m = 0.0, outer_m = 0.0;
   for (const PathPiece& piece : plan.pieces) {
     if (piece.turn_rad != 0.0) radius_m = std::max(radius_m, distance(piece.centre, piece.from));
   }
-  double ahead_m = 0.0;
-  for (const double disk_m : plan.steering->disks_m) ahead_m = std::max(ahead_m, std::abs(disk_m));
-  return std::hypot(radius_m, ahead_m) * (1.0 - std::cos(0.5 * way_step_rad));
+  for (const Vec2 corner : outline) outer_m = std::max(outer_m, norm(corner));
+  return (radius_m + outer_m) * (1.0 - std::cos(0.5 * hull_step_rad));
 }
 
 }  // namespace outrider

@@ -1,13 +1,13 @@
 #include "outrider/path/safety.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
+#include "outline_way.hpp"
+#include "outrider/motion/footprint.hpp"
 #include "outrider/path/check.hpp"
 #include "outrider/path/pieces.hpp"
-#include "visibility/polygon_ground_check.hpp"
 
 namespace outrider {
 namespace {
@@ -39,25 +39,14 @@ double clearance_on_grid(const GridMap& ground, Vec2 p) {
   return least;
 }
 
-double to_square(const PathPiece& piece, Cell c) {
-  const Vec2 low{double(c.x), double(c.y)}, high{c.x + 1.0, c.y + 1.0};
-  const std::array<Vec2, 4> corners = {low, Vec2{high.x, low.y}, high, Vec2{low.x, high.y}};
-  double least = std::min(to_square(piece.from, c), to_square(piece.to, c));
-  for (std::size_t i = 0; i < 4; ++i) {
-    least = std::min(least, distance_to(piece, Segment{corners[i], corners[(i + 1) % 4]}));
-  }
-  return least;
-}
-
 /// Returns the least clearance along a piece in cells, at most `least`.
-double clearance_on_grid(const GridMap& ground, const PathPiece& piece, double least) {
+double clearance_on_grid(const GridMap& ground, const OutlineWay& way, double least) {
   const auto cell = [](double t) { return static_cast<int>(std::floor(t)); };
-  const Box2 box = bounds_of(piece);
+  const Box2& box = way.bounds();
   const int last_x = cell(box.high.x + least), last_y = cell(box.high.y + least);
   for (int y = cell(box.low.y - least) - 1; y <= last_y + 1; ++y) {
     for (int x = cell(box.low.x - least) - 1; x <= last_x + 1; ++x) {
-      if (!ground.blocked({x, y}) || distance_to(piece, Vec2{x + 0.5, y + 0.5}) > least + 0.71) continue;
-      least = std::min(least, to_square(piece, {x, y}));
+      if (ground.blocked({x, y}) && way.may_come_to({x, y}, least)) least = std::min(least, way.gap({x, y}));
     }
   }
   return least;
@@ -110,16 +99,34 @@ PathPiece in_cells(PathPiece piece, const GridFrame& frame) {
 
 }  // namespace
 
-double clearance_m(const Plan& plan, const GridMap& ground, double most_m) {
+double clearance_m(const Plan& plan, const GridMap& ground, const std::vector<Vec2>& outline, double most_m) {
   double least = most_m / ground.frame.resolution_m;
-  for (const double ahead_m : plan.steering.value_or(Steering{}).disks_m) {
-    for (const PathPiece& each : carried(pieces_of(plan), ahead_m)) {
-      const PathPiece piece = in_cells(each, ground.frame);
-      least = std::min(least, clearance_on_grid(ground, piece.from));
-      least = clearance_on_grid(ground, piece, least);
-    }
+  for (const PathPiece& piece : pieces_of(plan)) {
+    least = std::min(least, clearance_on_grid(ground, in_cells(piece, ground.frame).from));
+    least = clearance_on_grid(ground, {piece, heading_in(piece), outline, ground.frame}, least);
   }
   return ground.frame.resolution_m * least;
+}
+
+double clearance_m(const Plan& plan, const CollisionMap& ground, const std::vector<Vec2>& outline) {
+  std::vector<Box2> boxes;
+  for (const RoundedPolygon& obstacle : ground.obstacles()) boxes.push_back(obstacle.bounds());
+  const Box2& bounds = ground.bounds();
+  double least = infinite;
+  for (const std::vector<Vec2>& hull : swept_hulls(plan, outline)) {
+    Box2 around;
+    for (const Vec2 p : hull) {
+      around.include(p);
+      least =
+          std::min({least, p.x - bounds.low.x, bounds.high.x - p.x, p.y - bounds.low.y, bounds.high.y - p.y});
+    }
+    const Footprint swept({hull, 0.0});
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (boxes[i].overlaps(around.grown(std::max(0.0, least))))
+        least = std::min(least, swept.gap_m(Pose2{}, ground.obstacles()[i]));
+    }
+  }
+  return least;
 }
 
 Safety safety_of(const Plan& plan, const Problem& problem, const std::stop_token& stop) {
@@ -134,8 +141,8 @@ Safety safety_of(const Plan& plan, const Problem& problem, const std::stop_token
     add_exposure(safety, in_cells(piece, ground.frame), stop,
                  [&](Vec2 p) { return clearance_on_grid(ground, p); });
   }
-  safety.clearance_m =
-      problem.polygons ? clearance_m(plan, *problem.polygons) : clearance_m(plan, *problem.grid, infinite);
+  safety.clearance_m = problem.polygons ? clearance_m(plan, *problem.polygons)
+                                        : clearance_m(plan, *problem.grid, problem.outline, infinite);
   return safety;
 }
 

@@ -255,6 +255,27 @@ void draw_targets(Sheet& sheet, const Log& log) {
   }
 }
 
+/// Draws an outline on the paths of planners, half its length apart and where it turns back.
+void draw_on_its_way(Sheet& sheet, const std::vector<Stamped<nav_msgs::Path>>& plans, const Body& body) {
+  double reach_m = 0.0;
+  for (const Vec2 corner : body.outline) reach_m = std::max(reach_m, norm(corner));
+  for (const auto& [time_ns, path] : plans) {
+    double driven_m = 0.0;
+    for (std::size_t i = 0; i < path.poses.size() && reach_m > 0.0; ++i) {
+      const Pose2 pose = pose_of(path.poses[i].pose);
+      if (i > 0) driven_m += distance(pose.position, place(path.poses[i - 1].pose.position));
+      const bool is_last = i + 1 == path.poses.size();
+      const Vec2 before = i > 0 ? pose.position - place(path.poses[i - 1].pose.position) : Vec2{};
+      const Vec2 after = is_last ? Vec2{} : place(path.poses[i + 1].pose.position) - pose.position;
+      if (driven_m < 0.5 * reach_m && outrider::dot(before, after) >= 0.0 && !is_last) continue;
+      driven_m = 0.0;
+      std::vector<Vec2> outline;
+      for (const Vec2 corner : body.outline) outline.push_back(pose * corner);
+      sheet.area("body", {outline});
+    }
+  }
+}
+
 template <class Message>
 void show_newest(Sheet& sheet, const Log& log, std::string_view topic) {
   if (const Message* message = log.latest<Message>(topic)) show(sheet, *message);
@@ -271,9 +292,11 @@ void draw_events(Sheet& sheet, const Log& log) {
       for (const auto& [time_ns, path] : log.messages<nav_msgs::Path>(channel.topic))
         sheet.line("plan", points_of(path));
     }
-    if (channel.topic.starts_with(topic::plan_of))
-      draw_planner(sheet, channel.topic.substr(topic::plan_of.size()),
-                   log.messages<nav_msgs::Path>(channel.topic));
+    if (channel.topic.starts_with(topic::plan_of)) {
+      const auto plans = log.messages<nav_msgs::Path>(channel.topic);
+      draw_planner(sheet, channel.topic.substr(topic::plan_of.size()), plans);
+      draw_on_its_way(sheet, plans, body);
+    }
   }
   sheet.line("reference", points_of(track_on(log, topic::reference)));
   sheet.line("pursued", points_of(track_on(log, topic::target_pose)));

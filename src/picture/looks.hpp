@@ -48,6 +48,8 @@ inline constexpr auto looks = std::to_array<Look>({
     {"keep_out", "keep-out zone",
      "fill:#c51b1b;fill-opacity:.16;fill-rule:evenodd;stroke:#c51b1b;stroke-width:1.2"},
     {"slow", "slow zone", "fill:#e6a800;fill-opacity:.16;fill-rule:evenodd;stroke:#e6a800;stroke-width:1.2"},
+    {"body", "robot on its way",
+     "fill:#0a6cc4;fill-opacity:.05;stroke:#0a6cc4;stroke-opacity:.4;stroke-width:.8"},
     {"axis", "medial axis", "stroke:#566470;stroke-width:.9;stroke-opacity:.75"},
     {"bar", "the bar in the end", "stroke:#15212b;stroke-width:1.4"},
     {"plan", "planned path", "stroke:#a9cdea;stroke-width:5;stroke-opacity:.75"},

@@ -33,6 +33,20 @@ inline std::vector<Vec2> random_convex_polygon(Rng& rng, double half_side) {
   return points;
 }
 
+/// Corners of a robot: a convex polygon around the origin.
+inline std::vector<Vec2> random_outline(Rng& rng, double half_side) {
+  std::vector<Vec2> points;
+  const auto around = [&] {
+    return points.size() >= 3 && signed_distance(Vec2{}, RoundedPolygon{points, 0.0}) < -0.01 * half_side;
+  };
+  while (!around()) {
+    points.assign(3 + rng.below(5), Vec2{});
+    for (Vec2& p : points) p = random_point(rng, half_side);
+    points = convex_hull(points);
+  }
+  return points;
+}
+
 /// A disk, a capsule or a rounded polygon; sharp in a third of the cases.
 inline RoundedPolygon random_rounded_polygon(Rng& rng, double half_side) {
   std::vector<Vec2> core = random_convex_polygon(rng, half_side);

@@ -10,11 +10,12 @@
 // On a grid it also verifies that every waypoint lies on its vertex and that every leg is legal in the grid
 // model (separating axes in integers, exact). O(cells along the path).
 // If the robot steers, it verifies instead that the pieces join in position and heading, that no arc is
-// tighter than the turning radius, that no disk of the robot touches a blocked cell along any piece (exact
-// distance between arc or leg and the sides of the cells nearby), and that the waypoints stay within their
-// error. On polygons it also verifies that the pieces join, that each piece keeps the radius from every edge
-// (exact distance between arc or leg and edge, to 2 contact_m), and that the waypoints stay within their
-// stated error of the pieces. O(pieces * edges). The fault states what is wrong and at which leg.
+// tighter than the turning radius, that its outline touches no blocked cell along any piece (exact distances:
+// the ways of its corners from the cells nearby, and those of their corners from it, as it sees them), and
+// that the waypoints stay within their error. On polygons it also verifies that the pieces join, that each
+// piece keeps the radius from every edge (exact distance between arc or leg and edge, to 2 contact_m), and
+// that the waypoints stay within their stated error of the pieces. O(pieces * edges). The fault states what
+// is wrong and at which leg.
 #pragma once
 
 #include <stop_token>
@@ -31,9 +32,10 @@ Status check(const Plan& plan, const Problem& problem, const std::stop_token& st
 /// of the legs between its waypoints if it has no pieces.
 double clearance_m(const Plan& plan, const PolygonGround& ground);
 
-/// Verifies that a disk of that radius can follow the waypoints without touching an obstacle. It uses the
-/// exact shapes of the world instead of the grid. Of a robot that steers, it verifies all disks along the
-/// pieces, to disk_way_error_m().
-Status check(const Plan& plan, const CollisionMap& ground, double radius_m);
+/// Verifies that a robot with that outline (as in Problem), grown by a radius, can follow the plan without
+/// touching an obstacle. It uses the exact shapes of the world instead of the grid. On arcs it is exact to
+/// hulls_error_m().
+Status check(const Plan& plan, const CollisionMap& ground, double radius_m,
+             const std::vector<Vec2>& outline = {});
 
 }  // namespace outrider

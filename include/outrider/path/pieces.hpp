@@ -38,14 +38,16 @@ std::vector<Vec2> points_along(Vec2 start, const std::vector<PathPiece>& pieces,
 /// Returns the smallest box around the piece.
 Box2 bounds_of(const PathPiece& piece);
 
-/// Returns the path of a point that a robot carries `ahead_m` ahead of the one that the pieces are of.
-std::vector<PathPiece> carried(const std::vector<PathPiece>& pieces, double ahead_m);
+/// Returns the path of a point that a robot carries: `at` in its frame, whose origin takes the piece. The
+/// robot has that heading at the beginning of the piece.
+PathPiece carried(const PathPiece& piece, double heading_rad, Vec2 at);
+/// Returns the path of a point that stands, in the frame of that robot.
+PathPiece seen_from(const PathPiece& piece, double heading_rad, Vec2 place);
 
-/// Returns the ways of the disks of a robot as chains of points: on arcs they are at most a degree apart, so
-/// that the legs stay within 4e-5 of the radius of the arc. A plan without `steering` has one disk, whose way
-/// is that of its waypoints.
-std::vector<std::vector<Vec2>> disk_ways(const Plan& plan);
-/// Returns the largest distance of these legs from the true ways of the disks, m.
-double disk_way_error_m(const Plan& plan);
+/// Returns convex polygons that together cover what a robot sweeps along the plan, one for each leg and for
+/// each degree of an arc. `outline` is as in Problem. They are exact on legs; on arcs their borders are off
+/// by hulls_error_m() at most. O(pieces + degrees), times the corners.
+std::vector<std::vector<Vec2>> swept_hulls(const Plan& plan, const std::vector<Vec2>& outline);
+double hulls_error_m(const Plan& plan, const std::vector<Vec2>& outline);
 
 }  // namespace outrider

@@ -48,12 +48,10 @@ struct CostWeights {
   friend bool operator==(const CostWeights&, const CostWeights&) = default;
 };
 
-/// The motions of a robot that steers, and the room that it takes.
+/// The motions of a robot that steers.
 struct Steering {
   double turning_radius_m = 0.0;  ///< least radius of its arcs
   bool reverse = false;           ///< it can drive backwards
-  std::vector<double> disks_m = {
-      0.0};  ///< centres of the disks that it consists of, ahead of the planned point
   /// Set if the ends are those of a lattice: the path begins and ends within half a cell of a grid of the
   /// given points along each axis, and within this angle of the given headings. Unset: exactly there.
   std::optional<double> snap_rad = std::nullopt;

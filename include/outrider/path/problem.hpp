@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "outrider/path/grid/grid_map.hpp"
 #include "outrider/path/grid/terrain/cell_costs.hpp"
@@ -26,6 +27,10 @@ struct Problem {
   /// Costs per metre of the cells of the grid, for planners that weigh the ground; null: 1 everywhere. Others
   /// ignore them.
   std::shared_ptr<const CellCosts> costs = nullptr;
+  /// Corners of the robot in its own frame, convex, counter-clockwise and around its origin, m, for planners
+  /// of robots that steer; empty: it is a disk. The ground is grown by what lies beyond them: the radius of
+  /// the disk, or of the robot's round corners.
+  std::vector<Vec2> outline = {};
 };
 
 /// A problem on a grid, with start and goal as vertices of the grid.

@@ -17,6 +17,7 @@
 #include <stop_token>
 
 #include "outrider/path/plan.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 
@@ -28,9 +29,12 @@ struct Safety {
   double exposure_high = 0.0;  ///< proven upper bound
 };
 
-/// Returns the least distance of a plan, of all disks of a robot that steers, to the blocked cells of a grid,
-/// exactly, at most `most_m`.
-double clearance_m(const Plan& plan, const GridMap& ground, double most_m);
+/// Returns the least distance of a robot with that outline (as in Problem) to the blocked cells of a grid,
+/// exactly, at most `most_m`; of a disk that of its centre.
+double clearance_m(const Plan& plan, const GridMap& ground, const std::vector<Vec2>& outline, double most_m);
+/// Returns it to the exact shapes of a world and its bounds, to hulls_error_m(); 0 or less where it overlaps
+/// one. O(obstacles) for each hull (pieces.hpp).
+double clearance_m(const Plan& plan, const CollisionMap& ground, const std::vector<Vec2>& outline);
 
 /// Computes the safety of the pieces of the plan, or of the legs between its waypoints if it has no pieces.
 Safety safety_of(const Plan& plan, const Problem& problem, const std::stop_token& stop = {});

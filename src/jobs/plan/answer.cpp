@@ -41,37 +41,15 @@ Problem problem_of(const PathPlanner& planner, const PlanGround& ground, const P
   if (on_polygons) problem.polygons = ground.polygons;
   if (!on_polygons) problem.grid = ground.grid;
   if (planner.weighs) problem.costs = ground.costs;
+  problem.outline = ground.outline;
   return problem;
 }
 
-/// The least distance of the ways of its disks to exact shapes, to 1 nm: the largest disk that can be swept
-/// along them, at least `least_m`.
-double clearance_of(const Plan& plan, const CollisionMap& shapes, double least_m) {
-  const auto ways = disk_ways(plan);
-  const auto fits = [&](double radius) {
-    for (const std::vector<Vec2>& way : ways) {
-      for (std::size_t i = 0; i < way.size(); ++i) {
-        if (!shapes.segment_free({way[i == 0 ? 0 : i - 1], way[i]}, radius)) return false;
-      }
-    }
-    return true;
-  };
-  double low = least_m, high = least_m;
-  for (const std::vector<Vec2>& way : ways) {
-    for (const Vec2 p : way) high = std::max(high, shapes.clearance(p, 1e3));
-  }
-  while (high - low > 1e-9) {
-    const double middle = 0.5 * (low + high);
-    (fits(middle) ? low : high) = middle;
-  }
-  return low;
-}
-
-/// The least distance of the middle of the robot to what stands on the ground, whatever it is planned on.
+/// The least distance of the middle of the robot, or of its outline, to what stands on the ground, whatever
+/// it is planned on.
 double clearance_of(const PlanGround& ground, const Plan& plan) {
-  if (ground.shapes)
-    return clearance_of(plan, *ground.shapes, std::max(0.0, ground.radius_m - disk_way_error_m(plan)));
-  return clearance_m(plan, *ground.standing, std::numeric_limits<double>::infinity());
+  if (ground.shapes) return clearance_m(plan, *ground.shapes, ground.outline);
+  return clearance_m(plan, *ground.standing, ground.outline, std::numeric_limits<double>::infinity());
 }
 
 /// Returns how safe the plan is on the ground that is known best. Throws std::logic_error if the plan is
@@ -80,7 +58,7 @@ Safety judge(const PathPlanner& planner, const PlanGround& ground, const PlanQue
              const std::stop_token& stop) {
   const Problem problem = problem_of(planner, ground, query);
   auto verdict = check(plan, problem, stop);
-  if (verdict && ground.shapes) verdict = check(plan, *ground.shapes, ground.radius_m);
+  if (verdict && ground.shapes) verdict = check(plan, *ground.shapes, ground.radius_m, ground.outline);
   Problem exact = problem;
   if (ground.polygons) exact = {nullptr, problem.start, problem.goal, ground.polygons};
   Safety safety = safety_of(plan, exact, stop);

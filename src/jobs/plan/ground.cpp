@@ -98,6 +98,7 @@ Box2 PlanGround::bounds() const {
 Outcome<PlanGround> plan_ground(const MapShape& map, const PlanGroundOptions& options) {
   PlanGround ground;
   ground.radius_m = options.radius_m;
+  ground.outline = options.outline;
   if (auto ok = set_shape(ground, map, options); !ok) return pass_on(ok);
   if (!ground.grid) return ground;
   auto costs = ground_costs(options.costs, ground.grid->frame, ground.yaw_rad);

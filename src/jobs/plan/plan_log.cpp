@@ -1,15 +1,18 @@
 #include "plan_log.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
+#include "outrider/geometry/convex.hpp"
 #include "outrider/job/grid_message.hpp"
 #include "outrider/job/scene.hpp"
 #include "outrider/job/scene_markers.hpp"
+#include "outrider/log/append.hpp"
 #include "outrider/log/messages/conversions.hpp"
 #include "outrider/log/messages/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
@@ -21,6 +24,8 @@ namespace outrider {
 namespace {
 
 constexpr double arc_step_rad = radians(5.0);
+constexpr double corner_step_rad = radians(15.0);
+constexpr double pose_step_m = 0.25;
 
 /// Returns a grid whose values are -1. `yaw_rad` turns it about its origin.
 nav_msgs::OccupancyGrid blank_grid(const GridFrame& frame, double yaw_rad) {
@@ -112,7 +117,24 @@ void log_ground(Log& log, const PlanTask& task, const PlanGround& ground) {
   if (world == nullptr && ground.polygons) log.append(topic::walls, 0.0, walls_of(*ground.polygons));
   if (ground.costs && ground.yaw_rad == 0.0) log.append(topic::cost_grid, 0.0, cost_grid_of(ground));
   if (ground.grid) log.append(topic::costmap, 0.0, costmap_of(ground));
+  if (!ground.outline.empty())
+    log_footprint(log, inscribed({ground.outline, ground.radius_m}, corner_step_rad));
   log_markers(log);
+}
+
+/// Returns poses of a robot that steers along its path, as it looks there, also backwards.
+std::vector<Pose2> poses_along(const std::vector<PathPiece>& pieces, const PlanGround& ground) {
+  std::vector<Pose2> poses;
+  for (const PathPiece& piece : pieces) {
+    const double step = std::max(std::abs(piece.turn_rad) / arc_step_rad, length_of(piece) / pose_step_m);
+    const int steps = std::max(1, static_cast<int>(std::ceil(step)));
+    for (int i = poses.empty() ? 0 : 1; i <= steps; ++i) {
+      const double part = static_cast<double>(i) / steps;
+      poses.push_back({ground.to_world(point_on(piece, part)),
+                       ground.yaw_rad + heading_in(piece) + part * piece.turn_rad});
+    }
+  }
+  return poses;
 }
 
 void log_queries(Log& log, const std::vector<PlanQuery>& queries) {
@@ -146,6 +168,12 @@ void log_answer(Log& log, const PlanTask& task, const PlanQuestion& question, co
   log_queries(log, question.queries);
   for (const PlanRow& row : answer.rows) {
     if (!row.found()) continue;
+    if (row.plan->steering && !row.pieces.empty()) {
+      const std::vector<Pose2> poses = poses_along(row.pieces, ground);
+      log.append(std::string(topic::plan_of) + row.planner, 0.0,
+                 path_of(std::vector<double>(poses.size(), 0.0), poses));
+      continue;
+    }
     const bool exact = !row.pieces.empty();
     auto points = row.waypoints;
     if (exact) {

@@ -35,8 +35,16 @@ OptionGroup describe_question(PlanScenario& scenario) {
        {"model", "", 0, 0,
         "vertices of the paths on a grid: cells (their centres) or corners; corners on polygons unless given",
         &scenario.model},
-       {"radius", "m", 0, 1e3, "radius of the robot; 0 on MovingAI maps and 0.18 on polygons unless given",
+       {"radius", "m", 0, 1e3,
+        "radius of the robot, 0 on MovingAI maps and 0.18 on polygons unless given; with a footprint the "
+        "room "
+        "around it, 0 unless given",
         &scenario.radius_m},
+       {"footprint", "", 0, 0,
+        "corners x,y of the robot, m, convex, counter-clockwise and around its origin; one that turns in "
+        "place "
+        "takes the disk about them",
+        &scenario.footprint},
        {"height", "m", 0, 100, "height of the robot, for SDF worlds", &scenario.height_m}}};
 }
 
@@ -128,11 +136,12 @@ Status check_takes(const PathPlanner& planner, GridModel model, bool has_polygon
 }
 
 PlanScenario settle(PlanScenario scenario, MapKind kind, const std::set<std::string>& given) {
-  if (kind == MapKind::movingai && !given.contains("radius")) scenario.radius_m = 0.0;
+  const bool is_disk = scenario.footprint.empty();
+  if ((kind == MapKind::movingai || !is_disk) && !given.contains("radius")) scenario.radius_m = 0.0;
   const bool costs = has_costs(scenario);
   if (costs && !given.contains("planner")) scenario.planner = "terrain_theta_star";
   if (kind != MapKind::polygons) return scenario;
-  if (!given.contains("radius")) scenario.radius_m = 0.18;
+  if (is_disk && !given.contains("radius")) scenario.radius_m = 0.18;
   if (!costs && !given.contains("planner")) scenario.planner = "visibility_graph_reduced";
   if (!costs && !given.contains("model")) scenario.model = "corners";
   if (!given.contains("resolution")) scenario.grid.resolution_m = 0.05;

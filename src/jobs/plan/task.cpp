@@ -6,6 +6,7 @@
 
 #include "outrider/io/files/files.hpp"
 #include "outrider/io/map/terrain.hpp"
+#include "outrider/motion/footprint.hpp"
 #include "queries.hpp"
 
 namespace outrider {
@@ -92,6 +93,22 @@ Status set_costs(PlanTask& task) {
   return {};
 }
 
+/// Sets the outline of a robot that steers; of another one the disk about it grows the ground.
+Status set_outline(PlanGroundOptions& ground, const PlanScenario& scenario) {
+  if (scenario.footprint.empty()) return {};
+  auto shape = parse_footprint(scenario.footprint);
+  if (!shape) return pass_on(shape);
+  if (shape->core.size() < 3)
+    return bad_input("it is a disk; give its corners, or leave it out and give the radius", "footprint");
+  const auto planner = find_path_planner(scenario.planner);
+  if (planner && planner->steers) {
+    ground.outline = std::move(shape->core);
+  } else {
+    ground.radius_m += Footprint(*shape).outer_m();
+  }
+  return {};
+}
+
 Status set_ground_options(PlanTask& task) {
   const PlanScenario& scenario = task.settled;
   auto model = find_grid_model(scenario.model);
@@ -100,6 +117,7 @@ Status set_ground_options(PlanTask& task) {
   if (!changes) return pass_on(changes);
   PlanGroundOptions& ground = task.ground;
   ground = {scenario.radius_m, scenario.height_m, *model, scenario.grid};
+  if (auto ok = set_outline(ground, scenario); !ok) return ok;
   ground.as_polygons = takes_polygons(scenario, task.map.kind);
   ground.changes = std::move(*changes);
   return set_costs(task);

@@ -16,7 +16,8 @@ namespace {
 constexpr double wider_part = 1.1;  // of the tightest curve, for those of the way
 constexpr double cusp_m = 0.6;      // price of a change of direction
 constexpr double backward_price = 1.3;
-constexpr double long_part = 1.2;      // a longer footprint is covered by three disks
+constexpr double round_step_rad = radians(15.0);  // of round corners that are made straight
+constexpr double cell_reach = 0.71;               // of a cell, from its middle to its corners
 constexpr double rounding_part = 0.8;  // of a cell, by which a path comes nearer than their middles
 constexpr double around_ends_m = 1.0;  // where a way may have less room
 constexpr double curve_weight = 1.5;   // of the estimate
@@ -24,26 +25,14 @@ constexpr double pose_cell_m = 0.1;    // of a search, at most
 constexpr std::uint64_t curve_expansions = 20'000;  // of a search
 constexpr int goal_directions = 8;                  // in which a free place beside the goal is sought
 
-/// The disks that cover a footprint, in a row along its axis.
-struct Cover {
-  double radius_m = 0.0;
-  double front_m = 0.0, rear_m = 0.0;  ///< middle of the first and of the last disk
-
-  explicit Cover(const Footprint& footprint) : radius_m(footprint.outer_m()) {
-    double front = 0.0, rear = 0.0, beside = 0.0;
-    const double rim = footprint.shape().radius_m;
-    for (const Vec2 corner : footprint.shape().core) {
-      front = std::max(front, corner.x + rim);
-      rear = std::max(rear, rim - corner.x);
-      beside = std::max(beside, std::abs(corner.y) + rim);
-    }
-    const double part = (front + rear) / 6.0;
-    if (front + rear < long_part * 2.0 * beside || std::min(front, rear) < part) return;
-    radius_m = std::hypot(part, beside);
-    front_m = front - part;
-    rear_m = rear - part;
-  }
-};
+/// Returns the footprint as corners about its origin and the radius of its round corners.
+RoundedPolygon outline_of(const Footprint& footprint) {
+  const RoundedPolygon& shape = footprint.shape();
+  const bool is_disk = shape.core.size() == 1 && shape.core.front() == Vec2{};
+  if (is_disk || (shape.core.size() > 2 && signed_distance(Vec2{}, RoundedPolygon{shape.core, 0.0}) < 0.0))
+    return shape;
+  return {circumscribed(shape, round_step_rad), 0.0};
+}
 
 /// Returns the least distance from a footprint to obstacles, m, at most `most`.
 double gap_at(const std::vector<Vec2>& obstacles, const Footprint& footprint, const Pose2& pose,
@@ -71,11 +60,9 @@ std::optional<Vec2> free_goal(const GoalGround& ground, const Footprint& footpri
   return {};
 }
 
-/// Blocks the cells on which the middle of a disk has less room than `room_m`, or less than at the ends near
-/// those.
+/// Blocks the cells whose middle is nearer to an obstacle than `room_m`, or than at the ends near those.
 Grid<std::uint8_t> blocked_cells(const GoalGround& ground, const std::vector<float>& distance_m,
-                                 const Cover& cover, double room_m,
-                                 const std::vector<std::pair<Vec2, double>>& ends) {
+                                 double room_m, const std::vector<std::pair<Vec2, double>>& ends) {
   Grid<std::uint8_t> blocked(ground.frame);
   for (std::size_t i = 0; i < blocked.cells.size(); ++i) {
     double least_m = room_m;
@@ -84,18 +71,35 @@ Grid<std::uint8_t> blocked_cells(const GoalGround& ground, const std::vector<flo
       if (distance(middle, end) < around_ends_m) least_m = std::min(least_m, end_room_m);
     }
     const bool closed = ground.closed != nullptr && (*ground.closed)[i] != 0;
-    blocked.cells[i] = closed || static_cast<double>(distance_m[i]) < cover.radius_m + least_m ? 1 : 0;
+    blocked.cells[i] = closed || static_cast<double>(distance_m[i]) < least_m ? 1 : 0;
   }
   return blocked;
 }
 
-HybridAStarOptions options_of(const RobotModel& robot, const Cover& cover) {
+/// Returns the least distance to obstacles of the cells that a robot covers, m.
+double least_around(const GoalGround& ground, const std::vector<float>& distance_m,
+                    const std::vector<Vec2>& outline, const Pose2& pose) {
+  const GridFrame& frame = ground.frame;
+  const double near_m = cell_reach * frame.resolution_m;
+  Box2 box;
+  for (const Vec2 corner : outline) box.include(pose * corner);
+  box = box.grown(near_m);
+  const Cell low = frame.cell_at(box.low), high = frame.cell_at(box.high);
+  double least_m = std::numeric_limits<double>::infinity();
+  for (int y = std::max(low.y, 0); y <= std::min(high.y, frame.height - 1); ++y) {
+    for (int x = std::max(low.x, 0); x <= std::min(high.x, frame.width - 1); ++x) {
+      if (signed_distance(pose.to_local(frame.centre({x, y})), {outline, near_m}) <= 0.0)
+        least_m = std::min(least_m, static_cast<double>(distance_m[frame.index({x, y})]));
+    }
+  }
+  return least_m;
+}
+
+HybridAStarOptions options_of(const RobotModel& robot) {
   HybridAStarOptions options;
   options.steering.turning_radius_m = wider_part * robot.turning_radius_m;
   options.steering.cusp_price_m = cusp_m;
   options.steering.backward_price = backward_price;
-  options.steering.front_m = cover.front_m;
-  options.steering.rear_m = cover.rear_m;
   options.cell_m = std::min(0.2 * robot.turning_radius_m, pose_cell_m);
   options.weight = curve_weight;
   return options;
@@ -114,24 +118,19 @@ Outcome<TrackPieces> plan_curved_way(const GoalGround& ground, const Footprint& 
                                      const RobotModel& robot, const CurveQuery& query, Workspace& workspace) {
   const auto goal = free_goal(ground, footprint, query);
   if (!goal) return fault(FaultCode::goal_blocked, "something stands at the goal");
-  const Cover cover(footprint);
+  RoundedPolygon outline = outline_of(footprint);
   const double rounding_m = rounding_part * ground.frame.resolution_m;
   const double tight_m = query.margin_m + rounding_m, wide_m = std::max(tight_m, query.wide_m);
   std::vector<float> distance_m;
-  spread_distances(ground.frame, ground.obstacles, cover.radius_m + wide_m + rounding_m, distance_m);
+  spread_distances(ground.frame, ground.obstacles, outline.radius_m + wide_m + rounding_m, distance_m);
   if (ground.zones != nullptr && !ground.zones->room_m.empty()) {
     for (std::size_t i = 0; i < distance_m.size(); ++i)
       distance_m[i] = std::min(distance_m[i], ground.zones->room_m[i]);
   }
-  // The disks reach beyond a long footprint by a little, and ways begin where the robot stands.
+  // Ways begin where the robot stands, and go on though the cells beside them are a little nearer.
   const auto room_at = [&](Vec2 place, double heading_rad) {
-    double least_m = std::numeric_limits<double>::infinity();
-    for (const double ahead_m : {-cover.rear_m, 0.0, cover.front_m}) {
-      const Cell cell = ground.frame.cell_at(place + ahead_m * direction(heading_rad));
-      if (ground.frame.contains(cell))
-        least_m = std::min(least_m, static_cast<double>(distance_m[ground.frame.index(cell)]));
-    }
-    return least_m - cover.radius_m - rounding_m;
+    return least_around(ground, distance_m, outline.core, {place, heading_rad}) - outline.radius_m -
+           rounding_m;
   };
   const double start_m = room_at(query.start.position, query.start.heading_rad);
   const double goal_m = query.heading_rad ? room_at(*goal, *query.heading_rad) : wide_m;
@@ -143,20 +142,22 @@ Outcome<TrackPieces> plan_curved_way(const GoalGround& ground, const Footprint& 
   problem.goal = *goal;
   problem.start_heading_rad = looks(query.start.heading_rad);
   if (query.heading_rad) problem.goal_heading_rad = looks(*query.heading_rad);
-  HybridAStarOptions options = options_of(robot, cover);
+  const HybridAStarOptions options = options_of(robot);
   if (from_goal) {
     std::swap(problem.start, problem.goal);
     std::swap(problem.start_heading_rad, problem.goal_heading_rad);
-    std::swap(options.steering.front_m, options.steering.rear_m);
+    for (Vec2& corner : outline.core) corner = -1.0 * corner;
   }
+  if (outline.core.size() > 1) problem.outline = outline.core;
   Budget budget;
   budget.expansions = curve_expansions;
   Outcome<TrackPieces> answer;
   for (const double room_m : {wide_m, tight_m}) {
-    auto grid = GridMap::of(blocked_cells(ground, distance_m, cover, room_m,
-                                          {{query.start.position, std::min(tight_m, start_m)},
-                                           {*goal, std::min(tight_m, goal_m)}}),
-                            GridModel::cells);
+    auto grid =
+        GridMap::of(blocked_cells(ground, distance_m, outline.radius_m + room_m,
+                                  {{query.start.position, outline.radius_m + std::min(tight_m, start_m)},
+                                   {*goal, outline.radius_m + std::min(tight_m, goal_m)}}),
+                    GridModel::cells);
     if (!grid) return pass_on(grid);
     problem.grid = std::make_shared<const GridMap>(std::move(*grid));
     auto plan = hybrid_a_star(problem, options, budget, workspace);

@@ -34,6 +34,7 @@ struct HybridMemory {
   SearchMemory<double> search;
   StateTable states;
   std::vector<HybridNode> nodes;
+  OutlineRoom room;
   CornerDistances corners;
   FreeLengths free;
   HybridMotions motions;
@@ -233,12 +234,12 @@ Outcome<Plan> hybrid_a_star(const Problem& asked, const HybridAStarOptions& opti
   auto with = with_headings(asked, options.steering);
   if (!with) return pass_on(with);
   const Problem& problem = *with;
-  auto query = steering_query(problem, options.steering, "hybrid_a_star");
-  if (!query) return pass_on(query);
   if (auto ok = check(options); !ok) return pass_on(ok);
-  BudgetMeter meter(budget);
   HybridMemory& memory = workspace.get<HybridMemory>();
-  if (auto ok = memory.corners.begin(*query->ground, query->goal, query->start, budget.stop); !ok)
+  auto query = steering_query(problem, options.steering, "hybrid_a_star", memory.room, budget.stop);
+  if (!query) return pass_on(query);
+  BudgetMeter meter(budget);
+  if (auto ok = memory.corners.begin(memory.room.narrowed(), query->goal, query->start, budget.stop); !ok)
     return pass_on(ok);
   const double resolution_m = problem.grid->frame.resolution_m;
   const double cell = options.cell_m > 0.0 ? options.cell_m / resolution_m : 0.2 * query->radius;

@@ -33,6 +33,7 @@ struct LatticeMemory {
   SearchMemory<double> search;
   StateTable states;
   std::vector<LatticeNode> nodes;
+  OutlineRoom room;
   CornerDistances corners;
   LatticeMotions motions;
 };
@@ -113,10 +114,7 @@ struct LatticePolicy {
     State s = memory.states.find(key);
     if (s != StateTable::none && !(g < memory.search.labels.g(s))) return;
     const LatticeNode& before = memory.nodes[parent];
-    if (node.motion != nullptr ? !LatticeMotions::clear(*query.ground, *node.motion, before.cell)
-                               : !stands(node)) {
-      return;
-    }
+    if (node.motion != nullptr ? !clear(*node.motion, before.cell) : !stands(node)) return;
     if (s == StateTable::none) {
       node.estimate = bound_from(node.cell, node.heading);
       if (std::isinf(node.estimate)) return;
@@ -131,6 +129,10 @@ struct LatticePolicy {
     relax(s, parent, g, memory.nodes[s].estimate);
   }
 
+  [[nodiscard]] bool clear(const LatticeMotion& motion, Cell from) const {
+    return query.room->is_wide(centre_of(from), motion.cost) ||
+           LatticeMotions::clear(*query.ground, motion, from);
+  }
   [[nodiscard]] bool stands(const LatticeNode& node) const {
     const Vec2 p = centre_of(node.cell);
     return clear_of_cells(query, {p, p, {}, 0.0}, memory.motions.heading_rad(node.heading));
@@ -226,14 +228,14 @@ Outcome<Plan> state_lattice(const Problem& asked, const StateLatticeOptions& opt
     snapped.goal = vertices->ground.point(vertices->goal);
   }
   snapped.start_heading_rad = snapped.goal_heading_rad = std::nullopt;  // judged once they are of the lattice
-  auto query = steering_query(snapped, options.steering, "state_lattice");
-  if (!query) return pass_on(query);
   if (auto ok = check(options); !ok) return pass_on(ok);
-  if (auto ok = check_radius(*query); !ok) return pass_on(ok);
   LatticeMemory& memory = workspace.get<LatticeMemory>();
+  auto query = steering_query(snapped, options.steering, "state_lattice", memory.room, budget.stop);
+  if (!query) return pass_on(query);
+  if (auto ok = check_radius(*query); !ok) return pass_on(ok);
   memory.motions.make({static_cast<std::uint32_t>(options.headings),
                        static_cast<std::uint32_t>(options.turns), query->radius, query->reverse,
-                       query->backward, query->disks, query->ground->stride});
+                       query->backward, query->outline, query->ground->stride});
   const GridFrame& frame = problem.grid->frame;
   LatticePolicy search{*query, options, memory, frame.cell_at(snapped.start), frame.cell_at(snapped.goal),
                        {},     {}};
@@ -242,7 +244,7 @@ Outcome<Plan> state_lattice(const Problem& asked, const StateLatticeOptions& opt
   if (problem.goal_heading_rad)
     search.last_heading = memory.motions.nearest_heading(*problem.goal_heading_rad);
   BudgetMeter meter(budget);
-  if (auto ok = memory.corners.begin(*query->ground, query->goal, query->start, budget.stop); !ok)
+  if (auto ok = memory.corners.begin(memory.room.narrowed(), query->goal, query->start, budget.stop); !ok)
     return pass_on(ok);
   memory.states.begin();
   memory.nodes.assign(1, LatticeNode{search.first});

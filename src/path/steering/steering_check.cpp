@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
 
+#include "../outline_way.hpp"
 #include "../visibility/polygon_ground_check.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
@@ -82,33 +82,38 @@ Status check_chain(const Plan& plan, const Problem& problem) {
   return check_ends(plan, problem);
 }
 
-bool touches(const PathPiece& piece, Cell c) {
-  const Vec2 low{double(c.x), double(c.y)}, high{c.x + 1.0, c.y + 1.0};
-  if (Box2{low, high}.contains(piece.from)) return true;
-  const std::array<Vec2, 4> corners = {low, Vec2{high.x, low.y}, high, Vec2{low.x, high.y}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (!(distance_to(piece, Segment{corners[i], corners[(i + 1) % 4]}) > 0.0)) return true;
-  }
-  return false;
-}
-
-Status check_room(const Plan& plan, const GridMap& ground) {
-  const double per_m = 1.0 / ground.frame.resolution_m;
-  for (const double ahead_m : plan.steering->disks_m) {
-    std::vector<PathPiece> pieces = carried(plan.pieces, ahead_m);
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      PathPiece& piece = pieces[i];
-      for (Vec2* p : {&piece.from, &piece.to, &piece.centre}) *p = per_m * (*p - ground.frame.origin);
-      const Box2 box = bounds_of(piece);
-      for (int y = static_cast<int>(std::floor(box.low.y)) - 1; y <= box.high.y + 1.0; ++y) {
-        for (int x = static_cast<int>(std::floor(box.low.x)) - 1; x <= box.high.x + 1.0; ++x) {
-          if (!ground.blocked({x, y}) || !touches(piece, {x, y})) continue;
-          return refused(fmt::format("the disk {} m ahead touches the cell ({}, {}) on piece {}",
-                                     short_number(ahead_m), x, y, i));
-        }
-      }
+/// Returns a blocked cell that the robot touches.
+std::optional<Cell> touched(const OutlineWay& way, const GridMap& ground) {
+  const Box2& box = way.bounds();
+  for (int y = static_cast<int>(std::floor(box.low.y)) - 1; y <= box.high.y + 1.0; ++y) {
+    for (int x = static_cast<int>(std::floor(box.low.x)) - 1; x <= box.high.x + 1.0; ++x) {
+      const Cell cell{x, y};
+      if (ground.blocked(cell) && way.may_come_to(cell, 0.0) && !(way.gap(cell) > 0.0)) return cell;
     }
   }
+  return {};
+}
+
+Status check_room(const Plan& plan, const Problem& problem) {
+  const GridMap& ground = *problem.grid;
+  for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
+    const PathPiece& piece = plan.pieces[i];
+    if (const auto cell = touched({piece, heading_in(piece), problem.outline, ground.frame}, ground))
+      return refused(fmt::format("the robot touches the cell ({}, {}) on piece {}", cell->x, cell->y, i));
+  }
+  return {};
+}
+
+/// Checks a path without pieces: the robot stays where it is.
+Status check_stay(const Plan& plan, const Problem& problem) {
+  const Vec2 p = plan.waypoints.front();
+  if (plan.waypoints.size() > 1) return refused("it has no pieces");
+  if (!stands_for(p, problem.start, plan, problem) || !stands_for(p, problem.goal, plan, problem))
+    return refused("it has no pieces");
+  if (!problem.start_heading_rad) return {};
+  const OutlineWay way({p, p, {}, 0.0}, *problem.start_heading_rad, problem.outline, problem.grid->frame);
+  if (const auto cell = touched(way, *problem.grid); cell && !plan.steering->snap_rad)
+    return refused(fmt::format("the robot touches the cell ({}, {})", cell->x, cell->y));
   return {};
 }
 
@@ -134,15 +139,9 @@ Status check_steering(const Plan& plan, const Problem& problem) {
   if (!plan.vertices.empty()) return refused("it has vertices, though the robot steers");
   if (!(plan.steering->turning_radius_m > 0.0)) return refused("it has no turning radius");
   if (plan.waypoints.empty()) return refused("it has no waypoints");
-  if (plan.pieces.empty()) {
-    const bool stays = plan.waypoints.size() == 1 &&
-                       stands_for(plan.waypoints.front(), problem.start, plan, problem) &&
-                       stands_for(plan.waypoints.front(), problem.goal, plan, problem);
-    if (stays) return {};
-    return refused("it has no pieces");
-  }
+  if (plan.pieces.empty()) return check_stay(plan, problem);
   if (auto ok = check_chain(plan, problem); !ok) return ok;
-  if (auto ok = check_room(plan, *problem.grid); !ok) return ok;
+  if (auto ok = check_room(plan, problem); !ok) return ok;
   return check_waypoints(plan, problem);
 }
 

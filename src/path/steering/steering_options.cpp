@@ -11,11 +11,6 @@ std::vector<Option> describe(SteeringOptions& options) {
       {"cusp", "m", 0.0, 1e4, "price of a change between forwards and backwards, as a length",
        &options.cusp_price_m},
       {"backward", "", 1.0, 1e3, "price of a metre backwards, in metres forwards", &options.backward_price},
-      {"front", "m", 0.0, 1e3, "centre of the foremost disk of the robot, ahead of the point that is planned",
-       &options.front_m},
-      {"rear", "m", 0.0, 1e3, "centre of the hindmost disk, behind that point", &options.rear_m},
-      {"disks", "", 2, 16, "number of disks of the robot's radius from rear to front, if these are not 0",
-       &options.disks},
       {"start_heading", "", 0, 0, "heading at the start in degrees, if the start has none; empty: any",
        &options.start_heading},
       {"goal_heading", "", 0, 0, "heading at the goal in degrees, if the goal has none; empty: any",
@@ -43,17 +38,7 @@ Outcome<Problem> with_headings(Problem problem, const SteeringOptions& options) 
   return problem;
 }
 
-Steering steering_of(const SteeringOptions& options) {
-  Steering steering{options.turning_radius_m, options.reverse, {0.0}};
-  const double length = options.front_m + options.rear_m;
-  if (length == 0.0) return steering;
-  for (std::int64_t i = 0; i < options.disks; ++i) {
-    const double at =
-        -options.rear_m + length * static_cast<double>(i) / static_cast<double>(options.disks - 1);
-    if (at != 0.0) steering.disks_m.push_back(at);
-  }
-  return steering;
-}
+Steering steering_of(const SteeringOptions& options) { return {options.turning_radius_m, options.reverse}; }
 
 CostWeights weights_of(const SteeringOptions& options) {
   CostWeights weights;

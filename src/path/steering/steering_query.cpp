@@ -6,13 +6,16 @@
 #include <cmath>
 
 #include "outrider/core/text.hpp"
-#include "steering/motions/cell_sweep.hpp"
-#include "steering/motions/turning_pieces.hpp"
+#include "outrider/core/units.hpp"
+#include "outrider/motion/footprint.hpp"
+#include "outrider/path/pieces.hpp"
+#include "steering/motions/outline_sweep.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double most_radius = 1e6;  // cells
+constexpr double most_radius = 1e6;            // cells
+constexpr double section_rad = radians(45.0);  // of an arc that is swept at once
 
 Status check_ground(const Problem& problem, std::string_view planner) {
   if (!problem.grid || problem.grid->model == GridModel::cells) return {};
@@ -21,15 +24,18 @@ Status check_ground(const Problem& problem, std::string_view planner) {
                    "model");
 }
 
-/// Returns true if no disk touches a blocked cell at the pose; without a heading, if that of the point
-/// touches none.
-bool stands(const SteeringQuery& query, Vec2 p, std::optional<double> heading_rad) {
+/// Returns true if the robot touches no blocked cell at the pose; without a heading, if its origin touches
+/// none, and there may be a heading in which nothing does.
+bool stands(SteeringQuery query, Vec2 p, std::optional<double> heading_rad) {
+  if (!heading_rad) {
+    if (query.room->is_blocked(p)) return false;
+    query.outline = {Vec2{}};
+  }
   return clear_of_cells(query, {p, p, {}, 0.0}, heading_rad.value_or(0.0));
 }
 
-Status check_end(SteeringQuery query, Vec2 p, std::optional<double> heading_rad, const char* name,
+Status check_end(const SteeringQuery& query, Vec2 p, std::optional<double> heading_rad, const char* name,
                  FaultCode code) {
-  if (!heading_rad) query.disks = {0.0};
   if (stands(query, p, heading_rad)) return {};
   return fault(code,
                fmt::format("the robot at the {} touches a blocked cell; move it away from there, or take a "
@@ -40,7 +46,8 @@ Status check_end(SteeringQuery query, Vec2 p, std::optional<double> heading_rad,
 }  // namespace
 
 Outcome<SteeringQuery> steering_query(const Problem& problem, const SteeringOptions& options,
-                                      std::string_view planner) {
+                                      std::string_view planner, OutlineRoom& room,
+                                      const std::stop_token& stop) {
   if (auto ok = check_ground(problem, planner); !ok) return pass_on(ok);
   auto vertices = grid_query(problem);
   if (!vertices) return pass_on(vertices);
@@ -59,13 +66,19 @@ Outcome<SteeringQuery> steering_query(const Problem& problem, const SteeringOpti
                       options.reverse,
                       per_m * options.cusp_price_m,
                       options.backward_price,
-                      steering_of(options).disks_m};
+                      {},
+                      &room};
   if (!(query.radius <= most_radius && query.radius >= 1.0 / most_radius)) {
     return bad_input(fmt::format("{} m is not valid on cells of {} m; expected 1e-6 to 1e6 cells",
                                  short_number(options.turning_radius_m), short_number(frame.resolution_m)),
                      "turning_radius");
   }
-  for (double& disk : query.disks) disk *= per_m;
+  if (!problem.outline.empty()) {
+    if (auto ok = check_footprint({problem.outline, 0.0}); !ok) return pass_on(ok);
+  }
+  for (const Vec2 corner : problem.outline) query.outline.push_back(per_m * corner);
+  if (query.outline.empty()) query.outline = {Vec2{}};
+  if (auto ok = room.begin(*query.ground, query.outline, stop); !ok) return pass_on(ok);
   if (auto ok = check_end(query, query.start, query.start_heading_rad, "start", FaultCode::start_blocked);
       !ok)
     return pass_on(ok);
@@ -75,9 +88,20 @@ Outcome<SteeringQuery> steering_query(const Problem& problem, const SteeringOpti
 }
 
 bool clear_of_cells(const SteeringQuery& query, const PathPiece& piece, double heading_rad) {
-  return std::ranges::all_of(query.disks, [&](double ahead) {
-    return clear_of_cells(*query.ground, ahead == 0.0 ? piece : carried(piece, heading_rad, ahead));
-  });
+  if (query.outline.size() == 1) return clear_of_cells(*query.ground, piece);
+  if (query.room->is_wide(piece.from, length_of(piece))) return true;
+  if (!clear_of_cells(query.room->narrowed(), piece)) return false;
+  const int sections = std::max(1, static_cast<int>(std::ceil(std::abs(piece.turn_rad) / section_rad)));
+  std::vector<MonotonePart> border;
+  for (int i = 0; i < sections; ++i) {
+    const double from = static_cast<double>(i) / sections;
+    const PathPiece section = sections == 1 ? piece : section_of(piece, from, (i + 1.0) / sections);
+    const OutlineSweep sweep{query.outline, section, heading_rad + from * piece.turn_rad};
+    border.clear();
+    add_border_parts(sweep, border);
+    if (!clear_of_cells(*query.ground, sweep, border, {})) return false;
+  }
+  return true;
 }
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// PlanGround: a map prepared for path planning with a disk robot.
+// PlanGround: a map prepared for path planning.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,8 @@ struct PlanGround {
   Grid<std::uint8_t> blocked;   ///< cells that the centre of the robot must not enter; empty without a grid
   std::optional<CollisionMap> shapes;  ///< exact obstacles of a world, if it is planned on as a grid
   double yaw_rad = 0.0;                ///< rotation of the grid about its origin, in the world frame
-  double radius_m = 0.0;               ///< radius of the robot
+  double radius_m = 0.0;               ///< radius of the robot, or beyond its outline
+  std::vector<Vec2> outline = {};      ///< of the robot, as in Problem
   std::shared_ptr<const GridMap> grid = nullptr;            ///< null if there is no grid
   std::shared_ptr<const PolygonGround> polygons = nullptr;  ///< null if there are no polygons
   std::shared_ptr<const CellCosts> costs = nullptr;         ///< costs of the cells; null: all equal
@@ -51,7 +52,7 @@ struct PlanCostOptions {
 
 /// Options of plan_ground().
 struct PlanGroundOptions {
-  double radius_m = 0.26;                    ///< radius of the robot
+  double radius_m = 0.26;                    ///< radius of the robot, or beyond its outline
   double height_m = 0.2;                     ///< height of the robot; used for worlds
   GridModel model = GridModel::cells;        ///< model of the grid
   GridOptions grid;                          ///< options of a grid that is made from exact shapes
@@ -60,6 +61,7 @@ struct PlanGroundOptions {
   std::vector<PlanCellChange> changes = {};  ///< changes of blocked cells, applied in this order
   PlanCostOptions costs = {};                ///< costs of the ground
   std::stop_token stop = {};                 ///< cancels the preparation
+  std::vector<Vec2> outline = {};            ///< of a robot that steers, as in Problem
 };
 
 /// Prepares a map. Faults: bad_input for numbers that make no ground, for changes outside the grid, for

@@ -6,7 +6,7 @@
 //   from: "1,2"              # x,y in m (MovingAI: cells, y from the bottom)
 //   to: "5,2 1,5"            # one goal or several; x,y,heading for planners of robots that steer
 //   planner: theta_star
-//   radius: 0.2              # of the robot
+//   radius: 0.2              # of the robot, or room around its footprint
 //
 // The options of a planner are in the section of its name. Some defaults depend on the kind of map, see
 // settle(). A published scenario should set these options explicitly.
@@ -40,7 +40,8 @@ struct PlanScenario {
   std::string planner = "theta_star";  ///< a name of the catalogue
   bool compare = false;         ///< run every planner that accepts the map and steers as `planner` does
   std::string model = "cells";  ///< grid model: cells or corners
-  double radius_m = 0.26;       ///< radius of the robot
+  double radius_m = 0.26;       ///< radius of the robot, or room around its footprint
+  std::string footprint;        ///< corners (parse_footprint()); empty: a disk
   double height_m = 0.2;        ///< height of the robot, for SDF worlds
   GridOptions grid;             ///< options of a grid that is made from exact shapes
   bool trace = false;           ///< show what the search expands; grids only
@@ -73,9 +74,9 @@ bool has_costs(const PlanScenario& scenario);
 Status check_takes(const PathPlanner& planner, GridModel model, bool has_polygons);
 
 /// Returns the scenario with the defaults for that kind of map, for all keys that are not `given`. On
-/// MovingAI maps the radius is 0. On polygons the radius is 0.18 m, the planner is visibility_graph_reduced,
-/// and planners that need a grid get one of model corners with a resolution of 0.05 m. Where the ground has
-/// costs, the planner is terrain_theta_star, and the model is cells.
+/// MovingAI maps the radius is 0, and around a footprint. On polygons the radius is 0.18 m, the planner is
+/// visibility_graph_reduced, and planners that need a grid get one of model corners with a resolution of 0.05
+/// m. Where the ground has costs, the planner is terrain_theta_star, and the model is cells.
 PlanScenario settle(PlanScenario scenario, MapKind kind, const std::set<std::string>& given);
 
 }  // namespace outrider

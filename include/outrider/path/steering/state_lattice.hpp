@@ -5,7 +5,7 @@
 // heading are the straight line to the next centre ahead, and an arc with a straight piece before or after
 // it, to a heading up to 90 degrees away: for each of these the `turns` shortest that end at a centre, are no
 // tighter than the turning radius, and are no longer form of one another. They are generated, with the cells
-// that the disks of the robot touch on them, and so checked exactly. Driven from their end they are the
+// that the robot touches on them, and so checked exactly. Driven from their end they are the
 // motions backwards.
 //
 // Start and goal move to the centre of their cell and to the nearest heading, at most 14 degrees with 16.

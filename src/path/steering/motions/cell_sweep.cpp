@@ -10,6 +10,8 @@ namespace {
 
 constexpr double touch = 1e-9;
 
+int whole(double t) { return static_cast<int>(std::floor(t)); }
+
 /// Calls visit(part) for each part of the piece while that returns true. Returns false if it once did not.
 template <class Visit>
 bool for_each_part(const PathPiece& piece, Visit visit) {
@@ -34,27 +36,38 @@ bool for_each_part(const PathPiece& piece, Visit visit) {
   }
 }
 
+/// A part that was moved, from its lower end to its upper one.
+struct PlacedPart {
+  Vec2 low, high;
+  Vec2 centre;
+  double radius = 0.0, side = 1.0;
+
+  PlacedPart(const MonotonePart& part, Vec2 by)
+      : low(part.from + by),
+        high(part.to + by),
+        centre(part.centre + by),
+        radius(part.radius),
+        side(part.side) {
+    if (low.y > high.y) std::swap(low, high);
+  }
+  [[nodiscard]] double x_at(double y) const {
+    if (y <= low.y) return low.x;
+    if (y >= high.y) return high.x;
+    if (radius == 0.0) return low.x + (y - low.y) * (high.x - low.x) / (high.y - low.y);
+    const double up = y - centre.y;
+    const double x = centre.x + side * std::sqrt(std::max(0.0, radius * radius - up * up));
+    return std::clamp(x, std::min(low.x, high.x), std::max(low.x, high.x));
+  }
+};
+
 /// Calls visit(row, first column, last column) for the cells of each row that the part touches, while that
 /// returns true. Returns false if it once did not.
 template <class Visit>
-bool for_each_row(const MonotonePart& part, Vec2 by, Visit visit) {
-  Vec2 low = part.from + by, high = part.to + by;
-  if (low.y > high.y) std::swap(low, high);
-  const auto [least_x, most_x] = std::minmax(low.x, high.x);
-  const Vec2 centre = part.centre + by;
-  const auto x_at = [&, left = least_x, right = most_x](double y) {
-    if (y <= low.y) return low.x;
-    if (y >= high.y) return high.x;
-    if (part.radius == 0.0) return low.x + (y - low.y) * (high.x - low.x) / (high.y - low.y);
-    const double up = y - centre.y;
-    const double x = centre.x + part.side * std::sqrt(std::max(0.0, part.radius * part.radius - up * up));
-    return std::clamp(x, left, right);
-  };
-  const auto whole = [](double t) { return static_cast<int>(std::floor(t)); };
-  const int last = whole(high.y + touch);
-  double enter = low.x;
-  for (int row = whole(low.y - touch); row <= last; ++row) {
-    const double leave = x_at(row + 1.0);
+bool for_each_row(const PlacedPart& part, Visit visit) {
+  const int last = whole(part.high.y + touch);
+  double enter = part.low.x;
+  for (int row = whole(part.low.y - touch); row <= last; ++row) {
+    const double leave = part.x_at(row + 1.0);
     const auto [left, right] = std::minmax(enter, leave);
     if (!visit(row, whole(left - touch), whole(right + touch))) return false;
     enter = leave;
@@ -71,13 +84,26 @@ void add_monotone_parts(const PathPiece& piece, std::vector<MonotonePart>& parts
   });
 }
 
+void widen_rows(const MonotonePart& part, Vec2 by, int first_row, std::span<Interval> rows) {
+  const PlacedPart placed(part, by);
+  const int last = whole(placed.high.y + touch);
+  double enter = placed.low.x;
+  for (int row = whole(placed.low.y - touch); row <= last; ++row) {
+    const double leave = placed.x_at(row + 1.0);
+    Interval& range = rows[static_cast<std::size_t>(row - first_row)];
+    range.low = std::min({range.low, enter, leave});
+    range.high = std::max({range.high, enter, leave});
+    enter = leave;
+  }
+}
+
 bool clear_of_cells(const GridMap& ground, const MonotonePart& part, Vec2 by) {
   const Vec2 a = part.from + by, b = part.to + by;
   const bool inside = std::min(a.x, b.x) > touch && std::min(a.y, b.y) > touch &&
                       std::max(a.x, b.x) < ground.frame.width - touch &&
                       std::max(a.y, b.y) < ground.frame.height - touch;
   if (!inside) return false;
-  return for_each_row(part, by, [&](int row, int first, int last) {
+  return for_each_row(PlacedPart(part, by), [&](int row, int first, int last) {
     const std::uint32_t begin_of_row = ground.index({0, row});
     for (int column = first; column <= last; ++column) {
       const auto at = begin_of_row + static_cast<std::uint32_t>(column);
@@ -93,7 +119,7 @@ bool clear_of_cells(const GridMap& ground, const PathPiece& piece) {
 
 void add_touched_cells(const PathPiece& piece, std::vector<Cell>& cells) {
   for_each_part(piece, [&](const MonotonePart& part) {
-    return for_each_row(part, {}, [&](int row, int first, int last) {
+    return for_each_row(PlacedPart(part, {}), [&](int row, int first, int last) {
       for (int column = first; column <= last; ++column) cells.push_back({column, row});
       return true;
     });

@@ -6,8 +6,10 @@
 // and everything outside the grid is blocked.
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "outrider/geometry/convex.hpp"
 #include "outrider/path/grid/grid_map.hpp"
 #include "outrider/path/plan.hpp"
 
@@ -24,6 +26,10 @@ struct MonotonePart {
 
 /// Splits a piece and adds its parts.
 void add_monotone_parts(const PathPiece& piece, std::vector<MonotonePart>& parts);
+
+/// Widens the ranges of x in the rows from `first_row` on to what the part, moved by `by`, takes there. All
+/// of its rows must be among them.
+void widen_rows(const MonotonePart& part, Vec2 by, int first_row, std::span<Interval> rows);
 
 /// Returns true if the part, moved by `by`, touches no blocked cell.
 bool clear_of_cells(const GridMap& ground, const MonotonePart& part, Vec2 by = {});

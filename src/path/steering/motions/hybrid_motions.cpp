@@ -37,10 +37,10 @@ void HybridMotions::add(std::uint32_t heading, const TurningPiece& piece) {
                       (heading + turned) % headings_,
                       query_->price_of(piece.length_m),
                       static_cast<std::uint32_t>(parts_.size()),
-                      0};
-  for (const double ahead : query_->disks) {
-    add_monotone_parts(ahead == 0.0 ? way : carried(way, origin.heading_rad, ahead), parts_);
-  }
+                      0,
+                      way,
+                      origin.heading_rad};
+  add_border_parts({query_->outline, way, origin.heading_rad}, parts_);
   motion.parts = static_cast<std::uint32_t>(parts_.size()) - motion.first_part;
   motions_.push_back(motion);
 }
@@ -59,10 +59,10 @@ std::span<const HybridMotion> HybridMotions::from(std::uint32_t heading) {
 }
 
 bool HybridMotions::clear(const HybridMotion& motion, Vec2 p) const {
-  for (std::uint32_t i = motion.first_part; i < motion.first_part + motion.parts; ++i) {
-    if (!clear_of_cells(*query_->ground, parts_[i], p)) return false;
-  }
-  return true;
+  if (query_->room->is_wide(p, std::abs(motion.piece.length_m))) return true;
+  if (query_->room->is_blocked(p + motion.shift)) return false;
+  return clear_of_cells(*query_->ground, {query_->outline, motion.way, motion.heading_rad},
+                        std::span(parts_).subspan(motion.first_part, motion.parts), p);
 }
 
 }  // namespace outrider

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "cell_sweep.hpp"
+#include "outline_sweep.hpp"
 #include "outrider/motion/turning_path.hpp"
 #include "steering/steering_query.hpp"
 
@@ -18,7 +18,9 @@ struct HybridMotion {
   std::uint32_t heading;  ///< after it
   double cost;            ///< without a cusp
   std::uint32_t first_part;
-  std::uint32_t parts;  ///< the parts of the ways of all disks, from a planned point at the origin
+  std::uint32_t parts;  ///< of the border of its sweep
+  PathPiece way;        ///< from the origin
+  double heading_rad;   ///< before it
 };
 
 class HybridMotions {
@@ -32,7 +34,7 @@ class HybridMotions {
   /// Headings apart by so many are joined by arcs.
   [[nodiscard]] std::uint32_t turn() const { return turn_; }
   std::span<const HybridMotion> from(std::uint32_t heading);
-  /// Returns true if no disk touches a blocked cell on a motion from p.
+  /// Returns true if the robot touches no blocked cell on a motion from p.
   [[nodiscard]] bool clear(const HybridMotion& motion, Vec2 p) const;
 
  private:

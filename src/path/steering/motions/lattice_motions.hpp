@@ -27,8 +27,8 @@ struct LatticeForm {
   double radius = 0.0;
   bool reverse = false;
   double backward = 1.0;
-  std::vector<double> disks;
-  std::uint32_t stride = 0;  ///< of the grid
+  std::vector<Vec2> outline;  ///< as in SteeringQuery
+  std::uint32_t stride = 0;   ///< of the grid
   friend bool operator==(const LatticeForm&, const LatticeForm&) = default;
 };
 
@@ -43,7 +43,7 @@ class LatticeMotions {
   [[nodiscard]] double heading_rad(std::uint32_t heading) const;
   [[nodiscard]] std::uint32_t nearest_heading(double heading_rad) const;
   [[nodiscard]] const std::vector<LatticeMotion>& from(std::uint32_t heading) const { return from_[heading]; }
-  /// Returns true if no disk touches a blocked cell on the motion from the centre of that cell.
+  /// Returns true if the robot touches no blocked cell on the motion from the centre of that cell.
   [[nodiscard]] static bool clear(const GridMap& ground, const LatticeMotion& motion, Cell at);
 
  private:

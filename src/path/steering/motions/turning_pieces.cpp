@@ -14,13 +14,6 @@ PathPiece piece_of(const Pose2& from, const TurningPiece& part, double radius_m)
   return piece;
 }
 
-PathPiece carried(const PathPiece& piece, double heading_rad, double ahead_m) {
-  PathPiece other = piece;
-  other.from = piece.from + ahead_m * direction(heading_rad);
-  other.to = piece.to + ahead_m * direction(heading_rad + piece.turn_rad);
-  return other;
-}
-
 std::vector<TurningPiece> joined(const std::vector<TurningPiece>& parts, double radius_m) {
   std::vector<TurningPiece> all;
   for (const TurningPiece& part : parts) {

@@ -14,10 +14,6 @@ inline constexpr double no_length = 1e-9;
 /// Returns an arc or a straight piece that begins at the pose.
 PathPiece piece_of(const Pose2& from, const TurningPiece& part, double radius_m);
 
-/// Returns the path that a point `ahead_m` ahead of the robot takes along the piece. The robot has that
-/// heading at its beginning.
-PathPiece carried(const PathPiece& piece, double heading_rad, double ahead_m);
-
 /// Joins consecutive pieces of the same arc or line that are driven in the same direction. Leaves out those
 /// without a length.
 std::vector<TurningPiece> joined(const std::vector<TurningPiece>& parts, double radius_m);

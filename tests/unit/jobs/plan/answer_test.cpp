@@ -208,6 +208,40 @@ TEST_F(PlanAnswerTest, ClearanceIsThatOfTheMiddleOfTheRobotOnEveryGround) {
   }
 }
 
+TEST_F(PlanAnswerTest, AFootprintIsTheRobotOfOnesThatSteerAndADiskOfOthers) {
+  const std::string parking = std::string(OUTRIDER_SOURCE_DIR) + "/scenarios/parking/parking.sdf";
+  const Changes car = {{"map", parking},
+                       {"from", "4,5.5,0"},
+                       {"to", "11.9,1.2,0"},
+                       {"footprint", "-0.8,-0.9 3.2,-0.9 3.2,0.9 -0.8,0.9"},
+                       {"planner", "hybrid_a_star"},
+                       {"hybrid_a_star.turning_radius", "4.5"}};
+  const auto with = [&](Changes changes) {
+    Changes all = car;
+    all.insert(all.end(), changes.begin(), changes.end());
+    return plan(all);
+  };
+  const auto snug = with({});
+  ASSERT_TRUE(snug.has_value()) << to_string(snug.error());
+  EXPECT_EQ(setting(*snug, "radius"), "0 m");
+  EXPECT_EQ(text_of(*snug, 0, "status"), "done");
+  EXPECT_GT(number_of(*snug, 0, "clearance_m"), 0.0);
+  const auto room = with({{"radius", "0.05"}});
+  ASSERT_TRUE(room.has_value());
+  EXPECT_GE(number_of(*room, 0, "clearance_m"), 0.05 - 1e-9);
+  const auto disk = with({{"planner", "theta_star"}, {"to", "11.9,5,0"}});
+  ASSERT_TRUE(disk.has_value()) << to_string(disk.error());
+  EXPECT_GE(number_of(*disk, 0, "clearance_m"), std::hypot(3.2, 0.9) - 1e-6) << "it may turn anywhere";
+  for (const auto& [footprint, words] : {std::pair{"0.4", "it is a disk"},
+                                         {"0,0 1,0 1,1", "outside its footprint"},
+                                         {"0,0 1", "is no corner"}}) {
+    const auto bad = with({{"footprint", footprint}});
+    ASSERT_FALSE(bad.has_value()) << footprint;
+    EXPECT_EQ(bad.error().where, "footprint");
+    EXPECT_NE(bad.error().sentence.find(words), std::string::npos) << bad.error().sentence;
+  }
+}
+
 TEST_F(PlanAnswerTest, AKeptWorkspaceAnswersTheSame) {
   PlanScenario scenario;
   scenario.map = write("a.txt", room);

@@ -78,9 +78,8 @@ TEST(HybridAStar, AnswersOfRandomRobotsAreLawful) {
     options.steering.reverse = rng.below(3) != 0;
     options.steering.backward_price = rng.uniform(1.0, 3.0);
     options.most_states = 100'000;
-    if (rng.below(2) == 0) options.steering.front_m = rng.uniform(0.1, 0.6);
-    if (rng.below(2) == 0) options.steering.rear_m = rng.uniform(0.1, 0.3);
     Problem problem{ground, testing::random_point(rng, 4.9), testing::random_point(rng, 4.9)};
+    if (rng.below(3) != 0) problem.outline = testing::random_outline(rng, rng.uniform(0.1, 0.6));
     if (rng.below(3) != 0) problem.start_heading_rad = rng.uniform(-pi, pi);
     if (rng.below(3) != 0) problem.goal_heading_rad = rng.uniform(-pi, pi);
     const auto plan = hybrid_a_star(problem, options, {}, workspace);
@@ -106,16 +105,16 @@ TEST(HybridAStar, AnswersOfRandomRobotsAreLawful) {
   EXPECT_GE(impossible, 0);
 }
 
-/// A street with two parked cars and a gap between them that is 0.9 m longer than the robot.
+/// A street with two parked cars and a gap between them that is 0.65 m longer than the robot.
 TEST(HybridAStar, ParksBetweenTwoCarsBackwards) {
   Grid<std::uint8_t> grid(GridFrame{{}, 0.05, 160, 60});
   block(grid, {{0.0, 0.0}, {2.5, 0.8}});
   block(grid, {{4.1, 0.0}, {8.0, 0.8}});
   const auto ground = ground_of(grid);
-  const Problem problem = problem_between(ground, {{1.0, 1.5}, 0.0}, {{2.8, 0.4}, 0.0});
+  Problem problem = problem_between(ground, {{1.0, 1.5}, 0.0}, {{2.8, 0.4}, 0.0});
+  problem.outline = {{-0.15, -0.25}, {0.8, -0.25}, {0.8, 0.25}, {-0.15, 0.25}};
   HybridAStarOptions options;
   options.steering.turning_radius_m = 0.8;
-  options.steering.front_m = 0.7;
   Workspace workspace;
   const auto plan = hybrid_a_star(problem, options, {}, workspace);
   ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
@@ -145,7 +144,7 @@ TEST(HybridAStar, CuspsAreFewerWhereTheyAreDear) {
   EXPECT_GT(length_of(*dear), length_of(*cheap));
 }
 
-/// A corner of two corridors 0.3 m wide: a robot whose outer disk is 1 m ahead cannot swing round it.
+/// A corner of two corridors 0.3 m wide: a robot that reaches 1 m ahead cannot swing round it.
 TEST(HybridAStar, ALongRobotDoesNotPassWhereAShortOneDoes) {
   Grid<std::uint8_t> grid(GridFrame{{}, 0.05, 80, 80});
   block(grid, {{0.0, 0.0}, {4.0, 4.0}});
@@ -156,19 +155,38 @@ TEST(HybridAStar, ALongRobotDoesNotPassWhereAShortOneDoes) {
     if (along || up) grid.cells[i] = 0;
   }
   const auto ground = ground_of(grid);
-  const Problem problem = problem_between(ground, {{0.5, 1.15}, 0.0}, {{2.85, 2.5}, 0.5 * pi});
+  Problem problem = problem_between(ground, {{0.5, 1.15}, 0.0}, {{2.85, 2.5}, 0.5 * pi});
   HybridAStarOptions options;
   options.steering.turning_radius_m = 0.3;
-  options.steering.disks = 8;
   Workspace workspace;
   const auto small = hybrid_a_star(problem, options, {}, workspace);
   ASSERT_TRUE(small.has_value()) << small.error().sentence;
   EXPECT_TRUE(check(*small, problem).has_value());
-  options.steering.front_m = 1.0;
+  problem.outline = {{-0.02, -0.02}, {1.0, -0.02}, {1.0, 0.02}, {-0.02, 0.02}};
   const auto large = hybrid_a_star(problem, options, {}, workspace);
   ASSERT_FALSE(large.has_value());
   EXPECT_EQ(large.error().code, FaultCode::budget_exhausted);
   EXPECT_TRUE(a_star(problem, {}, {}, workspace).has_value()) << "the premise";
+}
+
+/// A door 0.8 m wide in a wall: a robot of 0.7 x 1.5 m fits through it, and one of 0.9 m does not.
+TEST(HybridAStar, TheOutlineItselfPassesADoor) {
+  Grid<std::uint8_t> grid = room();
+  block(grid, {{-0.1, -5.0}, {0.1, -0.4}});
+  block(grid, {{-0.1, 0.4}, {0.1, 5.0}});
+  Problem problem = problem_between(ground_of(grid), {{-3.0, -2.0}, 0.0}, {{3.0, 2.0}, 0.0});
+  problem.outline = {{-0.4, -0.35}, {1.1, -0.35}, {1.1, 0.35}, {-0.4, 0.35}};
+  Workspace workspace;
+  const auto through = hybrid_a_star(problem, {}, {}, workspace);
+  ASSERT_TRUE(through.has_value()) << through.error().sentence;
+  EXPECT_TRUE(check(*through, problem).has_value());
+  for (Vec2& corner : problem.outline) corner.y *= 0.45 / 0.35;
+  EXPECT_FALSE(check(*through, problem).has_value()) << "the judge knows the outline";
+  HybridAStarOptions options;
+  options.most_states = 20'000;
+  const auto wide = hybrid_a_star(problem, options, {}, workspace);
+  ASSERT_FALSE(wide.has_value());
+  EXPECT_NE(wide.error().code, FaultCode::start_blocked);
 }
 
 TEST(HybridAStar, HeadingsThatAreNotGivenAreFree) {
@@ -224,15 +242,17 @@ TEST(HybridAStar, RefusesWhatMakesNoQuestion) {
   options.cell_m = 1e-9;
   EXPECT_EQ(where(options), "cell");
   options = {};
-  options.steering.disks = 1;
-  EXPECT_EQ(where(options), "disks");
+  problem.outline = {{0.1, -0.1}, {0.3, -0.1}, {0.3, 0.1}, {0.1, 0.1}};
+  EXPECT_EQ(where(options), "footprint") << "its origin is outside";
+  problem.outline.clear();
   problem.goal_heading_rad = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(hybrid_a_star(problem, {}, {}, workspace).has_value());
   problem.goal_heading_rad = 0.0;
   problem.goal = {4.95, 0.0};
   options = {};
-  options.steering.front_m = 0.5;
+  problem.outline = {{-0.1, -0.1}, {0.5, -0.1}, {0.5, 0.1}, {-0.1, 0.1}};
   const auto outside = hybrid_a_star(problem, options, {}, workspace);
+  problem.outline.clear();
   ASSERT_FALSE(outside.has_value());
   EXPECT_EQ(outside.error().code, FaultCode::goal_blocked);
   options = {};

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <queue>
 #include <tuple>
 
+#include "outline_way.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/motion/turning_path.hpp"
 #include "outrider/path/check.hpp"
@@ -17,7 +17,6 @@
 #include "steering/motions/lattice_motions.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_grid.hpp"
-#include "visibility/polygon_ground_check.hpp"
 
 namespace outrider {
 namespace {
@@ -28,8 +27,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// against every blocked cell, by the exact distances of the judge.
 class Twin {
  public:
-  Twin(const GridMap& ground, const LatticeMotions& motions, const StateLatticeOptions& options)
-      : ground_(ground), motions_(motions), options_(options) {}
+  Twin(const GridMap& ground, const LatticeMotions& motions, const StateLatticeOptions& options,
+       const std::vector<Vec2>& outline)
+      : ground_(ground), motions_(motions), options_(options), outline_(outline) {}
 
   double least(Cell from, std::optional<std::uint32_t> heading, Cell to, std::optional<std::uint32_t> end) {
     using Place = std::tuple<int, int, std::uint32_t, int>;
@@ -38,9 +38,8 @@ class Twin {
         queue;
     for (std::uint32_t h = 0; h < motions_.headings(); ++h) {
       const Vec2 p{from.x + 0.5, from.y + 0.5};
-      const Vec2 ahead = p + options_.steering.front_m * direction(motions_.heading_rad(h));
-      const bool fits = !touches({p, p, {}, 0.0}) && !touches({ahead, ahead, {}, 0.0});
-      if (fits && (!heading || h == *heading)) queue.push({0.0, {from.x, from.y, h, 0}});
+      if (!touches({p, p, {}, 0.0}, motions_.heading_rad(h)) && (!heading || h == *heading))
+        queue.push({0.0, {from.x, from.y, h, 0}});
     }
     while (!queue.empty()) {
       const auto [cost, place] = queue.top();
@@ -60,26 +59,19 @@ class Twin {
 
  private:
   bool clear(const LatticeMotion& motion, Cell at) const {
-    for (const double ahead : {0.0, options_.steering.front_m}) {
-      for (PathPiece piece : carried(motion.pieces, ahead)) {
-        const Vec2 by{double(at.x), double(at.y)};
-        for (Vec2* p : {&piece.from, &piece.to, &piece.centre}) *p = *p + by;
-        if (touches(piece)) return false;
-      }
+    for (PathPiece piece : motion.pieces) {
+      const Vec2 by{double(at.x), double(at.y)};
+      for (Vec2* p : {&piece.from, &piece.to, &piece.centre}) *p = *p + by;
+      if (touches(piece, heading_in(piece))) return false;
     }
     return true;
   }
-  bool touches(const PathPiece& piece) const {
-    const Box2 box = bounds_of(piece).grown(1.0);
+  bool touches(const PathPiece& piece, double heading_rad) const {
+    const OutlineWay way(piece, heading_rad, outline_, GridFrame{{}, 1.0, 1, 1});
+    const Box2 box = way.bounds().grown(1.0);
     for (int y = static_cast<int>(std::floor(box.low.y)); y <= box.high.y; ++y) {
       for (int x = static_cast<int>(std::floor(box.low.x)); x <= box.high.x; ++x) {
-        if (!ground_.blocked({x, y})) continue;
-        const Vec2 low{double(x), double(y)}, high{x + 1.0, y + 1.0};
-        if (Box2{low, high}.grown(1e-9).contains(piece.from)) return true;
-        const std::array<Vec2, 4> corners = {low, Vec2{high.x, low.y}, high, Vec2{low.x, high.y}};
-        for (std::size_t i = 0; i < 4; ++i) {
-          if (distance_to(piece, Segment{corners[i], corners[(i + 1) % 4]}) < 1e-9) return true;
-        }
+        if (ground_.blocked({x, y}) && way.gap({x, y}) < 1e-9) return true;
       }
     }
     return false;
@@ -88,6 +80,7 @@ class Twin {
   const GridMap& ground_;
   const LatticeMotions& motions_;
   const StateLatticeOptions& options_;
+  const std::vector<Vec2>& outline_;
 };
 
 TEST(StateLattice, CostsWhatDijkstraOverTheSameMotionsFinds) {
@@ -105,25 +98,24 @@ TEST(StateLattice, CostsWhatDijkstraOverTheSameMotionsFinds) {
     options.steering.reverse = rng.below(2) == 0;
     options.steering.cusp_price_m = rng.below(3) == 0 ? 0.0 : rng.uniform(0.1, 3.0);
     options.steering.backward_price = rng.uniform(1.0, 2.0);
-    options.steering.disks = 2;
-    if (rng.below(3) == 0) options.steering.front_m = rng.uniform(0.5, 1.5);
     const auto place = [&] { return Cell{static_cast<int>(rng.below(9)), static_cast<int>(rng.below(9))}; };
     const Cell from = place(), to = place();
     if (grid[from] != 0 || grid[to] != 0 || from == to) continue;
     Problem problem{ground, ground->point(from), ground->point(to)};
+    if (rng.below(2) == 0) problem.outline = testing::random_outline(rng, rng.uniform(0.2, 1.2));
     if (rng.below(2) == 0) problem.start_heading_rad = rng.uniform(-pi, pi);
     if (rng.below(2) == 0) problem.goal_heading_rad = rng.uniform(-pi, pi);
     const auto plan = state_lattice(problem, options, {}, workspace);
     LatticeMotions motions;
     motions.make({static_cast<std::uint32_t>(options.headings), 2, options.steering.turning_radius_m,
                   options.steering.reverse, options.steering.backward_price,
-                  steering_of(options.steering).disks_m, ground->stride});
+                  problem.outline.empty() ? std::vector<Vec2>{{}} : problem.outline, ground->stride});
     const auto nearest = [&](std::optional<double> heading) -> std::optional<std::uint32_t> {
       if (!heading) return std::nullopt;
       return motions.nearest_heading(*heading);
     };
     const double least =
-        Twin(*ground, motions, options)
+        Twin(*ground, motions, options, problem.outline)
             .least(from, nearest(problem.start_heading_rad), to, nearest(problem.goal_heading_rad));
     ASSERT_EQ(plan.has_value(), std::isfinite(least)) << "case " << i;
     if (!plan) {

@@ -28,7 +28,7 @@ Drive drive() {
                   0.0,
                   0.5 * pi};
   Plan& plan = made.plan;
-  plan.steering = Steering{2.0, true, {0.0}};
+  plan.steering = Steering{2.0, true};
   plan.weights.per_cusp = 0.5;
   plan.weights.per_backward_m = 1.0;
   plan.pieces = {{{1.5, 1.5}, {4.5, 1.5}, {}, 0.0, false},
@@ -48,8 +48,6 @@ TEST(SteeringCheck, AcceptsADriveAndRefusesEachChangeOfIt) {
   const std::vector<std::pair<std::string, std::function<void(Plan&)>>> changes = {
       {"a tighter limit", [](Plan& p) { p.steering->turning_radius_m = 2.1; }},
       {"no reverse", [](Plan& p) { p.steering->reverse = false; }},
-      {"a disk in the cell", [](Plan& p) { p.steering->disks_m = {0.0, 5.0}; }},
-      {"a disk outside", [](Plan& p) { p.steering->disks_m = {0.0, -1.6}; }},
       {"another cost", [](Plan& p) { p.cost -= 0.1; }},
       {"free cusps", [](Plan& p) { p.weights.per_cusp = 0.0; }},
       {"a bound above", [](Plan& p) { p.lower_bound = 20.0; }},
@@ -68,6 +66,13 @@ TEST(SteeringCheck, AcceptsADriveAndRefusesEachChangeOfIt) {
     EXPECT_FALSE(check(bad, good.problem).has_value()) << name;
   }
   Problem other = good.problem;
+  other.outline = {{-0.4, -0.3}, {0.4, -0.3}, {0.4, 0.3}, {-0.4, 0.3}};
+  EXPECT_TRUE(check(good.plan, other).has_value());
+  other.outline = {{-0.4, -0.3}, {5.0, -0.3}, {5.0, 0.3}, {-0.4, 0.3}};
+  EXPECT_FALSE(check(good.plan, other).has_value()) << "it comes into the cell";
+  other.outline = {{-1.6, -0.3}, {0.4, -0.3}, {0.4, 0.3}, {-1.6, 0.3}};
+  EXPECT_FALSE(check(good.plan, other).has_value()) << "it leaves the grid";
+  other = good.problem;
   other.start_heading_rad = 0.1;
   EXPECT_FALSE(check(good.plan, other).has_value());
   other = good.problem;

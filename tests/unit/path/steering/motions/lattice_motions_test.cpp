@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "outline_way.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/path/pieces.hpp"
-#include "visibility/polygon_ground_check.hpp"
 
 namespace outrider {
 namespace {
@@ -18,7 +18,7 @@ INSTANTIATE_TEST_SUITE_P(Headings, LatticeMotionsOf, ::testing::Values(8U, 16U, 
 TEST_P(LatticeMotionsOf, BeginAndEndOnTheLatticeAndAreNotTooTight) {
   for (const double radius : {0.3, 1.0, 2.5, 8.0}) {
     LatticeMotions motions;
-    motions.make({GetParam(), 2, radius, true, 2.0, {0.0}, 100});
+    motions.make({GetParam(), 2, radius, true, 2.0, {{}}, 100});
     ASSERT_EQ(motions.headings(), GetParam());
     for (std::uint32_t heading = 0; heading < GetParam(); ++heading) {
       std::set<std::uint32_t> reached;
@@ -50,25 +50,20 @@ TEST_P(LatticeMotionsOf, BeginAndEndOnTheLatticeAndAreNotTooTight) {
   }
 }
 
-TEST_P(LatticeMotionsOf, TouchTheCellsThatTheyDrive) {
+TEST_P(LatticeMotionsOf, TouchTheCellsThatTheRobotDrivesOver) {
   constexpr std::int32_t stride = 1000;
+  const std::vector<Vec2> outline = {{-0.6, -0.8}, {1.9, -0.5}, {1.9, 0.7}, {-0.6, 0.8}};
   LatticeMotions motions;
-  motions.make({GetParam(), 2, 2.0, true, 1.0, {0.0, 1.7}, stride});
+  motions.make({GetParam(), 2, 2.0, true, 1.0, outline, stride});
   for (std::uint32_t heading = 0; heading < GetParam(); ++heading) {
     for (const LatticeMotion& motion : motions.from(heading)) {
-      std::vector<PathPiece> ways = motion.pieces;
-      const auto ahead = carried(motion.pieces, 1.7);
-      ways.insert(ways.end(), ahead.begin(), ahead.end());
+      std::vector<OutlineWay> ways;
+      for (const PathPiece& piece : motion.pieces)
+        ways.emplace_back(piece, heading_in(piece), outline, GridFrame{{}, 1.0, 1, 1});
       for (int y = motion.low.y - 1; y <= motion.high.y + 1; ++y) {
         for (int x = motion.low.x - 1; x <= motion.high.x + 1; ++x) {
-          const Vec2 low{double(x), double(y)}, high{x + 1.0, y + 1.0};
-          const std::array<Vec2, 4> corners = {low, Vec2{high.x, low.y}, high, Vec2{low.x, high.y}};
           double apart = 1e9;
-          for (const PathPiece& way : ways) {
-            if (Box2{low, high}.contains(way.from)) apart = 0.0;
-            for (std::size_t i = 0; i < 4; ++i)
-              apart = std::min(apart, distance_to(way, Segment{corners[i], corners[(i + 1) % 4]}));
-          }
+          for (const OutlineWay& way : ways) apart = std::min(apart, way.gap({x, y}));
           if (apart > 0.0 && apart < 1e-6) continue;
           EXPECT_EQ(std::ranges::binary_search(motion.touched, y * stride + x), apart == 0.0)
               << x << " " << y;

@@ -1,0 +1,38 @@
+// The exact test of a robot with a convex outline against the blocked cells of a grid, along a leg or an arc.
+// All coordinates are in cells; cells are closed squares, grown by 1e-9.
+//
+// What the robot sweeps is bordered by its sides at the begin and at the end, by the ways of its corners and,
+// on an arc, by those of the points of its sides that are nearest to the centre. So in each row of cells it
+// lies between the least and the largest x of these. On a leg it is convex and touches every cell between. On
+// an arc it may bend around a cell there, so a blocked one is judged by itself: the robot covers it at the
+// begin, or a corner of the robot comes to it, or a corner of the cell comes to the robot, in whose frame the
+// cell moves backwards. O(rows * corners + cells), and O(corners) for each cell that is judged.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cell_sweep.hpp"
+
+namespace outrider {
+
+/// A piece on which a robot with that heading at the beginning sweeps its outline: convex, counter-clockwise
+/// around its origin; a single point, the origin, is a disk.
+struct OutlineSweep {
+  const std::vector<Vec2>& outline;
+  const PathPiece& piece;
+  double heading_rad;
+};
+
+/// Adds the parts of the border, as far as it may be left, right, above or below all else.
+void add_border_parts(const OutlineSweep& sweep, std::vector<MonotonePart>& parts);
+
+/// Returns true if the robot touches no blocked cell on the piece moved by `by`. `border` holds the parts of
+/// add_border_parts().
+bool clear_of_cells(const GridMap& ground, const OutlineSweep& sweep, std::span<const MonotonePart> border,
+                    Vec2 by);
+
+/// Adds the cells that the robot touches on the piece, some of them twice.
+void add_touched_cells(const OutlineSweep& sweep, std::vector<Cell>& cells);
+
+}  // namespace outrider
