@@ -60,39 +60,57 @@ std::optional<Vec2> free_goal(const GoalGround& ground, const Footprint& footpri
   return {};
 }
 
-/// Blocks the cells whose middle is nearer to an obstacle than `room_m`, or than at the ends near those.
-Grid<std::uint8_t> blocked_cells(const GoalGround& ground, const std::vector<float>& distance_m,
-                                 double room_m, const std::vector<std::pair<Vec2, double>>& ends) {
-  Grid<std::uint8_t> blocked(ground.frame);
-  for (std::size_t i = 0; i < blocked.cells.size(); ++i) {
-    double least_m = room_m;
-    const Vec2 middle = ground.frame.centre(ground.frame.cell(i));
-    for (const auto& [end, end_room_m] : ends) {
-      if (distance(middle, end) < around_ends_m) least_m = std::min(least_m, end_room_m);
-    }
-    const bool closed = ground.closed != nullptr && (*ground.closed)[i] != 0;
-    blocked.cells[i] = closed || static_cast<double>(distance_m[i]) < least_m ? 1 : 0;
-  }
-  return blocked;
-}
+/// An end of a way: the cells that the robot covers there, and the room that it has.
+struct WayEnd {
+  Vec2 position;
+  std::vector<std::size_t> covered;
+  double room_m = std::numeric_limits<double>::infinity();
+};
 
-/// Returns the least distance to obstacles of the cells that a robot covers, m.
-double least_around(const GoalGround& ground, const std::vector<float>& distance_m,
-                    const std::vector<Vec2>& outline, const Pose2& pose) {
+WayEnd end_at(const GoalGround& ground, const std::vector<float>& distance_m, const RoundedPolygon& outline,
+              const Pose2& pose) {
   const GridFrame& frame = ground.frame;
-  const double near_m = cell_reach * frame.resolution_m;
+  const RoundedPolygon near{outline.core, cell_reach * frame.resolution_m};
   Box2 box;
-  for (const Vec2 corner : outline) box.include(pose * corner);
-  box = box.grown(near_m);
+  for (const Vec2 corner : outline.core) box.include(pose * corner);
+  box = box.grown(near.radius_m);
   const Cell low = frame.cell_at(box.low), high = frame.cell_at(box.high);
-  double least_m = std::numeric_limits<double>::infinity();
+  WayEnd end{pose.position, {}};
   for (int y = std::max(low.y, 0); y <= std::min(high.y, frame.height - 1); ++y) {
     for (int x = std::max(low.x, 0); x <= std::min(high.x, frame.width - 1); ++x) {
-      if (signed_distance(pose.to_local(frame.centre({x, y})), {outline, near_m}) <= 0.0)
-        least_m = std::min(least_m, static_cast<double>(distance_m[frame.index({x, y})]));
+      if (signed_distance(pose.to_local(frame.centre({x, y})), near) > 0.0) continue;
+      const std::size_t i = frame.index({x, y});
+      end.covered.push_back(i);
+      end.room_m = std::min(end.room_m, static_cast<double>(distance_m[i]) - outline.radius_m);
     }
   }
-  return least_m;
+  // A way goes on from there though the cells beside it are a little nearer.
+  end.room_m -= rounding_part * frame.resolution_m;
+  return end;
+}
+
+/// Blocks the cells whose middle is nearer to an obstacle than `least_m`, or than at the ends near those, but
+/// for what the robot covers there.
+Grid<std::uint8_t> blocked_cells(const GoalGround& ground, const std::vector<float>& distance_m,
+                                 double radius_m, double room_m, const std::vector<WayEnd>& ends) {
+  const double hard_m = cell_reach * ground.frame.resolution_m;  // something is in the cell itself
+  Grid<std::uint8_t> blocked(ground.frame);
+  for (std::size_t i = 0; i < blocked.cells.size(); ++i) {
+    double least_m = radius_m + room_m;
+    const Vec2 middle = ground.frame.centre(ground.frame.cell(i));
+    for (const WayEnd& end : ends) {
+      if (distance(middle, end.position) < around_ends_m)
+        least_m = std::clamp(radius_m + end.room_m, std::min(hard_m, least_m), least_m);
+    }
+    blocked.cells[i] = static_cast<double>(distance_m[i]) < least_m ? 1 : 0;
+  }
+  for (const WayEnd& end : ends) {
+    for (const std::size_t i : end.covered) blocked.cells[i] = 0;
+  }
+  for (std::size_t i = 0; ground.closed != nullptr && i < blocked.cells.size(); ++i) {
+    if ((*ground.closed)[i] != 0) blocked.cells[i] = 1;
+  }
+  return blocked;
 }
 
 HybridAStarOptions options_of(const RobotModel& robot) {
@@ -127,15 +145,11 @@ Outcome<TrackPieces> plan_curved_way(const GoalGround& ground, const Footprint& 
     for (std::size_t i = 0; i < distance_m.size(); ++i)
       distance_m[i] = std::min(distance_m[i], ground.zones->room_m[i]);
   }
-  // Ways begin where the robot stands, and go on though the cells beside them are a little nearer.
-  const auto room_at = [&](Vec2 place, double heading_rad) {
-    return least_around(ground, distance_m, outline.core, {place, heading_rad}) - outline.radius_m -
-           rounding_m;
-  };
-  const double start_m = room_at(query.start.position, query.start.heading_rad);
-  const double goal_m = query.heading_rad ? room_at(*goal, *query.heading_rad) : wide_m;
+  std::vector<WayEnd> ends{end_at(ground, distance_m, outline, query.start)};
+  ends.push_back(query.heading_rad ? end_at(ground, distance_m, outline, {*goal, *query.heading_rad})
+                                   : WayEnd{*goal, {}, tight_m});
   // A search gets out of a narrow place sooner than into it, so it begins at the narrower end.
-  const bool from_goal = goal_m < start_m;
+  const bool from_goal = (query.heading_rad ? ends.back().room_m : wide_m) < ends.front().room_m;
   const auto looks = [&](double heading_rad) { return from_goal ? heading_rad + pi : heading_rad; };
   Problem problem;
   problem.start = query.start.position;
@@ -154,10 +168,7 @@ Outcome<TrackPieces> plan_curved_way(const GoalGround& ground, const Footprint& 
   Outcome<TrackPieces> answer;
   for (const double room_m : {wide_m, tight_m}) {
     auto grid =
-        GridMap::of(blocked_cells(ground, distance_m, outline.radius_m + room_m,
-                                  {{query.start.position, outline.radius_m + std::min(tight_m, start_m)},
-                                   {*goal, outline.radius_m + std::min(tight_m, goal_m)}}),
-                    GridModel::cells);
+        GridMap::of(blocked_cells(ground, distance_m, outline.radius_m, room_m, ends), GridModel::cells);
     if (!grid) return pass_on(grid);
     problem.grid = std::make_shared<const GridMap>(std::move(*grid));
     auto plan = hybrid_a_star(problem, options, budget, workspace);

@@ -50,7 +50,7 @@ struct ObedientRobot {
   }
 };
 
-class EachRule : public testing::TestWithParam<std::string> {
+class EachRule : public ::testing::TestWithParam<std::string> {
  protected:
   std::unique_ptr<LocalMotion> rule() { return find_row(local_motions(), "rule", GetParam(), "")->make({}); }
 };
@@ -122,7 +122,7 @@ TEST_P(EachRule, CommandsAreFiniteAndWithinTheLimits) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(LocalMotions, EachRule, testing::ValuesIn(names_of(local_motions())),
+INSTANTIATE_TEST_SUITE_P(LocalMotions, EachRule, ::testing::ValuesIn(names_of(local_motions())),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(LocalMotion, BrakingIsForeseen) {

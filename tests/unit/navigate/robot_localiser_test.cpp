@@ -84,7 +84,7 @@ Pose2 after_a_drive(RobotLocaliser& localiser, bool nonsense) {
   return localiser.world_T_odometry();
 }
 
-class EachLocaliser : public testing::TestWithParam<std::string> {};
+class EachLocaliser : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EachLocaliser, BeginsWhereItIsTold) {
   const auto localiser = made(GetParam());
@@ -112,7 +112,7 @@ TEST_P(EachLocaliser, RefusesABeginningThatMakesNoSense) {
   EXPECT_FALSE(without.error().sentence.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(RobotLocalisers, EachLocaliser, testing::ValuesIn(names_of(robot_localisers())),
+INSTANTIATE_TEST_SUITE_P(RobotLocalisers, EachLocaliser, ::testing::ValuesIn(names_of(robot_localisers())),
                          [](const auto& info) { return std::string(info.param); });
 
 // ---- Tags ----------------------------------------------------------------------------------------
