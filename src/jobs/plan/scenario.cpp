@@ -36,14 +36,12 @@ OptionGroup describe_question(PlanScenario& scenario) {
         "vertices of the paths on a grid: cells (their centres) or corners; corners on polygons unless given",
         &scenario.model},
        {"radius", "m", 0, 1e3,
-        "radius of the robot, 0 on MovingAI maps and 0.18 on polygons unless given; with a footprint the "
-        "room "
-        "around it, 0 unless given",
+        "radius of the robot, 0 on MovingAI maps and 0.18 on polygons unless given, or room around its "
+        "footprint",
         &scenario.radius_m},
        {"footprint", "", 0, 0,
-        "corners x,y of the robot, m, convex, counter-clockwise and around its origin; one that turns in "
-        "place "
-        "takes the disk about them",
+        "corners x,y of the robot, m, convex, counter-clockwise around its origin; radius is 0 then unless "
+        "given",
         &scenario.footprint},
        {"height", "m", 0, 100, "height of the robot, for SDF worlds", &scenario.height_m}}};
 }

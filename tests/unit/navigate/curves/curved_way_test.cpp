@@ -33,7 +33,7 @@ double gap_to(const std::vector<Vec2>& places, const Footprint& footprint, const
   return least;
 }
 
-/// What dense poses on the way say: it keeps the margin, near its ends what the robot has there to a cell,
+/// Dense poses on the way say that it keeps the margin, near its ends what the robot has there to a cell,
 /// and never goes through a wall.
 TEST(CurvedWay, KeepsItsFootprintFromWhatIsMarked) {
   Rng rng = Rng(3).child("ways");
