@@ -269,8 +269,8 @@ void draw_on_its_way(Sheet& sheet, const std::vector<Stamped<nav_msgs::Path>>& p
       const Vec2 after = is_last ? Vec2{} : place(path.poses[i + 1].pose.position) - pose.position;
       if (driven_m < 0.5 * reach_m && outrider::dot(before, after) >= 0.0 && !is_last) continue;
       driven_m = 0.0;
-      std::vector<Vec2> outline;
-      for (const Vec2 corner : body.outline) outline.push_back(pose * corner);
+      std::vector<Vec2> outline = body.outline;
+      for (Vec2& corner : outline) corner = pose * corner;
       sheet.area("body", {outline});
     }
   }
@@ -293,7 +293,7 @@ void draw_events(Sheet& sheet, const Log& log) {
         sheet.line("plan", points_of(path));
     }
     if (channel.topic.starts_with(topic::plan_of)) {
-      const auto plans = log.messages<nav_msgs::Path>(channel.topic);
+      const auto& plans = log.messages<nav_msgs::Path>(channel.topic);
       draw_planner(sheet, channel.topic.substr(topic::plan_of.size()), plans);
       draw_on_its_way(sheet, plans, body);
     }

@@ -104,15 +104,15 @@ Status check_room(const Plan& plan, const Problem& problem) {
   return {};
 }
 
-/// Checks a path without pieces: the robot stays where it is.
-Status check_stay(const Plan& plan, const Problem& problem) {
+/// Checks a path without pieces: the robot stays where it is. Of a lattice its heading is not known.
+Status check_stay(const Plan& plan, const Problem& problem, bool is_snapped) {
   const Vec2 p = plan.waypoints.front();
   if (plan.waypoints.size() > 1) return refused("it has no pieces");
   if (!stands_for(p, problem.start, plan, problem) || !stands_for(p, problem.goal, plan, problem))
     return refused("it has no pieces");
-  if (!problem.start_heading_rad) return {};
+  if (!problem.start_heading_rad || is_snapped) return {};
   const OutlineWay way({p, p, {}, 0.0}, *problem.start_heading_rad, problem.outline, problem.grid->frame);
-  if (const auto cell = touched(way, *problem.grid); cell && !plan.steering->snap_rad)
+  if (const auto cell = touched(way, *problem.grid))
     return refused(fmt::format("the robot touches the cell ({}, {})", cell->x, cell->y));
   return {};
 }
@@ -139,7 +139,7 @@ Status check_steering(const Plan& plan, const Problem& problem) {
   if (!plan.vertices.empty()) return refused("it has vertices, though the robot steers");
   if (!(plan.steering->turning_radius_m > 0.0)) return refused("it has no turning radius");
   if (plan.waypoints.empty()) return refused("it has no waypoints");
-  if (plan.pieces.empty()) return check_stay(plan, problem);
+  if (plan.pieces.empty()) return check_stay(plan, problem, plan.steering->snap_rad.has_value());
   if (auto ok = check_chain(plan, problem); !ok) return ok;
   if (auto ok = check_room(plan, problem); !ok) return ok;
   return check_waypoints(plan, problem);
