@@ -34,6 +34,7 @@ double OutlineWay::gap(Cell cell) const {
   const Vec2 low{double(cell.x), double(cell.y)}, high = low + Vec2{1.0, 1.0};
   const RoundedPolygon square{{low, {high.x, low.y}, high, {low.x, high.y}}, 0.0};
   std::vector<Vec2> begin;
+  begin.reserve(ways_.size());
   for (const PathPiece& way : ways_) begin.push_back(way.from);
   double least = std::max(0.0, signed_distance(low, {begin, 0.0}));  // the square may lie in the robot
   for (std::size_t i = 0; i < ways_.size(); ++i) {

@@ -168,7 +168,7 @@ void log_answer(Log& log, const PlanTask& task, const PlanQuestion& question, co
   log_queries(log, question.queries);
   for (const PlanRow& row : answer.rows) {
     if (!row.found()) continue;
-    if (row.plan->steering && !row.pieces.empty()) {
+    if (row.plan && row.plan->steering && !row.pieces.empty()) {
       const std::vector<Pose2> poses = poses_along(row.pieces, ground);
       log.append(std::string(topic::plan_of) + row.planner, 0.0,
                  path_of(std::vector<double>(poses.size(), 0.0), poses));

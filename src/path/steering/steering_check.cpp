@@ -139,7 +139,7 @@ Status check_steering(const Plan& plan, const Problem& problem) {
   if (!plan.vertices.empty()) return refused("it has vertices, though the robot steers");
   if (!(plan.steering->turning_radius_m > 0.0)) return refused("it has no turning radius");
   if (plan.waypoints.empty()) return refused("it has no waypoints");
-  if (plan.pieces.empty()) return check_stay(plan, problem, plan.steering->snap_rad.has_value());
+  if (plan.pieces.empty()) return check_stay(plan, problem, plan.steering && plan.steering->snap_rad);
   if (auto ok = check_chain(plan, problem); !ok) return ok;
   if (auto ok = check_room(plan, problem); !ok) return ok;
   return check_waypoints(plan, problem);

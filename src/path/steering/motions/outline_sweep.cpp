@@ -39,13 +39,13 @@ bool comes_to(Vec2 p, double turn_rad, Vec2 a, Vec2 b) {
   const double inside = half * half - length2 * (squared_norm(a) - squared_norm(p));
   if (inside < 0.0 || length2 == 0.0) return false;
   const double root = std::sqrt(inside);
-  for (const double part : {(-half - root) / length2, (root - half) / length2}) {
-    if (part < -slack || part > 1.0 + slack) continue;
+  const auto passes = [&](double part) {
+    if (part < -slack || part > 1.0 + slack) return false;
     const Vec2 q = a + part * along;
     const double ahead = std::copysign(1.0, turn_rad) * std::atan2(cross(p, q), dot(p, q));
-    if ((ahead < -slack ? ahead + 2.0 * pi : ahead) <= std::abs(turn_rad) + slack) return true;
-  }
-  return false;
+    return (ahead < -slack ? ahead + 2.0 * pi : ahead) <= std::abs(turn_rad) + slack;
+  };
+  return passes((-half - root) / length2) || passes((root - half) / length2);
 }
 
 /// A robot on an arc, seen from the centre, about which it turns.
@@ -89,7 +89,7 @@ bool for_each_near_cell(std::span<const MonotonePart> border, Vec2 by, Visit vis
   const auto whole = [](double t) { return static_cast<int>(std::floor(t)); };
   const int first = whole(low_y + by.y - 2.0 * grown), last = whole(high_y + by.y + 2.0 * grown);
   thread_local std::vector<Interval> rows;  // kept, as this is called for every motion of a search
-  rows.assign(static_cast<std::size_t>(last - first + 1), {infinite, -infinite});
+  rows.assign(static_cast<std::size_t>(last - first) + 1, {infinite, -infinite});
   for (const MonotonePart& part : border) widen_rows(part, by, first, rows);
   for (int row = first; row <= last; ++row) {
     const Interval& range = rows[static_cast<std::size_t>(row - first)];
@@ -113,6 +113,7 @@ bool is_inside(const GridMap& ground, const MonotonePart& part, Vec2 by) {
 void add_border_parts(const OutlineSweep& sweep, std::vector<MonotonePart>& parts) {
   const auto& [outline, piece, heading_rad] = sweep;
   std::vector<PathPiece> ways;
+  ways.reserve(outline.size());
   for (const Vec2 corner : outline) ways.push_back(carried(piece, heading_rad, corner));
   for (std::size_t i = 0; i < ways.size(); ++i) {
     add_monotone_parts(ways[i], parts);
