@@ -86,8 +86,9 @@ TEST(OutlineSweep, ClearsAndTouchesAsTheJudgeSays) {
     const Case robot = random_case(rng, grid.frame);
     const OutlineWay way(robot.piece, robot.heading_rad, robot.outline, grid.frame);
     double apart = 1e9;
-    for (int y = -8; y < 20; ++y) {
-      for (int x = -8; x < 20; ++x) {
+    const Box2 near = way.bounds().grown(1.0);
+    for (int y = static_cast<int>(std::floor(near.low.y)); y <= near.high.y; ++y) {
+      for (int x = static_cast<int>(std::floor(near.low.x)); x <= near.high.x; ++x) {
         if (ground.blocked({x, y})) apart = std::min(apart, way.gap({x, y}));
       }
     }
