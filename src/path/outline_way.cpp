@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "outrider/geometry/convex.hpp"
 #include "outrider/path/pieces.hpp"
 #include "visibility/polygon_ground_check.hpp"
 
@@ -19,6 +18,7 @@ OutlineWay::OutlineWay(const PathPiece& piece, double heading_rad, const std::ve
     corner = per_m * corner;
     outer_ = std::max(outer_, norm(corner));
     ways_.push_back(carried(piece_, heading_rad, corner));
+    begin_.core.push_back(ways_.back().from);
     const Box2 box = bounds_of(ways_.back());
     bounds_.include(box.low);
     bounds_.include(box.high);
@@ -33,10 +33,8 @@ bool OutlineWay::may_come_to(Cell cell, double within) const {
 double OutlineWay::gap(Cell cell) const {
   const Vec2 low{double(cell.x), double(cell.y)}, high = low + Vec2{1.0, 1.0};
   const RoundedPolygon square{{low, {high.x, low.y}, high, {low.x, high.y}}, 0.0};
-  std::vector<Vec2> begin;
-  begin.reserve(ways_.size());
-  for (const PathPiece& way : ways_) begin.push_back(way.from);
-  double least = std::max(0.0, signed_distance(low, {begin, 0.0}));  // the square may lie in the robot
+  const std::vector<Vec2>& begin = begin_.core;
+  double least = std::max(0.0, signed_distance(low, begin_));  // the square may lie in the robot
   for (std::size_t i = 0; i < ways_.size(); ++i) {
     const Segment side{begin[i], begin[(i + 1) % begin.size()]};
     least = std::min(least, std::max(0.0, signed_distance(side, square)));

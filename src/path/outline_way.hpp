@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "outrider/geometry/convex.hpp"
 #include "outrider/path/plan.hpp"
 
 namespace outrider {
@@ -29,6 +30,7 @@ class OutlineWay {
   double heading_rad_;
   std::vector<Vec2> outline_;
   std::vector<PathPiece> ways_;  // of its corners
+  RoundedPolygon begin_;         // the robot at the beginning
   Box2 bounds_;
   double outer_ = 0.0;
 };

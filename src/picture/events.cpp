@@ -141,10 +141,15 @@ Body body_of(const Log& log) {
   return body;
 }
 
+std::vector<Vec2> outline_at(const Pose2& pose, const Body& body) {
+  std::vector<Vec2> outline = body.outline;
+  for (Vec2& corner : outline) corner = pose * corner;
+  return outline;
+}
+
 void draw_robot(Sheet& sheet, Kind kind, const Pose2& pose, const Body& body) {
   sheet.mark(kind, pose);
-  std::vector<Vec2> outline;
-  for (const Vec2 corner : body.outline) outline.push_back(pose * corner);
+  std::vector<Vec2> outline = outline_at(pose, body);
   if (outline.empty() && body.radius_m > 0.0)
     outline = circumscribed({{pose.position}, body.radius_m}, radians(15.0));
   if (!outline.empty()) sheet.area(kind, {outline});
@@ -269,9 +274,7 @@ void draw_on_its_way(Sheet& sheet, const std::vector<Stamped<nav_msgs::Path>>& p
       const Vec2 after = is_last ? Vec2{} : place(path.poses[i + 1].pose.position) - pose.position;
       if (driven_m < 0.5 * reach_m && outrider::dot(before, after) >= 0.0 && !is_last) continue;
       driven_m = 0.0;
-      std::vector<Vec2> outline = body.outline;
-      for (Vec2& corner : outline) corner = pose * corner;
-      sheet.area("body", {outline});
+      sheet.area("body", {outline_at(pose, body)});
     }
   }
 }

@@ -1,9 +1,9 @@
 // A way for a robot that steers like a car, around what stands on the ground of a navigator.
 //
 // Hybrid A* (hybrid_a_star.hpp) on the cells of the ground, with curves a tenth wider than the robot's
-// tightest, so that whoever follows them can still steer to either side, and the footprint itself, to a cell.
-// The first search wants room beside the robot; where that finds nothing, a second
-// one takes ways on which it just fits. Start and goal may have less room than the rest. Each search has a
+// tightest, so that whoever follows them can still steer to either side. The robot is its footprint, exact to
+// a cell. The first search wants room beside the robot; where that finds nothing, a second one takes ways on
+// which it just fits. Start and goal may have less room than the rest. Each search has a
 // bounded number of expansions, so a way may be missed in a large maze, or where it takes many turns.
 //
 // Faults: start_blocked, goal_blocked if something stands there; no_path if not even a point gets there;

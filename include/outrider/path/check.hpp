@@ -10,9 +10,9 @@
 // On a grid it also verifies that every waypoint lies on its vertex and that every leg is legal in the grid
 // model (separating axes in integers, exact). O(cells along the path).
 // If the robot steers, it verifies instead that the pieces join in position and heading, that no arc is
-// tighter than the turning radius, that its outline touches no blocked cell along any piece (exact distances:
-// the ways of its corners from the cells nearby, and those of their corners from it, as it sees them), and
-// that the waypoints stay within their error. On polygons it also verifies that the pieces join, that each
+// tighter than the turning radius, that its outline touches no blocked cell along any piece (exact, by the
+// ways of its corners and, in the frame of the robot, by the ways of the corners of the cells), and that the
+// waypoints stay within their error. On polygons it also verifies that the pieces join, that each
 // piece keeps the radius from every edge (exact distance between arc or leg and edge, to 2 contact_m), and
 // that the waypoints stay within their stated error of the pieces. O(pieces * edges). The fault states what
 // is wrong and at which leg.

@@ -64,8 +64,9 @@ Status CornerDistances::begin(const GridMap& ground, Vec2 goal, Vec2 start, cons
     goal_offset_ = std::min(goal_offset_, apart(goal, corner));
   }
   if (std::isfinite(at(start)) || stop.stop_requested()) return {};
-  return fault(FaultCode::no_path,
-               "nothing joins the start and the goal, even for a point that turns in place");
+  return fault(
+      FaultCode::no_path,
+      "nothing joins the start and the goal, even for the largest disk in the robot, turning in place");
 }
 
 void CornerDistances::relax(Cell v, double distance) {

@@ -6,16 +6,13 @@
 #include <cmath>
 
 #include "outrider/core/text.hpp"
-#include "outrider/core/units.hpp"
 #include "outrider/motion/footprint.hpp"
-#include "outrider/path/pieces.hpp"
 #include "steering/motions/outline_sweep.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double most_radius = 1e6;            // cells
-constexpr double section_rad = radians(45.0);  // of an arc that is swept at once
+constexpr double most_radius = 1e6;  // cells
 
 Status check_ground(const Problem& problem, std::string_view planner) {
   if (!problem.grid || problem.grid->model == GridModel::cells) return {};
@@ -91,17 +88,12 @@ bool clear_of_cells(const SteeringQuery& query, const PathPiece& piece, double h
   if (query.outline.size() == 1) return clear_of_cells(*query.ground, piece);
   if (query.room->is_wide(piece.from, length_of(piece))) return true;
   if (!clear_of_cells(query.room->narrowed(), piece)) return false;
-  const int sections = std::max(1, static_cast<int>(std::ceil(std::abs(piece.turn_rad) / section_rad)));
   std::vector<MonotonePart> border;
-  for (int i = 0; i < sections; ++i) {
-    const double from = static_cast<double>(i) / sections;
-    const PathPiece section = sections == 1 ? piece : section_of(piece, from, (i + 1.0) / sections);
-    const OutlineSweep sweep{query.outline, section, heading_rad + from * piece.turn_rad};
+  return for_each_section({query.outline, piece, heading_rad}, [&](const OutlineSweep& section) {
     border.clear();
-    add_border_parts(sweep, border);
-    if (!clear_of_cells(*query.ground, sweep, border, {})) return false;
-  }
-  return true;
+    add_border_parts(section, border);
+    return clear_of_cells(*query.ground, section, border, {});
+  });
 }
 
 }  // namespace outrider

@@ -16,12 +16,12 @@ struct SteeringQuery {
   Vec2 goal;
   std::optional<double> start_heading_rad;
   std::optional<double> goal_heading_rad;
-  double radius = 0.0;          ///< turning radius
-  bool reverse = false;         ///< the robot can drive backwards
-  double cusp = 0.0;            ///< price of a cusp
-  double backward = 1.0;        ///< price of a cell backwards
-  std::vector<Vec2> outline;    ///< that of the problem; of a disk its origin
-  OutlineRoom* room = nullptr;  ///< in which it moves
+  double radius = 0.0;                ///< turning radius
+  bool reverse = false;               ///< the robot can drive backwards
+  double cusp = 0.0;                  ///< price of a cusp
+  double backward = 1.0;              ///< price of a cell backwards
+  std::vector<Vec2> outline;          ///< that of the problem; of a disk its origin
+  const OutlineRoom* room = nullptr;  ///< in which it moves
 
   [[nodiscard]] double price_of(double length) const { return length < 0.0 ? -backward * length : length; }
 };

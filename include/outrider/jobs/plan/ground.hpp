@@ -22,7 +22,7 @@ struct PlanGround {
   std::optional<CollisionMap> shapes;  ///< exact obstacles of a world, if it is planned on as a grid
   double yaw_rad = 0.0;                ///< rotation of the grid about its origin, in the world frame
   double radius_m = 0.0;               ///< radius of the robot, or beyond its outline
-  std::vector<Vec2> outline = {};      ///< of the robot, as in Problem
+  std::vector<Vec2> outline = {};      ///< corners of a robot that steers (Problem::outline)
   std::shared_ptr<const GridMap> grid = nullptr;            ///< null if there is no grid
   std::shared_ptr<const PolygonGround> polygons = nullptr;  ///< null if there are no polygons
   std::shared_ptr<const CellCosts> costs = nullptr;         ///< costs of the cells; null: all equal
@@ -61,7 +61,7 @@ struct PlanGroundOptions {
   std::vector<PlanCellChange> changes = {};  ///< changes of blocked cells, applied in this order
   PlanCostOptions costs = {};                ///< costs of the ground
   std::stop_token stop = {};                 ///< cancels the preparation
-  std::vector<Vec2> outline = {};            ///< of a robot that steers, as in Problem
+  std::vector<Vec2> outline = {};            ///< corners of a robot that steers (Problem::outline)
 };
 
 /// Prepares a map. Faults: bad_input for numbers that make no ground, for changes outside the grid, for

@@ -74,7 +74,7 @@ bool has_costs(const PlanScenario& scenario);
 Status check_takes(const PathPlanner& planner, GridModel model, bool has_polygons);
 
 /// Returns the scenario with the defaults for that kind of map, for all keys that are not `given`. On
-/// MovingAI maps the radius is 0, and around a footprint. On polygons the radius is 0.18 m, the planner is
+/// MovingAI maps, and with a footprint, the radius is 0. On polygons the radius is 0.18 m, the planner is
 /// visibility_graph_reduced, and planners that need a grid get one of model corners with a resolution of 0.05
 /// m. Where the ground has costs, the planner is terrain_theta_star, and the model is cells.
 PlanScenario settle(PlanScenario scenario, MapKind kind, const std::set<std::string>& given);

@@ -8,8 +8,6 @@
 namespace outrider {
 namespace {
 
-constexpr double touch = 1e-9;
-
 int whole(double t) { return static_cast<int>(std::floor(t)); }
 
 /// Calls visit(part) for each part of the piece while that returns true. Returns false if it once did not.
@@ -60,16 +58,16 @@ struct PlacedPart {
   }
 };
 
-/// Calls visit(row, first column, last column) for the cells of each row that the part touches, while that
-/// returns true. Returns false if it once did not.
+/// Calls visit(row, least x, largest x) for each row of cells that the part touches, while that returns true.
+/// Returns false if it once did not.
 template <class Visit>
 bool for_each_row(const PlacedPart& part, Visit visit) {
-  const int last = whole(part.high.y + touch);
+  const int last = whole(part.high.y + cell_touch);
   double enter = part.low.x;
-  for (int row = whole(part.low.y - touch); row <= last; ++row) {
+  for (int row = whole(part.low.y - cell_touch); row <= last; ++row) {
     const double leave = part.x_at(row + 1.0);
     const auto [left, right] = std::minmax(enter, leave);
-    if (!visit(row, whole(left - touch), whole(right + touch))) return false;
+    if (!visit(row, left, right)) return false;
     enter = leave;
   }
   return true;
@@ -85,27 +83,26 @@ void add_monotone_parts(const PathPiece& piece, std::vector<MonotonePart>& parts
 }
 
 void widen_rows(const MonotonePart& part, Vec2 by, int first_row, std::span<Interval> rows) {
-  const PlacedPart placed(part, by);
-  const int last = whole(placed.high.y + touch);
-  double enter = placed.low.x;
-  for (int row = whole(placed.low.y - touch); row <= last; ++row) {
-    const double leave = placed.x_at(row + 1.0);
+  for_each_row(PlacedPart(part, by), [&](int row, double left, double right) {
     Interval& range = rows[static_cast<std::size_t>(row - first_row)];
-    range.low = std::min({range.low, enter, leave});
-    range.high = std::max({range.high, enter, leave});
-    enter = leave;
-  }
+    range = {std::min(range.low, left), std::max(range.high, right)};
+    return true;
+  });
+}
+
+bool is_inside(const GridMap& ground, const MonotonePart& part, Vec2 by) {
+  const Vec2 a = part.from + by, b = part.to + by;
+  return std::min(a.x, b.x) > cell_touch && std::min(a.y, b.y) > cell_touch &&
+         std::max(a.x, b.x) < ground.frame.width - cell_touch &&
+         std::max(a.y, b.y) < ground.frame.height - cell_touch;
 }
 
 bool clear_of_cells(const GridMap& ground, const MonotonePart& part, Vec2 by) {
-  const Vec2 a = part.from + by, b = part.to + by;
-  const bool inside = std::min(a.x, b.x) > touch && std::min(a.y, b.y) > touch &&
-                      std::max(a.x, b.x) < ground.frame.width - touch &&
-                      std::max(a.y, b.y) < ground.frame.height - touch;
-  if (!inside) return false;
-  return for_each_row(PlacedPart(part, by), [&](int row, int first, int last) {
+  if (!is_inside(ground, part, by)) return false;
+  return for_each_row(PlacedPart(part, by), [&](int row, double left, double right) {
     const std::uint32_t begin_of_row = ground.index({0, row});
-    for (int column = first; column <= last; ++column) {
+    const int last = whole(right + cell_touch);
+    for (int column = whole(left - cell_touch); column <= last; ++column) {
       const auto at = begin_of_row + static_cast<std::uint32_t>(column);
       if ((ground.marks[at] & GridMap::blocked_bit) != 0) return false;
     }
@@ -119,8 +116,9 @@ bool clear_of_cells(const GridMap& ground, const PathPiece& piece) {
 
 void add_touched_cells(const PathPiece& piece, std::vector<Cell>& cells) {
   for_each_part(piece, [&](const MonotonePart& part) {
-    return for_each_row(PlacedPart(part, {}), [&](int row, int first, int last) {
-      for (int column = first; column <= last; ++column) cells.push_back({column, row});
+    return for_each_row(PlacedPart(part, {}), [&](int row, double left, double right) {
+      const int last = whole(right + cell_touch);
+      for (int column = whole(left - cell_touch); column <= last; ++column) cells.push_back({column, row});
       return true;
     });
   });

@@ -27,6 +27,12 @@ struct MonotonePart {
 /// Splits a piece and adds its parts.
 void add_monotone_parts(const PathPiece& piece, std::vector<MonotonePart>& parts);
 
+/// Cells are larger by so much to each side.
+inline constexpr double cell_touch = 1e-9;
+
+/// Returns true if the part, moved by `by`, stays in the grid and does not touch its border.
+bool is_inside(const GridMap& ground, const MonotonePart& part, Vec2 by);
+
 /// Widens the ranges of x in the rows from `first_row` on to what the part, moved by `by`, takes there. All
 /// of its rows must be among them.
 void widen_rows(const MonotonePart& part, Vec2 by, int first_row, std::span<Interval> rows);

@@ -18,7 +18,7 @@ struct HybridMotion {
   std::uint32_t heading;  ///< after it
   double cost;            ///< without a cusp
   std::uint32_t first_part;
-  std::uint32_t parts;  ///< of the border of its sweep
+  std::uint32_t parts;  ///< number of parts of the border of its sweep
   PathPiece way;        ///< from the origin
   double heading_rad;   ///< before it
 };

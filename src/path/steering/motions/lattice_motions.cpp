@@ -13,7 +13,6 @@ namespace {
 
 constexpr Vec2 centre{0.5, 0.5};
 constexpr double rounding = 1e-9;
-constexpr double section_rad = radians(15.0);  // of an arc whose cells are found at once
 
 Vec2 vector_of(Cell c) { return {double(c.x), double(c.y)}; }
 
@@ -157,12 +156,10 @@ void LatticeMotions::add_backwards() {
 void LatticeMotions::set_touched(LatticeMotion& motion, double heading) const {
   std::vector<Cell> cells;
   for (const PathPiece& piece : motion.pieces) {
-    const int sections = std::max(1, static_cast<int>(std::ceil(std::abs(piece.turn_rad) / section_rad)));
-    for (int i = 0; i < sections; ++i) {
-      const double from = static_cast<double>(i) / sections;
-      const PathPiece section = sections == 1 ? piece : section_of(piece, from, (i + 1.0) / sections);
-      add_touched_cells({form_.outline, section, heading + from * piece.turn_rad}, cells);
-    }
+    for_each_section({form_.outline, piece, heading}, [&](const OutlineSweep& section) {
+      add_touched_cells(section, cells);
+      return true;
+    });
     heading += piece.turn_rad;
   }
   motion.low = motion.high = {};

@@ -11,7 +11,6 @@
 namespace outrider {
 namespace {
 
-constexpr double grown = 1e-9;
 constexpr double slack = 1e-12;  // of a part of a side, and of an angle
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -58,7 +57,7 @@ class ArcSweep {
   }
   [[nodiscard]] bool touches(Cell cell) const {
     const Vec2 low = Vec2{double(cell.x), double(cell.y)} - centre_;
-    const Box2 box = Box2{low, low + Vec2{1.0, 1.0}}.grown(grown);
+    const Box2 box = Box2{low, low + Vec2{1.0, 1.0}}.grown(cell_touch);
     if (overlap(begin_, box)) return true;
     const auto corners = corners_of(box);
     for (std::size_t i = 0; i < begin_.size(); ++i) {
@@ -87,25 +86,19 @@ bool for_each_near_cell(std::span<const MonotonePart> border, Vec2 by, Visit vis
     high_y = std::max({high_y, part.from.y, part.to.y});
   }
   const auto whole = [](double t) { return static_cast<int>(std::floor(t)); };
-  const int first = whole(low_y + by.y - 2.0 * grown), last = whole(high_y + by.y + 2.0 * grown);
+  const int first = whole(low_y + by.y - 2.0 * cell_touch), last = whole(high_y + by.y + 2.0 * cell_touch);
   thread_local std::vector<Interval> rows;  // kept, as this is called for every motion of a search
   rows.assign(static_cast<std::size_t>(last - first) + 1, {infinite, -infinite});
   for (const MonotonePart& part : border) widen_rows(part, by, first, rows);
   for (int row = first; row <= last; ++row) {
     const Interval& range = rows[static_cast<std::size_t>(row - first)];
     if (range.low > range.high) continue;
-    const int end = whole(range.high + grown);
-    for (int column = whole(range.low - grown); column <= end; ++column) {
+    const int end = whole(range.high + cell_touch);
+    for (int column = whole(range.low - cell_touch); column <= end; ++column) {
       if (!visit(Cell{column, row})) return false;
     }
   }
   return true;
-}
-
-bool is_inside(const GridMap& ground, const MonotonePart& part, Vec2 by) {
-  const Vec2 a = part.from + by, b = part.to + by;
-  return std::min(a.x, b.x) > grown && std::min(a.y, b.y) > grown &&
-         std::max(a.x, b.x) < ground.frame.width - grown && std::max(a.y, b.y) < ground.frame.height - grown;
 }
 
 }  // namespace

@@ -188,6 +188,12 @@ TEST(HybridAStar, TheOutlineItselfPassesADoor) {
   const auto wide = hybrid_a_star(problem, options, {}, workspace);
   ASSERT_FALSE(wide.has_value());
   EXPECT_NE(wide.error().code, FaultCode::start_blocked);
+  problem.outline = {{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}};
+  const auto disk = hybrid_a_star(problem, options, {}, workspace);
+  ASSERT_FALSE(disk.has_value());
+  EXPECT_EQ(disk.error().code, FaultCode::no_path);
+  EXPECT_NE(disk.error().sentence.find("largest disk in the robot"), std::string::npos)
+      << "a point gets there";
 }
 
 TEST(HybridAStar, HeadingsThatAreNotGivenAreFree) {
