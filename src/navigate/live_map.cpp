@@ -12,6 +12,7 @@ namespace {
 
 constexpr int weight_of_reading = 2;
 constexpr int weight_of_lone = 1;
+constexpr int sure_weight = 6;
 constexpr double lone_s = 0.5;  // for which a lone reading waits for a second one
 constexpr int most_weight = 8;
 constexpr double newest_part = 0.3;   // of a reading in the mean of its mark
@@ -99,7 +100,7 @@ void LiveMap::mark_walls(const GridFrame* known) {
     const Cell cell = frame().cell_at(place);
     if (!cells_.contains(cell) || cells_[cell] != 0) continue;
     if (known != nullptr && known->contains(known->cell_at(place))) continue;
-    marks_.push_back({place, never_s, never_s, most_weight, false, true});
+    marks_.push_back({place, never_s, never_s, most_weight, false, true, false, false, true});
     cells_[cell] = static_cast<std::uint32_t>(marks_.size());
     ++changes_;
   }
@@ -171,6 +172,7 @@ void LiveMap::mark(Vec2 place, double time_s, int weight, bool touched) {
     const bool mapped = !touched && take_wall_beside(cell);
     marks_.push_back(
         {place, time_s, mapped ? never_s : time_s, mapped ? most_weight : weight, touched, mapped});
+    marks_.back().sure = mapped || touched;
     number = static_cast<std::uint32_t>(marks_.size());
     ++changes_;
     return;
@@ -182,6 +184,7 @@ void LiveMap::mark(Vec2 place, double time_s, int weight, bool touched) {
   known.weight = std::min(known.weight + weight, most_weight);
   known.seen_s = time_s;
   known.touched |= touched;
+  known.sure |= touched || known.weight >= sure_weight;
   confirm(known);
 }
 
@@ -234,8 +237,9 @@ bool LiveMap::take_wall_beside(Cell cell) {
 void LiveMap::clear_seen_through(const LaserScan& scan, const Pose2& world_T_laser) {
   const double beyond_m = beyond_cells * options_.resolution_m;
   for (Mark& mark : marks_) {
-    if (mark.touched) continue;
     const Vec2 local = world_T_laser.to_local(mark.place);
+    if (looks_at(scan, heading_of(local))) mark.looked_s = scan.time_s;
+    if (mark.touched) continue;
     const double away_m = norm(local);
     if (away_m < scan.least_m || away_m + beyond_m > scan.most_m) continue;
     if (passes(scan, heading_of(local), away_m + beyond_m)) --mark.weight;
@@ -284,7 +288,9 @@ void LiveMap::forget(double time_s) {
 }
 
 void LiveMap::forget_but(double time_s, double lately_s) {
-  erase_marks([&](const Mark& mark) { return !mark.mapped && time_s - mark.seen_s > lately_s; });
+  erase_marks([&](const Mark& mark) {
+    return !mark.mapped && time_s - mark.seen_s > lately_s && time_s - mark.looked_s <= lately_s;
+  });
 }
 
 }  // namespace outrider

@@ -19,8 +19,9 @@ constexpr double stands_m = 0.1;                      // a robot that has not co
 constexpr double map_again_s = 2.0;                   // least time between two plans on the known map
 constexpr double longer_part = 1.15, longer_s = 1.5;  // than on the known map, which is planned on again then
 constexpr double moving_trail_s = 0.4, moving_rim_m = 0.1;  // around what moves, where marks are of it
-constexpr double most_place_m = 1e6;                        // of what makes sense
-constexpr double least_step_rad = 1e-6;                     // from beam to beam
+constexpr double about_s = 3.0, about_m = 3.0;  // since and within which whoever moved may be behind it
+constexpr double most_place_m = 1e6;            // of what makes sense
+constexpr double least_step_rad = 1e-6;         // from beam to beam
 
 bool makes_sense(const GoTo& order) {
   return std::abs(order.place.x) <= most_place_m && std::abs(order.place.y) <= most_place_m &&
@@ -122,6 +123,9 @@ void Navigator::note_touched(const std::vector<Vec2>& places) {
 /// Notes what moves now. What is marked of it does not stand.
 void Navigator::note_moving() {
   moving_ = followed_.at(now_s());
+  const Vec2 here = pose().position;
+  if (std::ranges::any_of(moving_, [&](const auto& thing) { return distance(thing.place, here) < about_m; }))
+    met_s_ = now_s();
   std::vector<RoundedPolygon> disks;
   for (const MovingThing& thing : moving_)
     disks.push_back({{thing.place, thing.place_after(-moving_trail_s)}, thing.radius_m + moving_rim_m});
@@ -157,8 +161,18 @@ void Navigator::judge(const GoTo& order) {
 // ---- Acting --------------------------------------------------------------------------------------
 
 MotionState Navigator::state_of(const GoTo& order, const Surroundings& near) const {
-  return {pose(),      odometry_.twist(), setup_.footprint,        limits_, near, field_,
-          order.place, order.within_m,    setup_.options.period_s, &moving_};
+  const bool alone = !met_s_ || now_s() - *met_s_ > about_s;
+  return {pose(),
+          odometry_.twist(),
+          setup_.footprint,
+          limits_,
+          near,
+          field_,
+          order.place,
+          order.within_m,
+          setup_.options.period_s,
+          &moving_,
+          looks_back_ || alone};
 }
 
 Command Navigator::act(const Order& order) {

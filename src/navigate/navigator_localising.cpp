@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "beams.hpp"
+#include "outrider/core/units.hpp"
 #include "outrider/navigate/navigator.hpp"
 
 namespace outrider {
@@ -27,6 +29,7 @@ void Navigator::take(const LaserScan& scan) {
   const Pose2 world_T_laser = compose(compose(localiser_->world_T_odometry(), then), setup_.robot_T_laser);
   map_.note(scan, world_T_laser);
   scan_s_ = scan.time_s;
+  looks_back_ = looks_at(scan, pi - setup_.robot_T_laser.heading_rad);
   if (!localiser_->is_located()) search_.look(scan, world_T_laser);
 }
 

@@ -41,14 +41,16 @@ std::vector<Option> describe(LiveMapOptions& options);
 
 /// Something that stands in a cell.
 struct Mark {
-  Vec2 place;            ///< mean of the newest readings
-  double seen_s = 0.0;   ///< time of the newest reading
-  double first_s = 0.0;  ///< time since which something has stood in the cell
-  int weight = 0;        ///< 0: nothing stands there
-  bool touched = false;  ///< the bumper found it
-  bool mapped = false;   ///< it is a wall of the known map
-  bool moving = false;   ///< it is part of something that moves
-  bool lone = false;     ///< one reading says so and none beside it; it may be wrong
+  Vec2 place;             ///< mean of the newest readings
+  double seen_s = 0.0;    ///< time of the newest reading
+  double first_s = 0.0;   ///< time since which something has stood in the cell
+  int weight = 0;         ///< 0: nothing stands there
+  bool touched = false;   ///< the bumper found it
+  bool mapped = false;    ///< it is a wall of the known map
+  bool moving = false;    ///< it is part of something that moves
+  bool lone = false;      ///< one reading says so and none beside it; it may be wrong
+  bool sure = false;      ///< it was touched, or its weight was once that of three readings
+  double looked_s = 0.0;  ///< time of the newest scan that said something in its direction
 
   /// Returns true if something stands there for sure.
   [[nodiscard]] bool stands() const { return !moving && !lone; }
@@ -79,7 +81,8 @@ class LiveMap {
   void keep_open(const Footprint& footprint, const Pose2& pose);
   /// Forgets marks that are too old at that time.
   void forget(double time_s);
-  /// Forgets all marks but walls and those seen within the last `lately_s`.
+  /// Forgets the marks that the laser looked at within the last `lately_s` and did not see; walls stay, and
+  /// what is where it does not look.
   void forget_but(double time_s, double lately_s);
 
   [[nodiscard]] const GridFrame& frame() const { return cells_.frame; }

@@ -40,6 +40,7 @@ struct MotionState {
   double within_m = 0.1;   ///< distance from the goal at which the robot has arrived
   double period_s = 0.05;  ///< time until the next command
   const std::vector<MovingThing>* moving = nullptr;  ///< the things that move; null if there are none
+  bool may_back = true;  ///< it may drive backwards: its laser looks there, or nobody is about
 
   /// Returns the distance from the footprint at a pose to what moves after a time, m, at most `most`; if it
   /// is `swept`, to wherever it is until then.
@@ -79,8 +80,9 @@ const std::vector<LocalMotionRow>& local_motions();
 
 /// Returns true if the robot enters no keep-out zone and touches nothing that is marked when it is commanded
 /// a twist for a period and then brakes: the gap is at least `margin_m` then, or as it is now if that is
-/// less. Exact in space, with steps in time between which nothing can be reached. Nor does it come near to
-/// what moves, as long as that goes on as it does or stops.
+/// less. False for a motion backwards where the robot may not. Exact in space, with steps in time between
+/// which nothing can be reached. Nor does it come near to what moves, as long as that goes on as it does or
+/// stops.
 bool can_brake(const MotionState& state, const Twist2& commanded, double margin_m);
 
 }  // namespace outrider

@@ -4,15 +4,18 @@
 // cart is followed by a Kalman filter with constant velocity and the white noise of an acceleration. It moves
 // if it is faster than 0.25 m/s beyond doubt, and if beams of the last seconds passed where most of it is
 // now: so nothing moves only because a robot that drives sees ever other parts of it. Who walks straight away
-// from the robot counts as standing. What is hidden, or behind the robot where its laser does not look, is
-// followed for two seconds more. Source: Bar-Shalom, Li and Kirubarajan, Estimation with applications to
-// tracking and navigation (2001), ch. 6.
+// from the robot counts as standing. What has come to a place that beams passed counts too, with no velocity,
+// until it has stood there for two seconds. What moves and is hidden, or behind the robot where its laser
+// does not look, is followed for two seconds more. Source: Bar-Shalom, Li and Kirubarajan, Estimation with
+// applications to tracking and navigation (2001), ch. 6.
 //
 // Frames: the world of the live map. Thread rule: one at a time. O(beams + clusters * (tracks + scans that
 // are remembered)) for a scan.
 #pragma once
 
 #include <deque>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "outrider/geometry/pose.hpp"
@@ -52,7 +55,7 @@ class MovingThings {
     Vec2 place, velocity;
     double radius_m = 0.0;
     double place_variance = 0.0, covariance = 0.0, velocity_variance = 0.0;  ///< the same for each axis
-    double standing = 1.0;  ///< mean share of the last clusters
+    double standing = 0.0;  ///< mean share of the last clusters
     double seen_s = 0.0;
     int sightings = 1;
     bool moves = false;
@@ -60,6 +63,8 @@ class MovingThings {
     void predict(double duration_s);
     void update(const Cluster& seen, double time_s);
     void judge();
+    [[nodiscard]] bool is_new() const;
+    [[nodiscard]] bool counts() const { return moves || is_new(); }
   };
 
   /// A scan of the last seconds.
@@ -71,7 +76,12 @@ class MovingThings {
   };
 
   [[nodiscard]] std::vector<Cluster> clusters(const LaserScan& scan, const Pose2& world_T_laser) const;
-  [[nodiscard]] double standing(const std::vector<Vec2>& points, double time_s) const;
+  [[nodiscard]] bool was_passed(Vec2 place, double time_s, std::size_t stride) const;
+  [[nodiscard]] double standing(std::span<const Vec2> points, double time_s) const;
+  void add_cluster(std::span<const Vec2> points, double time_s, std::vector<Cluster>& found) const;
+  [[nodiscard]] std::optional<std::size_t> owner_of(Vec2 point) const;
+  void add_clusters(std::span<const Vec2> points, double time_s, std::vector<Cluster>& found) const;
+  [[nodiscard]] bool is_seen_as_another(const Track& track) const;
   void remember(const LaserScan& scan, const Pose2& world_T_laser);
   void associate(std::vector<Cluster>& seen, double time_s);
 

@@ -229,6 +229,8 @@ class Navigator {
   LiveMap map_;
   MovingThings followed_;
   std::vector<MovingThing> moving_;  // now
+  std::optional<double> met_s_;      // when something moved near it last
+  bool looks_back_ = true;           // its laser does
   Zones zones_;
   GridFrame zones_frame_;
   ZoneCells zone_cells_;      // on that frame

@@ -64,6 +64,7 @@ class SampledMotion final : public LocalMotion {
 
   Twist2 choose(const MotionState& state) override {
     shift(state.period_s);
+    least_ahead_ = state.may_back ? -0.5 : 0.0;
     for (Twist2& twist : plan_.at) twist = within_limits(twist, state.robot);
     const double gap_m = state.near.gap(state.footprint, state.pose, options_.wide_m);
     least_m_ = std::min(options_.margin_m, gap_m - 1e-3);
@@ -103,14 +104,15 @@ class SampledMotion final : public LocalMotion {
     }
   }
 
-  [[nodiscard]] static Twist2 within_limits(const Twist2& twist, const RobotModel& robot) {
-    return {std::clamp(twist.ahead_mps, -0.5 * robot.speed_mps, robot.speed_mps), 0.0,
+  [[nodiscard]] Twist2 within_limits(const Twist2& twist, const RobotModel& robot) const {
+    return {std::clamp(twist.ahead_mps, least_ahead_ * robot.speed_mps, robot.speed_mps), 0.0,
             std::clamp(twist.turn_radps, -robot.turn_rate_radps, robot.turn_rate_radps)};
   }
 
   /// Adds motions with one command throughout: to stand, to turn, and arcs.
   void add_arcs(const RobotModel& robot) {
     for (const double ahead : {0.0, 0.3, 0.65, 1.0, -0.25}) {
+      if (ahead < least_ahead_) continue;
       for (const double turn : {-1.0, -0.4, 0.0, 0.4, 1.0}) {
         Sample& sample = samples_.emplace_back();
         sample.commands.at.fill({ahead * robot.speed_mps, 0.0, turn * robot.turn_rate_radps});
@@ -255,8 +257,9 @@ class SampledMotion final : public LocalMotion {
   std::size_t next_noise_ = 0;
   Commands plan_;
   double plan_cost_s_ = 0.0;
-  double elapsed_s_ = 0.0;  // of the first knot of the plan
-  double least_m_ = 0.0;    // gap that a motion keeps now
+  double elapsed_s_ = 0.0;    // of the first knot of the plan
+  double least_m_ = 0.0;      // gap that a motion keeps now
+  double least_ahead_ = 0.0;  // least speed, part of full speed
   std::vector<Sample> samples_;
   std::vector<MovingThing> close_;  // that may come near
 };

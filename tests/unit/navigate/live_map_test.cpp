@@ -170,6 +170,21 @@ LiveMap::Walls wall_at(double x) {
   return std::make_shared<const std::vector<Vec2>>(places);
 }
 
+TEST(LiveMap, ForgetsInDoubtOnlyWhereTheLaserLooks) {
+  LiveMap map({}, {});
+  LaserScan ahead{1.0, -1.0, 0.01, 0.1, 10.0, {}};
+  ahead.ranges_m.assign(200, 2.0F);
+  map.note(ahead, {});
+  ahead.time_s = 3.0;
+  ahead.ranges_m.assign(200, 2.05F);
+  map.note(ahead, {{0.0, 0.0}, 1.5});  // looks to the left, at half of it, and sees what is hardly behind it
+  ASSERT_TRUE(stands_at(map, 2.0 * direction(0.9)));
+  ASSERT_TRUE(stands_at(map, 2.0 * direction(-0.9)));
+  map.forget_but(3.5, 1.0);
+  EXPECT_FALSE(stands_at(map, 2.0 * direction(0.9)));
+  EXPECT_TRUE(stands_at(map, 2.0 * direction(-0.9)));
+}
+
 TEST(LiveMap, KeepsTheWallsOfAMap) {
   LiveMap map({}, {});
   map.know(wall_at(3.0));

@@ -122,6 +122,27 @@ TEST_P(EachRule, CommandsAreFiniteAndWithinTheLimits) {
   }
 }
 
+TEST_P(EachRule, DoesNotDriveBackwardsWhereItMayNot) {
+  Rng rng(29);
+  int backwards = 0;
+  for (int i = 0; i < 60; ++i) {
+    ObedientRobot any;
+    for (int k = 0; k < 20; ++k) any.map.note_touch({0.3, rng.uniform(-1.0, 1.0)}, 0.0);
+    const Vec2 goal{rng.uniform(-3.0, -1.0), rng.uniform(-1.0, 1.0)};
+    GoalField field;
+    field.compute({any.map.frame(), any.map.places()}, body, any.robot, {goal}, Vec2{});
+    Surroundings near;
+    near.look(any.map, {}, 4.0);
+    near.find_distances();
+    MotionState state{{}, {}, body, any.robot, near, field, goal};
+    backwards += rule()->choose(state).ahead_mps < 0.0;
+    state.may_back = false;
+    EXPECT_GE(rule()->choose(state).ahead_mps, 0.0);
+    EXPECT_FALSE(can_brake(state, {-0.1, 0.0, 0.0}, 0.03));
+  }
+  EXPECT_TRUE(backwards > 0 || GetParam() != "sampled");
+}
+
 INSTANTIATE_TEST_SUITE_P(LocalMotions, EachRule, ::testing::ValuesIn(names_of(local_motions())),
                          [](const auto& info) { return std::string(info.param); });
 

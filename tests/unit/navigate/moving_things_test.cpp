@@ -107,6 +107,31 @@ TEST(MovingThings, WhoStopsDoesNotMoveAnyMore) {
   EXPECT_TRUE(follow(scene, rests, 5.0).moving.empty());
 }
 
+TEST(MovingThings, WhatCameLatelyCountsAlthoughItStands) {
+  const auto scene = [](double t) {
+    auto things = room();
+    if (t > 2.95) things.push_back(disk_at({2.0, 1.0}, 0.2));
+    return things;
+  };
+  const Told told = follow(scene, rests, 3.45);
+  ASSERT_EQ(told.moving.size(), 1U);
+  EXPECT_EQ(norm(told.moving.front().velocity), 0.0);
+  EXPECT_LT(distance(told.moving.front().place, Vec2{2.0, 1.0}), 0.25);
+  EXPECT_TRUE(follow(scene, rests, 6.0).moving.empty());
+}
+
+TEST(MovingThings, WhoTurnsBackIsToldAtOnce) {
+  constexpr double turns_s = 2.95;
+  const auto scene = [](double t) {
+    auto things = room();
+    things.push_back(disk_at({2.0, -2.0 + 1.2 * (t < turns_s ? t : 2.0 * turns_s - t)}, 0.2));
+    return things;
+  };
+  const Told told = follow(scene, rests, turns_s + 3.0 * period_s);
+  ASSERT_EQ(told.moving.size(), 1U);
+  EXPECT_LT(told.moving.front().velocity.y, -0.6);
+}
+
 TEST(MovingThings, WhoWalksBehindTheRobotIsFollowedForAWhile) {
   RangeFinderModel model;
   model.view_rad = radians(270.0);
@@ -133,6 +158,46 @@ TEST(MovingThings, TwoWhoMeetAreTwoAgain) {
   const Told told = follow(scene, rests, 5.0);
   ASSERT_EQ(told.moving.size(), 2U);
   EXPECT_LT(told.moving[0].velocity.y * told.moving[1].velocity.y, 0.0);
+}
+
+TEST(MovingThings, ASlowWalkerIsTold) {
+  const auto scene = [](double t) {
+    auto things = room();
+    things.push_back(disk_at({2.0, -1.5 + 0.4 * t}, 0.2));
+    return things;
+  };
+  const Told told = follow(scene, rests, 5.0);
+  ASSERT_EQ(told.moving.size(), 1U);
+  EXPECT_NEAR(told.moving.front().velocity.y, 0.4, 0.25);
+  EXPECT_GT(told.times, 35);
+}
+
+/// Beams see a walker so near to a wall and the wall as one thing, which is wider than people are.
+TEST(MovingThings, WhoWalksAlongAWallIsToldFromIt) {
+  const auto walker = [](double t) { return Vec2{-2.0 + 0.8 * t, 3.6}; };
+  const auto scene = [&](double t) {
+    auto things = room();
+    things.push_back(disk_at(walker(t), 0.2));
+    return things;
+  };
+  const Told told = follow(scene, rests, 4.0);
+  ASSERT_EQ(told.moving.size(), 1U);
+  EXPECT_LT(distance(told.moving.front().place, walker(3.9)), 0.3);
+  EXPECT_NEAR(told.moving.front().velocity.x, 0.8, 0.3);
+  EXPECT_GT(told.times, 20);
+}
+
+TEST(MovingThings, TwoWhoMeetAndTouchAreStillTwo) {
+  const auto scene = [](double t) {
+    auto things = room();
+    things.push_back(disk_at({2.0, -2.0 + 0.8 * t}, 0.2));
+    things.push_back(disk_at({2.3, 2.0 - 0.8 * t}, 0.2));  // they touch at 2.5 s
+    return things;
+  };
+  for (const double end_s : {2.1, 2.4, 2.7, 3.3}) {
+    const Told told = follow(scene, rests, end_s);
+    EXPECT_EQ(told.moving.size(), 2U) << end_s;
+  }
 }
 
 TEST(MovingThings, AThingIsAtLeastAsWideAsItIsSeen) {

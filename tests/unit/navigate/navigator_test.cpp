@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -68,6 +69,36 @@ TEST(Navigator, DrivesAroundWhatNobodyToldItOf) {
     EXPECT_EQ(result.contacts, 0) << localiser;
     EXPECT_LT(result.time_s, 20.0) << localiser;
   }
+}
+
+/// A robot in a passage in which it cannot turn sees somebody who walks to and fro ahead of it, and is then
+/// sent back. Returns its least speed in the next seconds.
+double least_speed_mps(double view_rad, double walks_m) {
+  World world;
+  world.solids = {box_at({0.0, 0.4}, {3.0, 0.2}), box_at({0.0, -0.4}, {3.0, 0.2}),
+                  box_at({9.0, 0.0}, {0.2, 8.0}), box_at({-6.0, 0.0}, {0.2, 8.0})};
+  NavigatorSetup setup = small_robot();
+  setup.footprint = Footprint({{{-0.3, -0.15}, {0.3, -0.15}, {0.3, 0.15}, {-0.3, 0.15}}, 0.0});
+  ExplorerSimParams params = devices(setup);
+  params.laser.view_rad = view_rad;
+  params.faults.walk_ins.posts = {{{{walks_m, -0.5}, {walks_m, 0.5}}, 0.8, 0.2}};
+  SimulatedRobot robot = simulated_explorer(world, {}, setup.robot, params, 5);
+  auto navigator = Navigator::make(setup, Pose2{});
+  double least_mps = 0.0;
+  while (robot.time_s() < 5.0) {
+    navigator->perceive(robot.sense());
+    const Order order = robot.time_s() < 2.0 ? Order(Hold{}) : Order(GoTo{{-2.0, 0.0}, 0.15});
+    robot.act(navigator->act(order));
+    least_mps = std::min(least_mps, robot.body<TwistBody>().twist().ahead_mps);
+  }
+  return least_mps;
+}
+
+TEST(Navigator, DoesNotBackOutOfSightWhereSomebodyIsAbout) {
+  constexpr double whole = 2.0 * pi, before = 1.5 * pi;
+  EXPECT_LT(least_speed_mps(whole, 2.0), -0.3);
+  EXPECT_LT(least_speed_mps(before, 6.0), -0.3);
+  EXPECT_GT(least_speed_mps(before, 2.0), -0.01);
 }
 
 TEST(Navigator, SaysThatThereIsNoWay) {

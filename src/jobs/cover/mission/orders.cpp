@@ -22,7 +22,6 @@ constexpr double spot_m = 1.0, circling_rad = 10.0 * pi;  // five turns in one p
 constexpr double stand_s = 10.0;
 constexpr int most_stands = 8;
 constexpr int most_rounds = 6;
-constexpr int sure_weight = 6;      // of a mark that was seen three times more often than seen through
 constexpr double least_gain = 0.1;  // of what was left, that a round has to cover
 constexpr int corners = 8;          // of what stands around a mark
 constexpr double chord_m = 0.003;   // between an arc and its chords
@@ -149,7 +148,7 @@ Region CoverOrders::things(const Navigator& navigator) const {
     all.push_back(region_of(around, {}));
   };
   for (const Mark& mark : navigator.map().marks()) {
-    if (mark.stands() && (mark.weight >= sure_weight || mark.touched)) add(mark.place);
+    if (mark.stands() && mark.sure) add(mark.place);
   }
   const GridFrame& frame = navigator.map().frame();
   for (const Mark& mark : navigator.map().behind()) {
