@@ -8,6 +8,9 @@
 #include "research/guard/heading_plan.hpp"
 #include "research/guard/pddl_task.hpp"
 #include "research/guard/reference.hpp"
+#ifdef OUTRIDER_WITH_OMPL
+#include "research/path/sampling.hpp"
+#endif
 #include "research/pursuit/iterative_a_star.hpp"
 #include "research/pursuit/multi_goal_a_star.hpp"
 #include "research/pursuit/real_time.hpp"
@@ -88,6 +91,9 @@ void add_guard_planners() {
 void add_research() {
   add_pursuit_planners();
   add_guard_planners();
+#ifdef OUTRIDER_WITH_OMPL
+  add_sampling_planners();
+#endif
 }
 
 std::vector<Job> research_jobs() {

@@ -6,6 +6,7 @@
 #include "outrider/core/rng.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
+#include "research/path/sampling.hpp"
 #endif
 
 namespace outrider::bench {
@@ -55,6 +56,7 @@ std::vector<Problem> queries_on(const std::shared_ptr<const PolygonGround>& grou
 }  // namespace
 
 std::vector<PeerRow> polygon_rows() {
+  add_sampling_planners();
   const auto ground = yard();
   const auto queries = queries_on(ground, find_path_planner("visibility_graph")->configure());
   std::vector<PeerRow> rows;

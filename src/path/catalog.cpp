@@ -1,7 +1,7 @@
 #include "outrider/path/catalog.hpp"
 
 #include <limits>
-#include <memory>
+#include <utility>
 
 #include "outrider/path/clearance/medial_axis.hpp"
 #include "outrider/path/clearance/safest.hpp"
@@ -17,7 +17,6 @@
 #include "outrider/path/hubs/octile/octile_labels.hpp"
 #include "outrider/path/hubs/terrain_labels.hpp"
 #include "outrider/path/mesh/polyanya/polyanya.hpp"
-#include "outrider/path/sampling/sampling.hpp"
 #include "outrider/path/visibility/least_time.hpp"
 #include "outrider/path/visibility/visibility_graph.hpp"
 #include "steering/steering_rows.hpp"
@@ -280,38 +279,18 @@ std::vector<PathPlanner> planners_with_prices() {
   };
 }
 
-#ifdef OUTRIDER_WITH_OMPL
-std::vector<PathPlanner> planners_that_sample() {
-  const Guarantee guarantee = {
-      .complete = false,
-      .among = PathClass::any_curve,
-      .most_ratio = unbounded,
-      .sentence = "asymptotically complete and optimal; nothing is proven after finitely many points"};
-  const auto row = [&](std::string_view name, std::string_view sentence, std::string_view paper,
-                       Planner<SamplingOptions> planner) {
-    return PathPlanner{.name = name,
-                       .sentence = sentence,
-                       .paper = paper,
-                       .guarantee = guarantee,
-                       .configure = with_options(planner),
-                       .models = {},
-                       .polygons = true,
-                       .tells = TraceKind::tree};
-  };
-  const std::string_view karaman =
-      "Karaman and Frazzoli, Sampling-based algorithms for optimal motion planning, 2011";
-  return {
-      row("prm_star", "Joins random free points with their neighbours, then searches that roadmap (OMPL).",
-          karaman, prm_star),
-      row("rrt_star", "Grows a tree over random free points and rewires it where that is shorter (OMPL).",
-          karaman, rrt_star),
-      row("bit_star", "Tries the edges between batches of random points, the most promising first (OMPL).",
-          "Gammell, Srinivasa and Barfoot, Batch informed trees (BIT*), 2015", bit_star),
-  };
+std::vector<PathPlanner>& rows() {
+  static std::vector<PathPlanner> planners = [] {
+    std::vector<PathPlanner> all;
+    for (const auto& part :
+         {planners_along_moves(), planners_of_changing_maps(), planners_in_any_direction(),
+          planners_on_terrain(), planners_round_corners(), planners_with_prices(), planners_that_steer()}) {
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+  }();
+  return planners;
 }
-#else
-std::vector<PathPlanner> planners_that_sample() { return {}; }
-#endif
 
 }  // namespace
 
@@ -348,24 +327,14 @@ std::vector<Outcome<Plan>> plan_each(const ConfiguredPlanner& planner, const Pro
   return plans;
 }
 
-const std::vector<PathPlanner>& path_planners() {
-  static const std::vector<PathPlanner> planners = [] {
-    std::vector<PathPlanner> all;
-    for (const auto& part : {planners_along_moves(), planners_of_changing_maps(), planners_in_any_direction(),
-                             planners_on_terrain(), planners_round_corners(), planners_with_prices(),
-                             planners_that_steer(), planners_that_sample()}) {
-      all.insert(all.end(), part.begin(), part.end());
-    }
-    return all;
-  }();
-  return planners;
-}
+const std::vector<PathPlanner>& path_planners() { return rows(); }
+
+void add_path_planner(PathPlanner row) { rows().push_back(std::move(row)); }
 
 std::vector<std::string> names_of_planners_in_place(std::optional<GridModel> model) {
   std::vector<std::string> names;
-  for (const PathPlanner& planner : path_planners()) {
+  for (const PathPlanner& planner : path_planners())
     if (!planner.steers && (!model || planner.takes(*model))) names.emplace_back(planner.name);
-  }
   return names;
 }
 

@@ -1,5 +1,4 @@
-// Every row of the catalogue tells a Trace its whole queue, its tree, or nothing because it looks its answer
-// up.
+// Every row of the catalogue tells a Trace its whole queue, or nothing because it looks its answer up.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,21 +57,6 @@ void expect_a_search(const Trace& trace) {
   }
 }
 
-/// Each leg of the tree is free, and as long as it says.
-void expect_a_tree(const Trace& trace, const PolygonGround& ground) {
-  EXPECT_TRUE(trace.openings.empty());
-  ASSERT_EQ(trace.places.size(), trace.expansions.size());
-  const auto place = [&](std::uint32_t state) { return Vec2{trace.places[state].x, trace.places[state].y}; };
-  for (std::uint32_t i = 0; i < trace.expansions.size(); ++i) {
-    const Expansion& node = trace.expansions[i];
-    EXPECT_EQ(node.state, i);
-    EXPECT_EQ(node.parent == i, node.g == 0.0);
-    EXPECT_TRUE(ground.segment_free({place(node.parent), place(i)}));
-    EXPECT_NEAR(node.g, trace.expansions[node.parent].g + distance(place(node.parent), place(i)), tiny);
-    EXPECT_NEAR(node.f, node.g + node.h, tiny);
-  }
-}
-
 TEST(TraceContract, PlannersOnGridsTellTheirQueue) {
   Rng rng = Rng(5).child("trace");
   for (int i = 0; i < 60; ++i) {
@@ -127,10 +111,6 @@ TEST(TraceContract, PlannersOnPolygonsTellWhereTheirStatesAre) {
     const auto [plan, trace] = traced(row, problem);
     ASSERT_TRUE(plan.has_value());
     EXPECT_EQ(*plan, *row.configure().plan(problem, {}, *std::make_unique<Workspace>()));
-    if (row.tells == TraceKind::tree) {
-      expect_a_tree(trace, *ground);
-      continue;
-    }
     expect_a_search(trace);
     EXPECT_EQ(trace.expansions.size(), plan->counters.expansions);
     for (const Expansion& e : trace.expansions) ASSERT_LT(std::max(e.state, e.parent), trace.places.size());
@@ -169,9 +149,6 @@ TEST(TraceContract, OnlyThatWhichLooksUpTellsNothing) {
   for (const PathPlanner& row : path_planners()) {
     EXPECT_EQ(row.tells == TraceKind::lookup,
               row.name == "hub_labels" || row.name == "octile_labels" || row.name == "terrain_labels")
-        << row.name;
-    EXPECT_EQ(row.tells == TraceKind::tree,
-              row.paper.find("Karaman") != std::string_view::npos || row.name == "bit_star")
         << row.name;
   }
 }

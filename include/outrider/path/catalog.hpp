@@ -1,5 +1,5 @@
-// The catalogue of path planners. src/path/catalog.cpp is the only list of them; the command line tool, the
-// web page, benchmarks, bindings, documentation and contract tests all read it.
+// The catalogue of path planners: the rows of src/path/catalog.cpp, and those that a program adds. The command line
+// tool, the web page, benchmarks, bindings, documentation and contract tests all read it.
 #pragma once
 
 #include <algorithm>
@@ -108,6 +108,9 @@ struct PathPlanner {
 
 /// Returns all path planners, in the order of display.
 const std::vector<PathPlanner>& path_planners();
+
+/// Adds a row at the end, for all who read the catalogue later. Before the first thread starts.
+void add_path_planner(PathPlanner row);
 
 /// Returns the names of the planners of robots that turn in place: those that take such a grid, or all.
 std::vector<std::string> names_of_planners_in_place(std::optional<GridModel> model = std::nullopt);

@@ -1,4 +1,4 @@
-#include "sampling_space.hpp"
+#include "research/path/sampling_space.hpp"
 
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/samplers/InformedStateSampler.h>

@@ -4,7 +4,7 @@
 #include <ompl/base/Planner.h>
 
 #include "outrider/core/trace.hpp"
-#include "sampling_space.hpp"
+#include "research/path/sampling_space.hpp"
 
 namespace outrider {
 

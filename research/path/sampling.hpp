@@ -18,8 +18,7 @@
 // nothing depends on time. A call disables OMPL's messages in this process. Faults: those of polygon_query();
 // bad_input for options out of range; budget_exhausted; cancelled. Thread rule: concurrent calls are safe.
 //
-// The planners are built only if CMake finds OMPL (OUTRIDER_WITH_OMPL); find_path_planner("rrt_star") shows
-// whether they are.
+// They are built only if CMake finds OMPL (OUTRIDER_WITH_OMPL).
 // Sources: Karaman and Frazzoli, Sampling-based algorithms for optimal motion planning (2011); Gammell,
 // Srinivasa and Barfoot, Batch informed trees (2015); Sucan, Moll and Kavraki, The Open Motion Planning
 // Library (2012).
@@ -48,5 +47,8 @@ Outcome<Plan> rrt_star(const Problem& problem, const SamplingOptions& options, c
                        Workspace& workspace);
 Outcome<Plan> bit_star(const Problem& problem, const SamplingOptions& options, const Budget& budget,
                        Workspace& workspace);
+
+/// Adds the three planners to the catalogue. Once, before the first thread starts.
+void add_sampling_planners();
 
 }  // namespace outrider

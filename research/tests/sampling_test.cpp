@@ -7,6 +7,7 @@
 #include "outrider/path/check.hpp"
 #include "outrider/path/visibility/visibility_graph.hpp"
 #include "polygon_worlds.hpp"
+#include "research/path/sampling.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {
@@ -14,9 +15,8 @@ namespace {
 
 constexpr std::string_view names[] = {"prm_star", "rrt_star", "bit_star"};
 
-bool built_in() { return find_path_planner("rrt_star").has_value(); }
-
 ConfiguredPlanner planner_of(std::string_view name, const std::string& iterations, const std::string& seed) {
+  [[maybe_unused]] static const bool once = (add_sampling_planners(), true);
   ConfiguredPlanner planner = find_path_planner(name)->configure();
   for (const Option& option : planner.options) {
     EXPECT_TRUE(assign(option, option.name == "seed" ? seed : iterations).has_value());
@@ -36,7 +36,6 @@ Problem round_a_wall() {
 }
 
 TEST(Sampling, PathsAreFreeAndNeverShorterThanTheShortest) {
-  if (!built_in()) GTEST_SKIP() << "built without OMPL";
   Rng rng = Rng(31).child("sampling");
   Workspace workspace;
   int found = 0;
@@ -63,7 +62,6 @@ TEST(Sampling, PathsAreFreeAndNeverShorterThanTheShortest) {
 }
 
 TEST(Sampling, MorePointsMakeThePathShorter) {
-  if (!built_in()) GTEST_SKIP() << "built without OMPL";
   const Problem problem = round_a_wall();
   Workspace workspace;
   const double least = visibility_graph(problem, {}, {}, workspace)->cost;
@@ -78,7 +76,6 @@ TEST(Sampling, MorePointsMakeThePathShorter) {
 }
 
 TEST(Sampling, TheSeedAloneTellsThePathInAnyThread) {
-  if (!built_in()) GTEST_SKIP() << "built without OMPL";
   const Problem problem = round_a_wall();
   for (const std::string_view name : names) {
     std::vector<Outcome<Plan>> answers(6, bad_input("not asked"));
@@ -97,7 +94,6 @@ TEST(Sampling, TheSeedAloneTellsThePathInAnyThread) {
 }
 
 TEST(Sampling, WithoutAPathTheFaultSaysThatNothingIsProven) {
-  if (!built_in()) GTEST_SKIP() << "built without OMPL";
   Problem problem = round_a_wall();
   testing::PolygonWorld world{{{0, 0}, {8, 0}, {8, 6}, {0, 6}}, {{{0, 2.8}, {8, 2.8}, {8, 3.2}, {0, 3.2}}}};
   problem.polygons = ground_of(world);
@@ -107,6 +103,37 @@ TEST(Sampling, WithoutAPathTheFaultSaysThatNothingIsProven) {
     ASSERT_FALSE(answer.has_value()) << name;
     EXPECT_EQ(answer.error().code, FaultCode::budget_exhausted);
     EXPECT_NE(answer.error().sentence.find("does not prove"), std::string::npos) << answer.error().sentence;
+  }
+}
+
+/// Each leg of the tree is free, and as long as it says.
+void expect_a_tree(const Trace& trace, const PolygonGround& ground) {
+  EXPECT_TRUE(trace.openings.empty());
+  ASSERT_EQ(trace.places.size(), trace.expansions.size());
+  const auto place = [&](std::uint32_t state) { return Vec2{trace.places[state].x, trace.places[state].y}; };
+  for (std::uint32_t i = 0; i < trace.expansions.size(); ++i) {
+    const Expansion& node = trace.expansions[i];
+    EXPECT_EQ(node.state, i);
+    EXPECT_EQ(node.parent == i, node.g == 0.0);
+    EXPECT_TRUE(ground.segment_free({place(node.parent), place(i)}));
+    EXPECT_NEAR(node.g, trace.expansions[node.parent].g + distance(place(node.parent), place(i)), 1e-9);
+    EXPECT_NEAR(node.f, node.g + node.h, 1e-9);
+  }
+}
+
+TEST(Sampling, TheTraceIsATree) {
+  const Problem problem = round_a_wall();
+  for (const std::string_view name : names) {
+    SCOPED_TRACE(name);
+    Workspace workspace;
+    Trace trace;
+    workspace.trace = &trace;
+    const ConfiguredPlanner planner = planner_of(name, "500", "1");
+    const auto plan = planner.plan(problem, {}, workspace);
+    ASSERT_TRUE(plan.has_value());
+    Workspace untraced;
+    EXPECT_EQ(*plan, *planner.plan(problem, {}, untraced));
+    expect_a_tree(trace, *problem.polygons);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "outrider/path/sampling/sampling.hpp"
+#include "research/path/sampling.hpp"
 
 #include <fmt/format.h>
 #include <ompl/base/goals/GoalState.h>
@@ -8,8 +8,12 @@
 #include <ompl/geometric/planners/rrt/RRTstar.h>
 #include <ompl/util/Console.h>
 
-#include "sampling_space.hpp"
-#include "sampling_tree.hpp"
+#include <limits>
+
+#include "outrider/path/catalog.hpp"
+#include "research/path/sampling_space.hpp"
+#include "research/path/sampling_tree.hpp"
+#include "with_options.hpp"
 
 namespace outrider {
 namespace {
@@ -130,6 +134,33 @@ Outcome<Plan> rrt_star(const Problem& problem, const SamplingOptions& options, c
 Outcome<Plan> bit_star(const Problem& problem, const SamplingOptions& options, const Budget& budget,
                        Workspace& workspace) {
   return sample<BitStar>(problem, options, budget, workspace);
+}
+
+void add_sampling_planners() {
+  const Guarantee guarantee = {
+      .complete = false,
+      .among = PathClass::any_curve,
+      .most_ratio = std::numeric_limits<double>::infinity(),
+      .sentence = "asymptotically complete and optimal; nothing is proven after finitely many points"};
+  const auto add = [&](std::string_view name, std::string_view sentence, std::string_view paper,
+                       Planner<SamplingOptions> planner) {
+    add_path_planner({.name = name,
+                      .sentence = sentence,
+                      .paper = paper,
+                      .guarantee = guarantee,
+                      .configure = with_options(planner),
+                      .models = {},
+                      .polygons = true,
+                      .tells = TraceKind::tree});
+  };
+  const std::string_view karaman =
+      "Karaman and Frazzoli, Sampling-based algorithms for optimal motion planning, 2011";
+  add("prm_star", "Joins random free points with their neighbours, then searches that roadmap (OMPL).", karaman,
+      prm_star);
+  add("rrt_star", "Grows a tree over random free points and rewires it where that is shorter (OMPL).", karaman,
+      rrt_star);
+  add("bit_star", "Tries the edges between batches of random points, the most promising first (OMPL).",
+      "Gammell, Srinivasa and Barfoot, Batch informed trees (BIT*), 2015", bit_star);
 }
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-#include "sampling_tree.hpp"
+#include "research/path/sampling_tree.hpp"
 
 #include <ompl/base/PlannerData.h>
 
