@@ -37,7 +37,10 @@ Outcome<TemporaryFolder> TemporaryFolder::make() {
     std::error_code error;
     std::string name = (fs::temp_directory_path(error) / fmt::format("{}XXXXXX", prefix)).string();
     if (error || ::mkdtemp(name.data()) == nullptr) break;
-    if (auto lock = FolderLock::take(name)) return TemporaryFolder(fs::canonical(name), std::move(*lock));
+    auto lock = FolderLock::take(name);
+    if (!lock) continue;
+    const fs::path inside = fs::canonical(name) / "files";
+    if (fs::create_directory(inside, error)) return TemporaryFolder(inside, std::move(*lock));
   }
   return bad_input("there is no place for temporary files; set TMPDIR to a folder that can be written to",
                    "TMPDIR");
@@ -56,7 +59,7 @@ void TemporaryFolder::remove_abandoned() {
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
-  if (!path_.empty()) fs::remove_all(path_, ignored);
+  if (!path_.empty()) fs::remove_all(path_.parent_path(), ignored);
 }
 
 }  // namespace outrider::server

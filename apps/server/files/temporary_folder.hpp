@@ -30,8 +30,8 @@ class FolderLock {
   int descriptor_;
 };
 
-/// Holds a lock on the folder while the object exists. A folder without a lock was left by a server that was
-/// killed.
+/// Holds a lock while the object exists, on the folder around its own: write_files() waits where a folder is
+/// locked. A folder without a lock was left by a server that was killed.
 class TemporaryFolder {
  public:
   /// Creates a folder that only this user can access. Fault: bad_input if the system has no place for one.

@@ -19,9 +19,7 @@ namespace outrider::server {
 
 class AppTest : public ::testing::Test {
  protected:
-  AppTest() : own_(std::move(*TemporaryFolder::make())), home_(own_.path() / "served") {
-    std::filesystem::create_directory(home_);
-  }
+  AppTest() : own_(std::move(*TemporaryFolder::make())), home_(own_.path()) {}
 
   [[nodiscard]] std::filesystem::path path(const std::string& name) const { return home_ / name; }
 
@@ -74,7 +72,7 @@ class AppTest : public ::testing::Test {
     return run;
   }
 
-  TemporaryFolder own_;  ///< it is locked, and whoever writes a file into a locked folder waits
+  TemporaryFolder own_;
   std::filesystem::path home_;
   /// Files are read here, not in a process that is confined: tests/cli/serve_confinement_test.py tests that
   /// one. Counts the questions.

@@ -1,4 +1,6 @@
+#include <fcntl.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 
 #include <atomic>
@@ -183,6 +185,9 @@ TEST(TemporaryFolders, AreRemovedOnceTheirServerIsGone) {
   TemporaryFolder::remove_abandoned();
   EXPECT_FALSE(std::filesystem::exists(abandoned));
   EXPECT_TRUE(std::filesystem::is_directory(living->path()));
+  const int folder = ::open(living->path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  EXPECT_EQ(::flock(folder, LOCK_EX | LOCK_NB), 0) << "who writes a file into a locked folder waits";
+  ::close(folder);
 }
 
 }  // namespace
