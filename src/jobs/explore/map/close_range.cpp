@@ -79,33 +79,50 @@ Line line_through(const Moments& m) {
   return {mean, direction(0.5 * std::atan2(2.0 * b, a - c))};
 }
 
-/// Returns the height at 0 of the parabola that fits best to the heights v over u. A straight line would
-/// round corners off by a centimetre, this does by a third of it.
-double height_at_zero(const Eigen::Matrix3d& squares, const Eigen::Vector3d& heights) {
-  constexpr double nothing = 1e-9;  // of the unit in which u is given, which is about the largest one
-  const Eigen::Matrix3d kept = squares + nothing * Eigen::Matrix3d::Identity();
-  return kept.ldlt().solve(heights).x();
-}
+/// The sums of a parabola that is fitted to heights over u.
+struct Parabola {
+  double count = 0.0, u1 = 0.0, u2 = 0.0, u3 = 0.0, u4 = 0.0;  // of the powers of u
+  Eigen::Vector3d heights = Eigen::Vector3d::Zero();
+
+  void add(double u, double height) {
+    const double square = u * u;
+    count += 1.0;
+    u1 += u;
+    u2 += square;
+    u3 += u * square;
+    u4 += square * square;
+    heights.x() += height;
+    heights.y() += height * u;
+    heights.z() += height * square;
+  }
+
+  /// The height at 0 of the parabola that fits best. A straight line would round corners off by a centimetre,
+  /// this does by a third of it.
+  [[nodiscard]] double height_at_zero() const {
+    constexpr double nothing = 1e-9;  // of the unit in which u is given, which is about the largest one
+    Eigen::Matrix3d squares;
+    squares << count + nothing, u1, u2, u1, u2 + nothing, u3, u2, u3, u4 + nothing;
+    return squares.ldlt().solve(heights).x();
+  }
+};
 
 /// Puts each point on the parabola through its neighbours, across the line through them; drops those that
 /// have too few.
 std::vector<Vec2> smoothed(const std::vector<Vec2>& points, double within_m) {
   const Binned binned(points);
-  std::vector<Vec2> smooth;
+  std::vector<Vec2> smooth, near;
   for (const Vec2 p : points) {
-    Moments near;
-    binned.for_each_near(p, within_m, [&](Vec2 q) { near.add(q - p); });
-    if (near.count < least_neighbours) continue;
-    const Vec2 along = line_through(near).along, across = perpendicular(along);
-    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d heights = Eigen::Vector3d::Zero();
+    Moments moments;
+    near.clear();
     binned.for_each_near(p, within_m, [&](Vec2 q) {
-      const double u = dot(q - p, along) / within_m;
-      const Eigen::Vector3d powers(1.0, u, u * u);
-      squares += powers * powers.transpose();
-      heights += dot(q - p, across) * powers;
+      near.push_back(q - p);
+      moments.add(q - p);
     });
-    smooth.push_back(p + height_at_zero(squares, heights) * across);
+    if (moments.count < least_neighbours) continue;
+    const Vec2 along = line_through(moments).along, across = perpendicular(along);
+    Parabola parabola;
+    for (const Vec2 q : near) parabola.add(dot(q, along) / within_m, dot(q, across));
+    smooth.push_back(p + parabola.height_at_zero() * across);
   }
   return smooth;
 }
