@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -29,27 +30,47 @@ Bin bin_of(Vec2 p, double side_m) {
 }
 
 /// Points sorted by squares of the side near_m.
-struct Binned {
-  explicit Binned(std::vector<Vec2> all) {
-    points.reserve(all.size());
-    for (const Vec2 p : all) points.emplace_back(bin_of(p, near_m), p);
-    std::ranges::sort(points, [](const auto& a, const auto& b) {
+class Binned {
+ public:
+  Binned(const std::vector<Vec2>& all, double within_m)
+      : near_(all.size()), most_square_(within_m * within_m) {
+    while (std::sqrt(most_square_) <= within_m) most_square_ = std::nextafter(most_square_, 1.0);
+    while (std::sqrt(most_square_) > within_m) most_square_ = std::nextafter(most_square_, 0.0);
+    std::vector<std::pair<Bin, Vec2>> sorted;
+    sorted.reserve(all.size());
+    for (const Vec2 p : all) sorted.emplace_back(bin_of(p, near_m), p);
+    std::ranges::sort(sorted, [](const auto& a, const auto& b) {
       return std::tuple(a.first, a.second.x, a.second.y) < std::tuple(b.first, b.second.x, b.second.y);
     });
-  }
-
-  template <class Visit>
-  void for_each_near(Vec2 p, double within_m, Visit visit) const {
-    const Bin middle = bin_of(p, near_m);
-    for (int x = middle.first - 1; x <= middle.first + 1; ++x) {
-      const Bin first{x, middle.second - 1}, last{x, middle.second + 1};
-      auto at = std::ranges::lower_bound(points, first, {}, [](const auto& one) { return one.first; });
-      for (; at != points.end() && at->first <= last; ++at)
-        if (distance(at->second, p) <= within_m) visit(at->second);
+    for (const auto& [bin, p] : sorted) {
+      bins_.push_back(bin);
+      points_.push_back(p);
     }
   }
 
-  std::vector<std::pair<Bin, Vec2>> points;
+  /// Returns the offsets from p of the points within the distance of it.
+  std::span<const Vec2> near(Vec2 p) {
+    const Bin middle = bin_of(p, near_m);
+    std::size_t count = 0;
+    for (int x = middle.first - 1; x <= middle.first + 1; ++x) {
+      const auto first = std::ranges::lower_bound(bins_, Bin{x, middle.second - 1});
+      const auto last = std::upper_bound(first, bins_.end(), Bin{x, middle.second + 1});
+      const std::span column(points_.data() + (first - bins_.begin()),
+                             static_cast<std::size_t>(last - first));
+      for (const Vec2 q : column) {
+        const Vec2 offset = q - p;
+        near_[count] = offset;
+        if (squared_norm(offset) <= most_square_) ++count;
+      }
+    }
+    return std::span(near_).first(count);
+  }
+
+ private:
+  std::vector<Bin> bins_;
+  std::vector<Vec2> points_;  ///< of each bin
+  std::vector<Vec2> near_;
+  double most_square_;  ///< the largest number whose root is within the distance
 };
 
 /// The sums of points about a place.
@@ -109,15 +130,12 @@ struct Parabola {
 /// Puts each point on the parabola through its neighbours, across the line through them; drops those that
 /// have too few.
 std::vector<Vec2> smoothed(const std::vector<Vec2>& points, double within_m) {
-  const Binned binned(points);
-  std::vector<Vec2> smooth, near;
+  Binned binned(points, within_m);
+  std::vector<Vec2> smooth;
   for (const Vec2 p : points) {
+    const std::span<const Vec2> near = binned.near(p);
     Moments moments;
-    near.clear();
-    binned.for_each_near(p, within_m, [&](Vec2 q) {
-      near.push_back(q - p);
-      moments.add(q - p);
-    });
+    for (const Vec2 q : near) moments.add(q);
     if (moments.count < least_neighbours) continue;
     const Vec2 along = line_through(moments).along, across = perpendicular(along);
     Parabola parabola;
