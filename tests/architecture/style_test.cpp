@@ -83,10 +83,10 @@ const std::vector<Rule>& rules() {
 }
 
 TEST(Style, RulesHold) {
+  const auto all = sources({"include", "src", "apps", "research", "tests", "bench", "examples"});
   for (const Rule& rule : rules()) {
     EXPECT_TRUE(std::regex_search(rule.example, rule.forbidden)) << rule.name;
-    for (const Source& source :
-         sources({"include", "src", "apps", "research", "tests", "bench", "examples"})) {
+    for (const Source& source : all) {
       std::smatch found;
       if (!rule.applies(source) || !std::regex_search(source.code, found, rule.forbidden)) continue;
       ADD_FAILURE() << source.path << ": " << found.str() << ": " << rule.name;
