@@ -4,6 +4,7 @@ import unittest
 
 from mcap_log import targets_of
 from tool import PAGE, SOURCE, ToolTest, main
+from well_logged import well_logged
 
 DOORS = "--arrivals-entrances=gate=-2,-2 gap=2,-2.5"
 LIST = "t=0 at=fox by=gate\nt=4 at=1_0 by=gap\nt=9.5 at=fox by=gap  # again\n"
@@ -79,9 +80,10 @@ class Arrivals(ToolTest):
 
     def test_the_bundled_scenario_and_its_table(self):
         scenario = SOURCE / "scenarios" / "arrivals" / "arrivals.yaml"
-        result = self.run_tool("run", scenario, "--json", "--plan-resolution", "0.2", "--arrivals-stops", "40")
+        result = self.run_tool("run", scenario, "--json", "--plan-resolution", "0.2", "--arrivals-stops", "40", "--out", "out")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(self.json_of(result)["metrics"]["reached"], 24)
+        well_logged(self, "out")
         for name in ["yard.sdf", "targets.txt"]:
             self.assertTrue((self.folder / name).exists())
         self.write("small.yaml", "world: yard.sdf\ntargets: targets.txt\nstart: 0,-2,90\n"

@@ -48,13 +48,14 @@ class Cover(ToolTest):
 
     def test_the_room_beats_the_reference(self):
         for seed in range(1, 6):
-            result = self.run_tool("run", SOURCE / "scenarios/cover/cover_room.yaml", "--seed", seed, "--json")
+            result = self.run_tool("run", SOURCE / "scenarios/cover/cover_room.yaml", "--seed", seed, "--json", "--out", "out")
             self.assertEqual(result.returncode, 0, result.stderr)
             answer = flat(self.json_of(result))
             self.assertLess(answer["time_s"], 176)
             self.assertLessEqual(answer["tracking_error_m"], 0.005)
             self.assertGreaterEqual(answer["covered_fraction"], 0.995)
             self.assertGreaterEqual(answer["sure_inner_fraction"], 0.997)
+        well_logged(self, "out")
 
     def test_the_field_scenario(self):
         answer = self.cover("--scenario", SOURCE / "scenarios/cover/cover_field.yaml", "--out", "out")

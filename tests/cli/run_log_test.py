@@ -3,14 +3,15 @@ from tool import SOURCE, ToolTest, main
 from well_logged import well_logged
 
 # Tests that run a scenario and call well_logged() for it.
-ELSEWHERE = {"arena/safest": "arena", "arena/shortest": "arena", "cover/cover_field": "cover", "cover/cover_mower": "cover",
-             "driveby/driveby": "driveby", "explore/office": "slam_laser", "explore/unknown_yard": "killed", "hill/hill": "terrain",
+ELSEWHERE = {"arena/safest": "arena", "arena/shortest": "arena", "arrivals/arrivals": "arrivals", "cover/cover_field": "cover",
+             "cover/cover_mower": "cover", "cover/cover_room": "cover", "driveby/driveby": "driveby", "explore/office": "slam_laser", "explore/unknown_yard": "killed", "hill/hill": "terrain",
              "orchard/orchard": "guard_air", "stations/stations": "stations", "waypoints/closed_loop": "drive", "wind/wind": "guard_air",
              "yard/two_robots": "team", "yard/yard": "guard"}
 ANY_ORDER = ["--order-iterations", "100", "--order-gap", "1"]
 # Flags that leave work out which a log does not show.
-FLAGS = {"arrivals/arrivals": ["--plan-resolution", "0.2", "--arrivals-stops", "40"], "cover/cover_things": ["--width", "0.6", *ANY_ORDER],
-         "cover/cover_tractor": ["--width", "8", *ANY_ORDER], "explore/cave": ["--laser-beams", "90"], "explore/narrow_corridor": ["--laser-beams", "90"]}
+FLAGS = {"cover/cover_things": ["--width", "0.6", *ANY_ORDER], "cover/cover_tractor": ["--width", "16", *ANY_ORDER],
+         "explore/cave": ["--laser-beams", "90"], "explore/narrow_corridor": ["--laser-beams", "90"],
+         "parking/car_drive": ["--laser-beams", "60"]}
 
 
 def scenarios():
