@@ -90,9 +90,10 @@ void TwistBody::pass(double duration_s) {
   moving_room_m_ = moving_room_m(pose_);
 }
 
-/// Returns true if the robot is commanded to stand, and touches what comes to it faster than it goes there.
+/// Returns true if the robot is commanded to stand, or to turn in place, and touches what comes to it faster
+/// than it goes there.
 bool TwistBody::is_walked_into(const Pose2& next) const {
-  if (wanted_.ahead_mps != 0.0 || wanted_.turn_radps != 0.0) return false;
+  if (wanted_.ahead_mps != 0.0) return false;
   const double now_m = moving_room_m(pose_), then_m = moving_room_m(next);
   return then_m <= room_m(next) && moving_room_m_ - now_m > now_m - then_m;
 }

@@ -329,6 +329,22 @@ TEST(SimulatedExplorer, PostsGoAlongTheirPathsThereAndBack) {
   EXPECT_LT(distance(disks.front().core.front(), Vec2{1.0, 0.0}), 0.01);
 }
 
+/// Turns a long robot in place while a post comes along its side, or stands where its end comes by. Returns
+/// the contacts, and how often it was walked into.
+std::pair<std::int64_t, std::int64_t> turn_beside_post(double post_mps, Vec2 from) {
+  ExplorerSimParams params = faultless();
+  params.footprint = Footprint({{{-0.4, -0.1}, {0.4, -0.1}, {0.4, 0.1}, {-0.4, 0.1}}, 0.0});
+  params.faults.walk_ins.posts = {{{from, {from.x, -2.0}}, post_mps, 0.2, 0.0}};
+  SimulatedRobot it = simulated_explorer(square_room(), {{0.0, 0.0}, 0.0}, burger(), params, 1);
+  drive(it, {0.0, 0.0, 0.3}, 2.0);
+  return {it.body<TwistBody>().contacts(), it.body<TwistBody>().walked_into()};
+}
+
+TEST(SimulatedExplorer, WhoTurnsIsWalkedIntoByWhatComesFaster) {
+  EXPECT_EQ(turn_beside_post(1.0, {0.1, 1.0}), std::pair(std::int64_t{0}, std::int64_t{1})) << "it came";
+  EXPECT_EQ(turn_beside_post(1e-6, {0.35, 0.35}), std::pair(std::int64_t{1}, std::int64_t{0})) << "it stood";
+}
+
 /// Drives a robot with a footprint towards a post that comes at 1 m/s, and commands it to stand from a time
 /// on. Returns the contacts, and how often it was walked into.
 std::pair<std::int64_t, std::int64_t> meet_post(double speed_mps, double stands_from_s) {

@@ -45,7 +45,7 @@ class TwistBody {
   [[nodiscard]] Pose2 odometry() const { return wheels_.exact ? relative_pose(start_, pose_) : odometry_; }
   [[nodiscard]] std::int64_t contacts() const { return contacts_; }
   /// Returns how often somebody walked into the robot, whose motion did not bring it nearer to them, or which
-  /// was commanded to stand and came nearer more slowly than they did.
+  /// was commanded to stand or to turn in place and came nearer more slowly than they did.
   [[nodiscard]] std::int64_t walked_into() const { return walked_into_; }
   [[nodiscard]] double driven_m() const { return driven_m_; }
   [[nodiscard]] double turned_rad() const { return turned_rad_; }
