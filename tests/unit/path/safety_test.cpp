@@ -13,7 +13,7 @@
 namespace outrider {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double endless = std::numeric_limits<double>::infinity();
 
 CollisionMap random_world(Rng& rng) {
   std::vector<RoundedPolygon> things;
@@ -64,7 +64,7 @@ TEST(Safety, AnOutlineKeepsFromShapesWhatDensePosesSee) {
     arc.to = arc.centre + rotated(arc.turn_rad, arc.from - arc.centre);
     plan.pieces = {arc};
     plan.waypoints = {arc.from, arc.to};
-    double dense = infinite, outer = 0.0;
+    double dense = endless, outer = 0.0;
     for (const Vec2 corner : outline) outer = std::max(outer, norm(corner));
     const double radius = distance(arc.from, arc.centre) + outer;
     const int steps = 1 + static_cast<int>(radius * std::abs(arc.turn_rad) / 0.01);
@@ -99,14 +99,14 @@ TEST(Safety, AnOutlineOnAGridKeepsWhatItsCornersAndThoseOfTheCellsSay) {
   plan.steering = Steering{1.0, false};
   plan.pieces = {{{2.0, 4.0}, {8.0, 4.0}, {}, 0.0}};
   plan.waypoints = {{2.0, 4.0}, {8.0, 4.0}};
-  EXPECT_NEAR(clearance_m(plan, ground, {}, infinite), 1.0, 1e-12);
-  EXPECT_NEAR(clearance_m(plan, ground, {{-0.5, -0.4}, {0.5, -0.4}, {0.5, 0.7}, {-0.5, 0.7}}, infinite), 0.3,
+  EXPECT_NEAR(clearance_m(plan, ground, {}, endless), 1.0, 1e-12);
+  EXPECT_NEAR(clearance_m(plan, ground, {{-0.5, -0.4}, {0.5, -0.4}, {0.5, 0.7}, {-0.5, 0.7}}, endless), 0.3,
               1e-12);
-  EXPECT_NEAR(clearance_m(plan, ground, {{-0.5, -0.4}, {0.5, -0.4}, {0.0, 1.0}}, infinite), 0.0, 1e-12);
+  EXPECT_NEAR(clearance_m(plan, ground, {{-0.5, -0.4}, {0.5, -0.4}, {0.0, 1.0}}, endless), 0.0, 1e-12);
   EXPECT_NEAR(clearance_m(plan, ground, {}, 0.2), 0.2, 1e-12);
   // On an arc about (5.25, 2): the side that faces outwards passes the cell below its middle.
   plan.pieces = {{{3.25, 2.0}, {7.25, 2.0}, {5.25, 2.0}, -pi}};
-  EXPECT_NEAR(clearance_m(plan, ground, {{-0.3, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {-0.3, 0.3}}, infinite),
+  EXPECT_NEAR(clearance_m(plan, ground, {{-0.3, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {-0.3, 0.3}}, endless),
               3.0 - std::hypot(2.3, 0.3), 1e-9);
 }
 
