@@ -11,10 +11,10 @@ namespace outrider {
 namespace {
 
 constexpr double brake_step_s = 0.02;
-constexpr double moving_room_m = 0.1;   // from what moves
-constexpr double most_sigma_mps = 0.5;  // of its velocity that is reckoned with
-constexpr double rounding_m = 1e-4;     // by which a gap may become less because of rounding
-constexpr double instant_m = 1e-9;      // the same of a gap to a keep-out zone, which never closes
+constexpr double moving_room_m = 0.1;                    // from what moves
+constexpr double sure_mps = 0.2, most_unsure_mps = 0.5;  // standard deviation of its velocity
+constexpr double rounding_m = 1e-4;                      // by which a gap may become less because of rounding
+constexpr double instant_m = 1e-9;  // the same of a gap to a keep-out zone, which never closes
 
 /// Returns the point of a segment that is nearest to a place.
 Vec2 nearest_between(Vec2 from, Vec2 to, Vec2 place) {
@@ -56,7 +56,8 @@ double MotionState::moving_gap(const Pose2& at, double after_s, double most, boo
     const Vec2 nearest = swept ? nearest_between(thing.place, then, at.position) : then;
     const Vec2 off = nearest - at.position;
     const double radius_m =
-        thing.radius_m + (swept ? std::min(thing.sigma_mps, most_sigma_mps) * after_s : 0.0);
+        thing.radius_m +
+        (swept ? std::clamp(thing.sigma_mps - sure_mps, 0.0, most_unsure_mps) * after_s : 0.0);
     if (norm(off) - radius_m - footprint.outer_m() >= least) continue;
     least = std::min(least, footprint.gap_m(unrotated(at.heading_rad, off)) - radius_m);
   }
