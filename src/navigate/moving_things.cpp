@@ -24,9 +24,8 @@ constexpr int enough_sightings = 4;   // until a track is believed
 constexpr int new_sightings = 3;      // until it counts, although it is not known where it goes
 constexpr double moves_mps = 0.25, rests_mps = 0.15, sure_sigmas = 1.5;
 constexpr double newest_share = 0.4;
-constexpr double passed_m = 0.2;  // by which a beam goes beyond what it passes
-constexpr double passed_beside_m =
-    0.05;  // of a place, within which all beams pass, lest it be the face of a wall
+constexpr double passed_m = 0.2;          // by which a beam goes beyond what it passes
+constexpr double passed_beside_m = 0.05;  // of it, within which all beams pass: it is not the face of a wall
 constexpr double least_ago_s = 0.3, most_ago_s = 2.0;  // of beams that are asked
 constexpr double look_every_s = 0.1;
 constexpr double rim_m = 0.15;                               // around what moves, that is left out of scans
@@ -63,6 +62,13 @@ std::vector<std::vector<Vec2>> runs_of(const LaserScan& scan, const Pose2& world
     runs.erase(runs.begin());
   }
   return runs;
+}
+
+/// Returns how far a run extends from its first point.
+double width_of(std::span<const Vec2> points) {
+  double width_m = 0.0;
+  for (const Vec2 point : points) width_m = std::max(width_m, distance(points.front(), point));
+  return width_m;
 }
 
 }  // namespace
@@ -150,7 +156,7 @@ double MovingThings::standing(std::span<const Vec2> points, double time_s) const
 void MovingThings::add_cluster(std::span<const Vec2> points, double time_s,
                                std::vector<Cluster>& found) const {
   if (points.size() < fewest_points) return;
-  const double radius_m = 0.5 * distance(points.front(), points.back());
+  const double radius_m = 0.5 * width_of(points);
   if (radius_m > most_radius_m) return;
   found.push_back(
       {0.5 * (points.front() + points.back()), std::max(radius_m, least_radius_m), standing(points, time_s)});
@@ -176,7 +182,7 @@ void MovingThings::add_clusters(std::span<const Vec2> points, double time_s,
   if (points.size() < fewest_points) return;
   std::vector<std::optional<std::size_t>> owners;
   std::ranges::transform(points, std::back_inserter(owners), [&](Vec2 point) { return owner_of(point); });
-  const bool wide = 0.5 * distance(points.front(), points.back()) > most_radius_m;
+  const bool wide = 0.5 * width_of(points) > most_radius_m;
   std::optional<std::size_t> first;
   bool several = false;
   for (const auto& owner : owners) {
@@ -238,13 +244,11 @@ void MovingThings::associate(std::vector<Cluster>& seen, double time_s) {
 
 /// Returns true if a track that was not seen now is where one is that was, and goes the same way.
 bool MovingThings::is_seen_as_another(const Track& track) const {
-  return track.seen_s < time_s_ && std::ranges::any_of(
-                                       tracks_,
-                                       [&](const Track& other) {
-                                         return other.seen_s == time_s_ &&
-                                                distance(other.place, track.place) < other.radius_m &&
-                                                distance(other.velocity, track.velocity) <= apart_mps;
-                                       });
+  if (track.seen_s == time_s_) return false;
+  return std::ranges::any_of(tracks_, [&](const Track& other) {
+    return other.seen_s == time_s_ && distance(other.place, track.place) < other.radius_m &&
+           distance(other.velocity, track.velocity) <= apart_mps;
+  });
 }
 
 void MovingThings::note(const LaserScan& scan, const Pose2& world_T_laser) {
