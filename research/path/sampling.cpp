@@ -155,10 +155,10 @@ void add_sampling_planners() {
   };
   const std::string_view karaman =
       "Karaman and Frazzoli, Sampling-based algorithms for optimal motion planning, 2011";
-  add("prm_star", "Joins random free points with their neighbours, then searches that roadmap (OMPL).", karaman,
-      prm_star);
-  add("rrt_star", "Grows a tree over random free points and rewires it where that is shorter (OMPL).", karaman,
-      rrt_star);
+  add("prm_star", "Joins random free points with their neighbours, then searches that roadmap (OMPL).",
+      karaman, prm_star);
+  add("rrt_star", "Grows a tree over random free points and rewires it where that is shorter (OMPL).",
+      karaman, rrt_star);
   add("bit_star", "Tries the edges between batches of random points, the most promising first (OMPL).",
       "Gammell, Srinivasa and Barfoot, Batch informed trees (BIT*), 2015", bit_star);
 }

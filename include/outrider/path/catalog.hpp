@@ -1,5 +1,5 @@
-// The catalogue of path planners: the rows of src/path/catalog.cpp, and those that a program adds. The command line
-// tool, the web page, benchmarks, bindings, documentation and contract tests all read it.
+// The catalogue of path planners: the rows of src/path/catalog.cpp, and those that a program adds. The
+// command line tool, the web page, benchmarks, bindings, documentation and contract tests all read it.
 #pragma once
 
 #include <algorithm>
