@@ -189,7 +189,10 @@ void MovingThings::add_clusters(std::span<const Vec2> points, double time_s,
     if (!first) first = owner;
     several |= owner && distance(tracks_[*owner].velocity, tracks_[*first].velocity) > apart_mps;
   }
-  if (!wide && !several) return add_cluster(points, time_s, found);
+  if (!wide && !several) {
+    add_cluster(points, time_s, found);
+    return;
+  }
   constexpr std::size_t stands = std::numeric_limits<std::size_t>::max();
   const auto part_of = [&](std::size_t i) -> std::size_t {
     if (wide && !was_passed(points[i], time_s, looks_apart)) return stands;
