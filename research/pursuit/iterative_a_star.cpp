@@ -10,7 +10,7 @@
 namespace outrider {
 namespace {
 
-constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t unpaid = std::numeric_limits<std::uint64_t>::max();
 
 /// A* over cells; consecutive searches use the same memory.
 class SpaceSearch {
@@ -18,7 +18,7 @@ class SpaceSearch {
   SpaceSearch(const PursuitProblem& problem, BudgetMeter& meter)
       : problem_(problem),
         meter_(meter),
-        paid_(problem.costs->cells.size(), never),
+        paid_(problem.costs->cells.size(), unpaid),
         from_(problem.costs->cells.size()) {
     least_ = problem.threshold;
     for (const std::uint32_t cost : problem.costs->cells) least_ = std::min(least_, cost);
@@ -27,14 +27,14 @@ class SpaceSearch {
   /// Returns the cells from the start to the goal that minimise cost + penalty x steps; an empty list if
   /// there is no path; nothing if the budget ends.
   std::optional<std::vector<Cell>> way(Cell goal, std::uint64_t penalty) {
-    for (const std::size_t i : touched_) paid_[i] = never;
+    for (const std::size_t i : touched_) paid_[i] = unpaid;
     touched_.clear();
     const GridFrame& frame = problem_.costs->frame;
     std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<>> open;
     const auto add = [&](Cell cell, std::uint64_t paid, std::size_t from) {
       const std::size_t i = frame.index(cell);
       if (paid >= paid_[i]) return;
-      if (paid_[i] == never) touched_.push_back(i);
+      if (paid_[i] == unpaid) touched_.push_back(i);
       paid_[i] = paid;
       from_[i] = static_cast<std::uint32_t>(from);
       open.emplace(paid + (least_ + penalty) * moves(cell, goal), paid, i);
