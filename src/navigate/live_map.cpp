@@ -172,7 +172,7 @@ void LiveMap::mark(Vec2 place, double time_s, int weight, bool touched) {
     const bool mapped = !touched && take_wall_beside(cell);
     marks_.push_back(
         {place, time_s, mapped ? never_s : time_s, mapped ? most_weight : weight, touched, mapped});
-    marks_.back().sure = mapped || touched;
+    marks_.back().sure = marks_.back().weight >= sure_weight;
     number = static_cast<std::uint32_t>(marks_.size());
     ++changes_;
     return;
@@ -184,7 +184,7 @@ void LiveMap::mark(Vec2 place, double time_s, int weight, bool touched) {
   known.weight = std::min(known.weight + weight, most_weight);
   known.seen_s = time_s;
   known.touched |= touched;
-  known.sure |= touched || known.weight >= sure_weight;
+  known.sure |= known.weight >= sure_weight;
   confirm(known);
 }
 
@@ -238,11 +238,12 @@ void LiveMap::clear_seen_through(const LaserScan& scan, const Pose2& world_T_las
   const double beyond_m = beyond_cells * options_.resolution_m;
   for (Mark& mark : marks_) {
     const Vec2 local = world_T_laser.to_local(mark.place);
-    if (looks_at(scan, heading_of(local))) mark.looked_s = scan.time_s;
+    const double bearing_rad = heading_of(local);
+    if (looks_at(scan, bearing_rad)) mark.looked_s = scan.time_s;
     if (mark.touched) continue;
     const double away_m = norm(local);
     if (away_m < scan.least_m || away_m + beyond_m > scan.most_m) continue;
-    if (passes(scan, heading_of(local), away_m + beyond_m)) --mark.weight;
+    if (passes(scan, bearing_rad, away_m + beyond_m)) --mark.weight;
   }
   erase_marks([](const Mark& mark) { return mark.weight <= 0; });
 }
