@@ -67,8 +67,8 @@ class Binned {
   }
 
  private:
-  std::vector<Bin> bins_;
-  std::vector<Vec2> points_;  ///< those of a bin beside each other
+  std::vector<Bin> bins_;     ///< of each point
+  std::vector<Vec2> points_;  ///< sorted by bin
   std::vector<Vec2> near_;
   double most_square_;  ///< the largest number whose root is within the distance
 };
